@@ -14,6 +14,7 @@ use crate::factor::{Factor, Pencil};
 use crate::resources::Resources;
 use calyx_fe::sparse::SparseVector;
 use calyx_numerics::dense::{Interruptible, mirror_lower, symmetric_eigen};
+use calyx_numerics::interrupt::MemoryReservation;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::sparse::SparseColMat;
 use faer::{Mat, MatMut, MatRef};
@@ -62,6 +63,11 @@ pub struct Modes {
 }
 
 impl Modes {
+    /// Returns an empty list of modes.
+    pub(crate) fn none(problem: &Problem<'_>) -> Self {
+        Self { eigenvalues: Vec::new(), shapes: Mat::zeros(problem.stiffness.ncols(), 0) }
+    }
+
     /// Returns the natural frequencies, Hz; zero for rigid-body motions.
     pub fn frequencies(&self) -> Vec<f64> {
         self.eigenvalues.iter().map(|value| value.max(0.0).sqrt() / std::f64::consts::TAU).collect()
@@ -171,7 +177,7 @@ pub fn count_below(problem: &Problem<'_>, shift: f64, resources: &Resources) -> 
 }
 
 /// Returns a small negative shift, with which the pencil of a free body is definite.
-pub(crate) fn negative_shift(problem: &Problem<'_>, request: Request) -> f64 {
+fn negative_shift(problem: &Problem<'_>, request: Request) -> f64 {
     if let Request::Below(frequency) = request {
         return -1e-2 * (std::f64::consts::TAU * frequency).powi(2);
     }
@@ -197,23 +203,49 @@ pub fn solve(
     mechanism: impl Fn(&[usize]) -> ElasticError,
     resources: &Resources,
 ) -> Result<Modes, ElasticError> {
+    let wanted = wanted(problem, request, resources)?;
+    if wanted == 0 {
+        return Ok(Modes::none(problem));
+    }
+    let operator = Operator::new(problem, shift(problem, request), resources)?;
+    if !operator.factor.singular.is_empty() {
+        return Err(mechanism(&operator.factor.singular));
+    }
+    iterate(problem, &operator, request, wanted, resources)
+}
+
+/// Returns the number of requested modes.
+pub(crate) fn wanted(
+    problem: &Problem<'_>,
+    request: Request,
+    resources: &Resources,
+) -> Result<usize, ElasticError> {
+    match request {
+        Request::Below(frequency) => {
+            count_below(problem, (std::f64::consts::TAU * frequency).powi(2), resources)
+        }
+        Request::Count(count) => Ok(count),
+    }
+}
+
+/// Returns the shift with which the pencil is definite.
+pub(crate) fn shift(problem: &Problem<'_>, request: Request) -> f64 {
+    if problem.is_free { negative_shift(problem, request) } else { 0.0 }
+}
+
+/// Computes modes with the inverse at [`shift`]; a [`Request::Below`] has `wanted` of them.
+pub(crate) fn iterate(
+    problem: &Problem<'_>,
+    operator: &Operator,
+    request: Request,
+    mut wanted: usize,
+    resources: &Resources,
+) -> Result<Modes, ElasticError> {
     let limit = match request {
         Request::Below(frequency) => Some((std::f64::consts::TAU * frequency).powi(2)),
         Request::Count(_) => None,
     };
-    let mut wanted = match (request, limit) {
-        (_, Some(limit)) => count_below(problem, limit, resources)?,
-        (Request::Count(count), None) => count,
-        (Request::Below(_), None) => 0,
-    };
-    if wanted == 0 {
-        return Ok(Modes { eigenvalues: Vec::new(), shapes: Mat::zeros(problem.stiffness.ncols(), 0) });
-    }
-    let shift = if problem.is_free { negative_shift(problem, request) } else { 0.0 };
-    let operator = Operator::new(problem, shift, resources)?;
-    if !operator.factor.singular.is_empty() {
-        return Err(mechanism(&operator.factor.singular));
-    }
+    let shift = shift(problem, request);
     let mut space = Space::new(problem, operator, shift, wanted);
     loop {
         space.converge(wanted, resources)?;
@@ -248,7 +280,7 @@ pub fn solve(
 /// Krylov space of the inverted pencil.
 struct Space<'a> {
     problem: Problem<'a>,
-    operator: Operator,
+    operator: &'a Operator,
     shift: f64,
     /// Unknowns: rows of the basis.
     unknowns: Vec<usize>,
@@ -270,10 +302,11 @@ struct Space<'a> {
     least: usize,
     /// True if the basis spans all modes.
     is_complete: bool,
+    room: MemoryReservation,
 }
 
 impl<'a> Space<'a> {
-    fn new(problem: &Problem<'a>, operator: Operator, shift: f64, wanted: usize) -> Self {
+    fn new(problem: &Problem<'a>, operator: &'a Operator, shift: f64, wanted: usize) -> Self {
         let order = &operator.factor.dissection().order;
         let unknowns: Vec<usize> = (0..order.len()).filter(|&dof| order[dof].is_some()).collect();
         Self {
@@ -292,6 +325,7 @@ impl<'a> Space<'a> {
             vectors: Mat::new(),
             least: 0,
             is_complete: false,
+            room: MemoryReservation::default(),
         }
     }
 
@@ -407,7 +441,7 @@ impl<'a> Space<'a> {
         let check = || resources.check();
         let dense = Interruptible(&check);
         let capacity = self.size + vectors.ncols();
-        self.reserve(capacity);
+        self.reserve(capacity, resources)?;
         let norms = |vectors: MatRef<'_, f64>, masses: &Mat<f64>, unknowns: &[usize]| {
             let norm = |column: usize| {
                 let terms = unknowns
@@ -485,12 +519,16 @@ impl<'a> Space<'a> {
         self.size += 1;
     }
 
-    fn reserve(&mut self, capacity: usize) {
+    fn reserve(&mut self, capacity: usize, resources: &Resources) -> Result<(), ElasticError> {
         if capacity > self.basis.ncols() {
-            let columns = capacity.next_power_of_two().max(32);
+            let columns = (capacity + capacity / 4).max(32);
+            let rows = self.unknowns.len();
+            let bytes = 8 * columns as u64 * (rows + columns) as u64;
+            self.room = resources.reserve("the space of the mode shapes", bytes, rows, 1.0)?;
             self.basis.resize_with(self.unknowns.len(), columns, |_, _| 0.0);
             self.projected.resize_with(columns, columns, |_, _| 0.0);
         }
+        Ok(())
     }
 
     /// Computes the eigenpairs of the projection onto the columns to which the operator was applied.

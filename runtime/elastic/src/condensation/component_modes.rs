@@ -42,6 +42,10 @@ pub fn component_modes(
 ) -> Result<CondensedBody, ElasticError> {
     let attached = Attached::new(system, attachments)?;
     let mass = system.mass(resources)?;
+    // Static shapes, their inertia and the pseudo-modes.
+    let columns = 6 * (attached.components.len() + attached.helpers.len()) as u64;
+    let bytes = 8 * columns * system.dof_count() as u64;
+    let _room = resources.reserve("the shapes of the attachments", bytes, system.dof_count(), 1.0)?;
     let request = Request::Below(highest_frequency);
     let (shapes, modes, stiffness) = match synthesis {
         Synthesis::FixedInterface => fixed_interface(system, &mass, &attached, request, resources)?,
@@ -130,9 +134,8 @@ fn fixed_interface(
         forms: &attached.forms,
         is_free: !attached.helpers.is_empty(),
     };
-    let mut modes = modes::solve(&problem, request, |dofs| mechanism_within(system, dofs), resources)?;
-    let shift = if problem.is_free { modes::negative_shift(&problem, request) } else { 0.0 };
-    let operator = Operator::new(&problem, shift, resources)?;
+    let wanted = modes::wanted(&problem, request, resources)?;
+    let operator = Operator::new(&problem, modes::shift(&problem, request), resources)?;
     let constrained = [fixed.as_slice(), &attached.helpers].concat();
     let own_factor;
     let factor = if attached.helpers.is_empty() {
@@ -145,6 +148,10 @@ fn fixed_interface(
     if !factor.singular.is_empty() {
         return Err(mechanism_within(system, &factor.singular));
     }
+    let mut modes = match wanted {
+        0 => Modes::none(&problem),
+        _ => modes::iterate(&problem, &operator, request, wanted, resources)?,
+    };
     // Static responses to unit displacements of the retained unknowns and unit multipliers.
     let retained: Vec<usize> = attached.direct.iter().chain(&attached.helpers).copied().collect();
     let (count, forms) = (retained.len(), attached.forms.len());
