@@ -3,13 +3,16 @@
 //! the same run.
 //!
 //! `cargo bench -p calyx-elastic --bench condensation` runs a small housing;
-//! `-- full` one of 200,000 degrees of freedom, and `-- 20` one of 20 cells along an edge.
+//! `-- full` one of 200,000 degrees of freedom, `-- 20` one of 20 cells along an edge, and
+//! `-- estimate 80` only states the memory of its factor.
 
 use calyx_elastic::assembly::System;
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach};
 use calyx_elastic::condensation::{Synthesis, component_modes, static_condensation};
+use calyx_elastic::factor::memory;
 use calyx_elastic::model::SolidShape;
 use calyx_elastic::{ElasticModel, Element, ElementKind, Material, Node, Resources};
+use calyx_fe::dissection::Dissection;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::linalg::cholesky::{LltRef, SymmetricOrdering, factorize_symbolic_cholesky};
 use faer::sparse::{SparseColMat, Triplet};
@@ -33,6 +36,15 @@ fn main() {
     let system = System::new(&model, &resources).expect("valid");
     let assembly = start.elapsed().as_secs_f64();
     println!("{} degrees of freedom, {} seats", system.unknowns().len(), seats.len());
+
+    let constrained = system.constrained();
+    let kept: [usize; 0] = [];
+    let dissection = Dissection::new(&system.stiffness, &system.positions, &constrained, &kept);
+    let (bytes, entries) = memory(&dissection);
+    println!("factor of {:.3e} entries, {:.2} GB with its work space", entries as f64, bytes as f64 / 1e9);
+    if std::env::args().any(|argument| argument == "estimate") {
+        return;
+    }
 
     let start = Instant::now();
     let body = static_condensation(&system, &seats, &[], &resources).expect("condensed");
