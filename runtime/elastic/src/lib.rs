@@ -19,15 +19,11 @@ pub mod import;
 pub mod model;
 pub mod modes;
 pub mod resources;
+pub mod shell;
 pub mod solid;
 pub mod statics;
 
 pub use error::{ElasticError, ElementError};
-pub mod error;
-pub mod model;
-pub mod shell;
-
-pub use error::ElementError;
 pub use model::{
     Component, Constraint, ElasticModel, Element, ElementKind, FixedComponents, Material, NodalLoad, Node,
 };

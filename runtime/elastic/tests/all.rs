@@ -4,11 +4,10 @@ mod attachments;
 mod beams;
 mod condensation;
 mod constraints;
+mod decks;
+mod import;
 mod meshes;
 mod modes;
 mod resources;
-mod solids;
-//! Tests of elastic bodies of any shape.
-
-mod import;
 mod shell;
+mod solids;
