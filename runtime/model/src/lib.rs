@@ -5,6 +5,7 @@
 
 pub mod bearing;
 pub mod body;
+pub mod connection;
 pub mod disc;
 pub mod dof;
 pub mod fidelity;
@@ -22,6 +23,7 @@ pub mod position;
 pub mod prototype;
 pub mod resources;
 pub mod rigid;
+pub mod shaft;
 pub mod spline_contact;
 pub mod structure_building;
 pub mod target;

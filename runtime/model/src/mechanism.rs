@@ -1,18 +1,22 @@
-//! Simulated part of a scene, without observables: bodies, bearings and surface pairs.
+//! Simulated part of a scene, without observables: bodies, bearings,
+//! elastic connections and surface pairs.
 
 use crate::bearing::Bearing;
 use crate::body::Body;
-use crate::ids::{BearingId, BodyId, PairId};
+use crate::connection::ElasticConnection;
+use crate::ids::{BearingId, BodyId, ConnectionId, PairId};
 use crate::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 
-/// Bodies, bearings and surface pairs.
+/// Bodies, bearings, elastic connections and surface pairs.
 #[derive(Clone, Default)]
 pub struct Mechanism {
     /// Bodies, indexed by [`BodyId`].
     pub bodies: Vec<Body>,
     /// Bearings, indexed by [`BearingId`].
     pub bearings: Vec<Bearing>,
+    /// Elastic connections, indexed by [`ConnectionId`].
+    pub connections: Vec<ElasticConnection>,
     /// Surface pairs, indexed by [`PairId`].
     pub pairs: Vec<SurfacePair>,
 }
@@ -32,6 +36,27 @@ impl Mechanism {
         bearing.check(&self.bodies, &self.bearings)?;
         self.bearings.push(bearing);
         Ok(BearingId(self.bearings.len() - 1))
+    }
+
+    /// Adds an elastic connection.
+    ///
+    /// # Errors
+    /// E0671: the scene has a connection of the same name. Otherwise those of
+    /// [`ElasticConnection::check`].
+    pub fn add_connection(&mut self, connection: ElasticConnection) -> Result<ConnectionId, EngineError> {
+        connection.check(&self.bodies)?;
+        if self.connections.iter().any(|other| other.name == connection.name) {
+            let message = format!("there are two elastic connections called \"{}\"", connection.name);
+            let help = "results speak of connections by name; give each its own";
+            return Err(EngineError::new("E0671", message, help).blame("name"));
+        }
+        self.connections.push(connection);
+        Ok(ConnectionId(self.connections.len() - 1))
+    }
+
+    /// Returns the elastic connections of a body.
+    pub fn connections_of(&self, body: BodyId) -> impl Iterator<Item = &ElasticConnection> {
+        self.connections.iter().filter(move |connection| connection.bodies().any(|other| other == body))
     }
 
     /// Adds a pair of surfaces that may come into contact.

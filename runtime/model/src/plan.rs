@@ -1,12 +1,15 @@
 //! Plan of an analysis: the modelled part of the scene, the models of its bodies, and the reasons.
 //! Parts that no observable depends on are left out.
 
+mod connections;
 mod unsupported_output;
 
+pub use self::connections::ConnectionPlan;
 pub use self::unsupported_output::UnsupportedOutput;
 
 use crate::bearing::Bearing;
 use crate::body::Body;
+use crate::connection::ElasticConnection;
 use crate::dof::DOF_NAMES;
 use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
 use crate::ids::BodyId;
@@ -34,6 +37,8 @@ pub struct Plan {
     pub bodies: Vec<BodyPlan>,
     /// Plan of each bearing, in the order of the scene.
     pub bearings: Vec<BearingPlan>,
+    /// Plan of each elastic connection, in the order of the scene.
+    pub connections: Vec<ConnectionPlan>,
     /// Inputs that this fidelity ignores.
     pub ignored: Vec<Ignored>,
 }
@@ -143,7 +148,8 @@ impl Plan {
                 }
             }
             if !three_dimensional && !left_out {
-                refuse_motion_out_of_plane(&body.name, body.free)
+                connections::refuse_bending_in_plane(scene, id, body.free)
+                    .and_then(|()| refuse_motion_out_of_plane(&body.name, body.free))
                     .and_then(|()| check_in_plane(body.motion.as_ref()))
                     .map_err(|error| error.about(Subject::Body(index)))?;
             }
@@ -162,6 +168,9 @@ impl Plan {
                 reason: match (left_out, stresses) {
                     (true, _) if untouched => "left out: it touches nothing",
                     (true, _) => "left out: no load goes through it to a body that an output observes",
+                    (false, _) if rigid && connections::is_section(scene, id) => {
+                        "section of a shaft, or another part of an elastic connection without contact"
+                    }
                     (false, _) if rigid => "rigid: it has no contact, and bearings support its frame",
                     (false, _) if model == BodyModel::Rigid => {
                         "rigid at this fidelity: its surfaces touch others in the limit of vanishing load"
@@ -182,9 +191,10 @@ impl Plan {
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
         ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
+        let connections = connections::plan_connections(scene, &bodies);
         ignored.sort();
         ignored.dedup();
-        Ok(Plan { fidelity, three_dimensional, refused: Vec::new(), bodies, bearings, ignored })
+        Ok(Plan { fidelity, three_dimensional, refused: Vec::new(), bodies, bearings, connections, ignored })
     }
 
     /// Restricts the plan to an analysis with these outputs.
@@ -237,6 +247,11 @@ impl Plan {
     /// Returns the indices of the modelled bearings.
     pub fn modelled_bearings(&self) -> Vec<usize> {
         (0..self.bearings.len()).filter(|&bearing| !self.bearings[bearing].left_out).collect()
+    }
+
+    /// Returns the indices of the modelled elastic connections.
+    pub fn modelled_connections(&self) -> Vec<usize> {
+        (0..self.connections.len()).filter(|&connection| !self.connections[connection].left_out).collect()
     }
 
     /// Returns the number of each body's structure, counted from 0; `None` for a body that is left
@@ -309,7 +324,7 @@ fn touching(scene: &Mechanism) -> impl Iterator<Item = BodyId> {
 fn named_by(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
     let moves = |body: &BodyId| {
         let borne = scene.bearings.iter().flat_map(Bearing::bodies).any(|other| other == *body);
-        borne || touching(scene).any(|other| other == *body)
+        borne || scene.connections_of(*body).next().is_some() || touching(scene).any(|other| other == *body)
     };
     let bearing = target.bearing_of.and_then(|bearing| scene.bearings.get(bearing.0));
     let pair = target.pair_of.and_then(|pair| scene.pairs.get(pair.0));
@@ -348,7 +363,7 @@ fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bo
     if touches { path } else { everything() }
 }
 
-/// Returns these bodies and all that surface pairs or bearings connect to them.
+/// Returns these bodies and all that surface pairs, bearings or elastic connections connect to them.
 fn connected_bodies(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> Vec<bool> {
     let mut wanted = vec![false; scene.bodies.len()];
     let mut more: Vec<BodyId> = bodies.collect();
@@ -359,6 +374,7 @@ fn connected_bodies(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> 
         }
         let bearings = scene.bearings.iter().filter(|bearing| bearing.bodies().any(|other| other == body));
         more.extend(bearings.flat_map(Bearing::bodies));
+        more.extend(scene.connections_of(body).flat_map(ElasticConnection::bodies));
         let pairs = scene.pairs.iter().filter(|pair| pair.bodies.contains(&body));
         more.extend(pairs.flat_map(|pair| pair.bodies));
     }

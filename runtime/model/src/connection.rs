@@ -1,0 +1,171 @@
+//! Elastic connections: linear elastic parts between the frames of any number of bodies, such as
+//! shafts.
+//!
+//! A connection has *attachments*: points that are rigid parts of bodies or of ground. Each has
+//! three displacements and three rotations, along and about the axes of the reference, which is the
+//! body (or ground) of the first attachment. The connection is given by a symmetric positive
+//! semidefinite stiffness matrix between all these components, under which rigid-body motions of
+//! all attachments cause no forces, and by a mass matrix on the same components. It generalizes a
+//! bearing to several bodies, and enters the equilibrium in the same way.
+//!
+//! The stiffness is linear about the prescribed motions of the bodies, so the attachments must keep
+//! their positions relative to the reference. The bodies may rotate about their attachments
+//! relative to each other, as planets on the pins of a carrier.
+//!
+//! See `docs/theory/shafts.md`.
+
+mod connection_state;
+mod terms;
+
+pub use connection_state::ConnectionState;
+pub use terms::{add_connection_mass, add_connection_stiffness};
+
+use crate::bearing::Support;
+use crate::body::Body;
+use crate::ids::BodyId;
+use crate::shaft::Shaft;
+use calyx_numerics::error::EngineError;
+use nalgebra::{DMatrix, SymmetricEigen};
+use std::sync::Arc;
+
+/// Point of a body or of ground to which a connection is attached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment {
+    /// The body, or ground.
+    pub to: Support,
+    /// Position in the coordinates of the body's frame, or of ground, m.
+    pub at: [f64; 3],
+}
+
+/// Linear elastic part between bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElasticConnection {
+    /// Name in results and messages.
+    pub name: String,
+    /// Attachments; the axes of the first one's body are the reference axes. A body may have
+    /// several.
+    pub attachments: Vec<Attachment>,
+    /// Stiffness matrix, six rows an attachment in the order of [`crate::dof::DOF_NAMES`],
+    /// row-major; units as in [`crate::bearing::BearingMatrix`].
+    pub stiffness: Vec<f64>,
+    /// Mass matrix on the same components, kg, kg m and kg m²; empty for a connection without mass.
+    pub mass: Vec<f64>,
+    /// The shaft of which this is the condensation, if any.
+    pub shaft: Option<CondensedShaft>,
+}
+
+/// Shaft behind a connection, for displacements and forces between its stations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CondensedShaft {
+    /// The shaft.
+    pub shaft: Arc<Shaft>,
+    /// Position of each attachment on the shaft, ascending, m.
+    pub stations: Vec<f64>,
+    /// True if the shaft is modelled as rigid: its forces are unknown.
+    pub rigid: bool,
+}
+
+/// Tolerance of asymmetry, of negative eigenvalues and of forces due to rigid-body motions,
+/// relative to the diagonal of the matrix; covers rounding of printed digits.
+const ROUNDING: f64 = 1e-6;
+
+impl ElasticConnection {
+    /// Returns the bodies that the connection joins, once each, in the order of the attachments.
+    pub fn bodies(&self) -> impl Iterator<Item = BodyId> {
+        let bodies = self.attachments.iter().map(|attachment| match attachment.to {
+            Support::Ground => None,
+            Support::Body(body) => Some(body),
+        });
+        let all: Vec<BodyId> = bodies.flatten().collect();
+        (0..all.len())
+            .filter(|&k| !all[..k].contains(&all[k]))
+            .map(|k| all[k])
+            .collect::<Vec<_>>()
+            .into_iter()
+    }
+
+    /// Returns the number of rows of the matrices.
+    pub fn size(&self) -> usize {
+        6 * self.attachments.len()
+    }
+
+    /// Checks whether these bodies can have this connection.
+    ///
+    /// # Errors
+    /// - E0653: the scene has no such body.
+    /// - E0869: a matrix has the wrong size, is not symmetric or not positive semidefinite; the
+    ///   stiffness resists a rigid-body motion; or the attachments do not keep their positions.
+    /// - E0710: a frame is NaN.
+    pub fn check(&self, bodies: &[Body]) -> Result<(), EngineError> {
+        let size = self.size();
+        let refused = |problem: String, help: &str| {
+            let message = format!("the elastic connection \"{}\" {problem}", self.name);
+            Err(EngineError::new("E0869", message, help))
+        };
+        if size == 0 {
+            return refused("has no attachments".into(), "attach it to at least two bodies");
+        }
+        let mass = (!self.mass.is_empty()).then_some(("mass", &self.mass));
+        for (what, matrix) in [("stiffness", &self.stiffness)].into_iter().chain(mass) {
+            if let Err(problem) = check_matrix(matrix, size) {
+                return refused(
+                    format!("has a {what} matrix that {problem}"),
+                    "give a symmetric matrix without negative eigenvalues, six rows for each attachment",
+                );
+            }
+        }
+        let state = ConnectionState::at(bodies, self, 0.0)?;
+        if let Some(motion) = resisted_rigid_motion(&self.stiffness, &state.rigid_motions()) {
+            return refused(
+                format!("resists the rigid-body motion {}", crate::dof::DOF_NAMES[motion]),
+                "give a stiffness matrix under which a common motion of all attachments causes no forces; attach the part to ground where it is supported",
+            );
+        }
+        // The velocities of the attachments show whether they stay together.
+        state.check_velocities(bodies, self)
+    }
+}
+
+/// Checks a matrix of a connection. The error is the rest of a sentence.
+fn check_matrix(matrix: &[f64], size: usize) -> Result<(), String> {
+    if matrix.len() != size * size {
+        return Err(format!("has {} entries instead of {}", matrix.len(), size * size));
+    }
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return Err("has an entry that is not a finite number".into());
+    }
+    let scale: Vec<f64> = (0..size).map(|k| matrix[k * size + k].max(0.0).sqrt()).collect();
+    for row in 0..size {
+        for column in 0..row {
+            let (one, other) = (matrix[row * size + column], matrix[column * size + row]);
+            if (one - other).abs() > ROUNDING * (scale[row] * scale[column]).max(one.abs().min(other.abs())) {
+                return Err(format!("is not symmetric in row {} and column {}", row + 1, column + 1));
+            }
+        }
+        if matrix[row * size + row] < 0.0 {
+            return Err(format!("has a negative diagonal entry in row {}", row + 1));
+        }
+    }
+    let scaled = DMatrix::from_fn(size, size, |row, column| {
+        let value = 0.5 * (matrix[row * size + column] + matrix[column * size + row]);
+        if value == 0.0 { 0.0 } else { value / (scale[row] * scale[column]) }
+    });
+    if !scaled.iter().all(|entry| entry.is_finite()) {
+        return Err("couples a component that has no stiffness itself".into());
+    }
+    match SymmetricEigen::new(scaled).eigenvalues.iter().any(|&value| value < -ROUNDING) {
+        true => Err("has a negative eigenvalue".into()),
+        false => Ok(()),
+    }
+}
+
+/// Returns the first of these rigid-body motions (one entry per component each) under which the
+/// stiffness gives forces.
+fn resisted_rigid_motion(stiffness: &[f64], motions: &[Vec<f64>; 6]) -> Option<usize> {
+    motions.iter().position(|motion| {
+        stiffness.chunks_exact(motion.len()).any(|row| {
+            let terms = || row.iter().zip(motion).map(|(entry, part)| entry * part);
+            terms().sum::<f64>().abs() > ROUNDING * terms().map(f64::abs).sum::<f64>()
+        })
+    })
+}

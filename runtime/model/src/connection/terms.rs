@@ -1,0 +1,111 @@
+//! Contribution of elastic connections to the equations of the DOFs: stiffness and mass.
+
+use super::connection_state::Six;
+use super::{ConnectionState, ElasticConnection};
+use crate::body::Body;
+use crate::dof::Dof;
+use crate::ids::BodyId;
+use calyx_numerics::error::EngineError;
+
+/// Adds the stiffness of the planned connections of a scene at a time (s) to a matrix of these
+/// DOFs, row-major. `width` (m) is that of a body in a plane model, and 1 in three dimensions.
+///
+/// # Errors
+/// Those of [`ConnectionState::at`].
+pub fn add_connection_stiffness(
+    target: &mut [f64],
+    (bodies, connections): (&[Body], &[ElasticConnection]),
+    planned: &[usize],
+    dofs: &[Dof],
+    width: impl Fn(usize) -> f64,
+    time: f64,
+) -> Result<(), EngineError> {
+    for connection in planned.iter().filter_map(|&connection| connections.get(connection)) {
+        let state = ConnectionState::at(bodies, connection, time)?;
+        add(target, dofs, &state, &connection.stiffness, width(connection.first_body()));
+    }
+    Ok(())
+}
+
+/// Adds the mass of the planned connections to a mass matrix, like [`add_connection_stiffness`].
+///
+/// # Errors
+/// Those of [`ConnectionState::at`].
+pub fn add_connection_mass(
+    target: &mut [f64],
+    (bodies, connections): (&[Body], &[ElasticConnection]),
+    planned: &[usize],
+    dofs: &[Dof],
+    width: impl Fn(usize) -> f64,
+    time: f64,
+) -> Result<(), EngineError> {
+    for connection in planned.iter().filter_map(|&connection| connections.get(connection)) {
+        if !connection.mass.is_empty() {
+            let state = ConnectionState::at(bodies, connection, time)?;
+            add(target, dofs, &state, &connection.mass, width(connection.first_body()));
+        }
+    }
+    Ok(())
+}
+
+/// Adds a matrix of the attachments to one of the DOFs. Each entry and its mirror image are
+/// computed once, so that the sum is exactly symmetric.
+fn add(target: &mut [f64], dofs: &[Dof], state: &ConnectionState, matrix: &[f64], width: f64) {
+    let m = dofs.len();
+    let moved: Vec<Vec<(usize, Six)>> = dofs.iter().map(|dof| state.moved(dof)).collect();
+    let size = (matrix.len() as f64).sqrt().round() as usize;
+    let block = |row: usize, column: usize| matrix[row * size + column];
+    for (k, one) in moved.iter().enumerate().filter(|(_, one)| !one.is_empty()) {
+        for (l, other) in moved.iter().enumerate().skip(k).filter(|(_, other)| !other.is_empty()) {
+            let mut entry = 0.0;
+            for (a, x) in one {
+                for (b, y) in other {
+                    for (i, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {
+                        for (j, y) in y.iter().enumerate() {
+                            let (row, column) = (6 * a + i, 6 * b + j);
+                            entry += x * (0.5 * (block(row, column) + block(column, row))) * y;
+                        }
+                    }
+                }
+            }
+            target[k * m + l] += entry / width;
+            if l > k {
+                target[l * m + k] += entry / width;
+            }
+        }
+    }
+}
+
+impl ElasticConnection {
+    /// Returns the index of the first connected body, whose width applies in a plane model.
+    fn first_body(&self) -> usize {
+        self.bodies().next().map_or(0, |BodyId(body)| body)
+    }
+
+    /// Returns the forces of the connection on its attachments at motions of these, along and about
+    /// the reference axes, N and N m.
+    pub fn push(&self, motions: &[Six]) -> Vec<Six> {
+        self.times(&self.stiffness, motions)
+    }
+
+    /// Returns the inertia forces of the connection on its attachments at accelerations of these;
+    /// zero without a mass matrix.
+    pub fn inertia_forces(&self, accelerations: &[Six]) -> Vec<Six> {
+        if self.mass.is_empty() {
+            vec![[0.0; 6]; accelerations.len()]
+        } else {
+            self.times(&self.mass, accelerations)
+        }
+    }
+
+    /// Returns the product of a matrix and motions, with opposite sign.
+    fn times(&self, matrix: &[f64], motions: &[Six]) -> Vec<Six> {
+        let size = self.size();
+        let row = |row: usize| {
+            let entry = |column: usize| 0.5 * (matrix[row * size + column] + matrix[column * size + row]);
+            let sum: f64 = (0..size).map(|column| entry(column) * motions[column / 6][column % 6]).sum();
+            0.0 - sum
+        };
+        (0..motions.len()).map(|attachment| std::array::from_fn(|k| row(6 * attachment + k))).collect()
+    }
+}

@@ -1,0 +1,60 @@
+//! Plan of elastic connections.
+
+use super::BodyPlan;
+use crate::dof::DOF_NAMES;
+use crate::ids::BodyId;
+use crate::mechanism::Mechanism;
+use calyx_numerics::error::EngineError;
+
+/// Plan of an elastic connection.
+#[derive(Clone, Debug)]
+pub struct ConnectionPlan {
+    /// Name in the scene.
+    pub name: String,
+    /// Reason for modelling the connection, or for leaving it out.
+    pub reason: &'static str,
+    /// True if the connection is not modelled.
+    pub left_out: bool,
+}
+
+/// Plans the elastic connections of a scene with these bodies.
+pub(super) fn plan_connections(scene: &Mechanism, bodies: &[BodyPlan]) -> Vec<ConnectionPlan> {
+    let plan = |connection: &crate::connection::ElasticConnection| {
+        let unwanted = connection.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
+        let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
+        let idle = connection.attachments.len() < 2 || !connection.bodies().any(moves);
+        // The mass of a rigid part with one attachment counts.
+        let massive = connection.mass.iter().any(|&entry| entry != 0.0);
+        ConnectionPlan {
+            name: connection.name.clone(),
+            reason: match (unwanted, idle) {
+                (true, _) => "left out: no output depends on the bodies that it connects",
+                (_, true) if !massive => "left out: it connects nothing that moves relative to each other",
+                _ => "a stiffness between the frames of its bodies",
+            },
+            left_out: unwanted || (idle && !massive),
+        }
+    };
+    scene.connections.iter().map(plan).collect()
+}
+
+/// Returns whether a body belongs to an elastic connection.
+pub(super) fn is_section(scene: &Mechanism, body: BodyId) -> bool {
+    scene.connections_of(body).next().is_some()
+}
+
+/// Rejects out-of-plane components of bodies on an elastic connection in a plane model.
+pub(super) fn refuse_bending_in_plane(
+    scene: &Mechanism,
+    body: BodyId,
+    free: [bool; 6],
+) -> Result<(), EngineError> {
+    let Some(connection) = scene.connections_of(body).next() else { return Ok(()) };
+    let Some(dof) = [2, 3, 4].into_iter().find(|&dof| free[dof]) else { return Ok(()) };
+    let message = format!(
+        "\"{}\" bends and moves along its axis ({}), which a two-dimensional model does not have",
+        connection.name, DOF_NAMES[dof]
+    );
+    let help = "choose the fidelity \"analytic\" or a three-dimensional one, or give the shaft `free = [\"theta_z\"]`: it then twists only";
+    Err(EngineError::new("E0611", message, help).blame("free"))
+}

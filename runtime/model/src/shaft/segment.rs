@@ -1,0 +1,119 @@
+//! Segments of a shaft and their sections.
+
+use super::Six;
+use super::beam::shear_coefficient;
+use calyx_fe::material::Material;
+use calyx_numerics::error::EngineError;
+use std::f64::consts::PI;
+
+/// Segment of a shaft: cylindrical or conical, with a coaxial bore.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShaftSegment {
+    /// Length, m.
+    pub length: f64,
+    /// Outside diameter at the start and at the end, m.
+    pub diameter: [f64; 2],
+    /// Diameter of the bore at the start and at the end, m; 0 for a solid shaft.
+    pub bore: [f64; 2],
+    /// Outside diameter that carries load, m, if it differs from [`ShaftSegment::diameter`]: the
+    /// root circle of a spline or a thread. The mass is that of the whole segment.
+    pub stiffness_diameter: Option<f64>,
+}
+
+impl ShaftSegment {
+    /// Checks the dimensions.
+    ///
+    /// # Errors
+    /// E0858: a dimension is not positive, or the bore is as large as the diameter that carries
+    /// load.
+    pub fn check(&self) -> Result<(), EngineError> {
+        let refused = |argument, message: String, help: &str| {
+            Err(EngineError::new("E0858", message, help).blame(argument))
+        };
+        let mm = |metres: f64| (metres * 1e9).round() / 1e6;
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        if !positive(self.length) {
+            let message = format!("a segment of a shaft cannot be {} mm long", mm(self.length));
+            return refused("length", message, "give a positive length");
+        }
+        let named = [("diameter", self.diameter[0]), ("end_diameter", self.diameter[1])];
+        let stated = self.stiffness_diameter.map(|diameter| ("stiffness_diameter", diameter));
+        for (argument, diameter) in named.into_iter().chain(stated) {
+            if !positive(diameter) {
+                let message = format!("a segment of a shaft cannot have a diameter of {} mm", mm(diameter));
+                return refused(argument, message, "give a positive diameter");
+            }
+        }
+        for (end, argument) in ["bore", "end_bore"].into_iter().enumerate() {
+            let (bore, outside) = (self.bore[end], self.stiffness_diameter.unwrap_or(self.diameter[end]));
+            if !(bore.is_finite() && bore >= 0.0) {
+                let message = format!("the bore of a shaft cannot have a diameter of {} mm", mm(bore));
+                return refused(argument, message, "give a positive diameter, or 0 for a solid shaft");
+            }
+            if bore >= outside {
+                let message =
+                    format!("the bore of {} mm leaves no wall in a segment of {} mm", mm(bore), mm(outside));
+                return refused(argument, message, "reduce the bore, or enlarge the diameter");
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns whether the sections vary along the segment.
+    pub(super) fn is_tapered(&self) -> bool {
+        self.diameter[0] != self.diameter[1] || self.bore[0] != self.bore[1]
+    }
+
+    /// Returns the section at a fraction of the length.
+    pub(super) fn section(&self, part: f64) -> Section {
+        let between =
+            |[start, end]: [f64; 2]| if start == end { start } else { start + part * (end - start) };
+        let outside = between(self.diameter);
+        Section { outside, carrying: self.stiffness_diameter.unwrap_or(outside), bore: between(self.bore) }
+    }
+}
+
+/// Circular section with a bore, m.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Section {
+    outside: f64,
+    /// Outside diameter that carries load.
+    carrying: f64,
+    bore: f64,
+}
+
+fn area([outside, bore]: [f64; 2]) -> f64 {
+    0.25 * PI * (outside * outside - bore * bore)
+}
+
+fn second_moment([outside, bore]: [f64; 2]) -> f64 {
+    PI / 64.0 * (outside.powi(4) - bore.powi(4))
+}
+
+impl Section {
+    /// Returns the area that carries load, m².
+    pub(super) fn area(&self) -> f64 {
+        area([self.carrying, self.bore])
+    }
+
+    /// Returns the section modulus of bending, m³; that of torsion is twice as large.
+    pub(super) fn bending_modulus(&self) -> f64 {
+        2.0 * second_moment([self.carrying, self.bore]) / self.carrying
+    }
+
+    /// Returns `1 / EA`, `1 / kappa G A`, `1 / EI` and `1 / GJ`.
+    pub(super) fn compliances(&self, material: &Material) -> [f64; 4] {
+        let Material { youngs_modulus: e, poissons_ratio: nu, .. } = *material;
+        let g = 0.5 * e / (1.0 + nu);
+        let (area, inertia) = (self.area(), second_moment([self.carrying, self.bore]));
+        let shear = shear_coefficient(nu, self.bore / self.carrying);
+        [e * area, shear * g * area, e * inertia, 2.0 * g * inertia].map(f64::recip)
+    }
+
+    /// Returns mass and moments of inertia per length along and about the three axes.
+    pub(super) fn inertia(&self, material: &Material) -> Six {
+        let mass = material.density * area([self.outside, self.bore]);
+        let across = material.density * second_moment([self.outside, self.bore]);
+        [mass, mass, mass, across, across, 2.0 * across]
+    }
+}
