@@ -72,6 +72,7 @@
 //! |---|---|
 //! | [`scene`] | bodies ([`scene::Body`]), surface pairs ([`scene::SurfacePair`]) and observables; [`scene::Prototype`] defines how a body is modelled |
 //! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | the simulated parts of a scene, independent of its observables |
+//! | [`connection`], [`shaft`] | linear elastic parts between bodies: shafts |
 //! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
 //! | [`lubrication`] | friction, flash temperature and film thickness at a point of contact |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
@@ -125,8 +126,8 @@ pub use calyx_contact as contact;
 pub use calyx_fe as fe;
 pub use calyx_fe::{inertia, material};
 pub use calyx_model::{
-    bearing, body, disc, dof, fidelity, ids, load, lubrication, mechanism, motion, observed, pairs, plan,
-    position, prototype, resources, rigid, spline_contact, target,
+    bearing, body, connection, disc, dof, fidelity, ids, load, lubrication, mechanism, motion, observed,
+    pairs, plan, position, prototype, resources, rigid, shaft, spline_contact, target,
 };
 pub use calyx_numerics::{error, interrupt, vec3};
 pub use calyx_solve::{integration, restraint_check, step, system, vibrations};

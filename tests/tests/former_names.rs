@@ -95,6 +95,7 @@ fn former_fields_and_methods_of_a_scene_return_the_current_values() {
         refused: Vec::new(),
         bodies: Vec::new(),
         bearings: Vec::new(),
+        connections: Vec::new(),
         ignored: Vec::new(),
     };
     assert!(plan(true).in_space() && !plan(false).in_space());

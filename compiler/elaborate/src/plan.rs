@@ -7,16 +7,20 @@ use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 use calyx_runtime::bearing::Support;
+use calyx_runtime::connection::{Attachment, ElasticConnection};
 use calyx_runtime::cost::Task;
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Wrench;
-use calyx_runtime::plan::Plan;
+use calyx_runtime::plan::{ConnectionPlan, Plan};
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, DOF_NAMES, Fidelity, Prototype, Scene, StructureOptions};
 use calyx_runtime::settings_override::Grid;
 use calyx_runtime::structure::StructureSize;
 use std::fmt::{self, Write};
 use std::sync::Arc;
+
+/// Load of a free component without load, as text.
+const NO_LOAD: &str = "no load";
 
 /// The plan of a scene, with the names of its model. Planning solves nothing.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +32,7 @@ pub struct Planned {
     pub bodies: Vec<PlannedBody>,
     pub meshes: Vec<PlannedMesh>,
     pub bearings: Vec<PlannedBearing>,
+    pub shafts: Vec<PlannedShaft>,
     /// Names of the outputs, which determine what is modelled.
     pub outputs: Vec<String>,
     /// The number of contact problems that each chain of the analysis solves in sequence. Without
@@ -124,6 +129,8 @@ pub struct PlannedBody {
     /// The unconstrained degrees of freedom of its frame, and the load on each.
     pub free: Vec<(&'static str, String)>,
     pub left_out: bool,
+    /// `true` for a section of a shaft without teeth.
+    pub section: bool,
     /// The reason for its model, or for omitting it.
     pub reason: &'static str,
     /// The finite-element mesh that it would get.
@@ -188,6 +195,53 @@ pub struct PlannedBearing {
     pub reason: &'static str,
 }
 
+/// A shaft, or another elastic connection of bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedShaft {
+    pub name: String,
+    /// The bodies or sections that it connects, each with its position on the shaft.
+    pub sections: Vec<String>,
+    /// Number of degrees of freedom of its sections.
+    pub dofs: usize,
+    pub rigid: bool,
+    pub left_out: bool,
+    /// The reason for its model, or for omitting it.
+    pub reason: &'static str,
+}
+
+impl PlannedShaft {
+    fn all(scene: &Scene, plan: &Plan, unit: LengthUnit) -> Vec<PlannedShaft> {
+        let of = |(connection, planned): (&ElasticConnection, &ConnectionPlan)| {
+            let shaft = connection.shaft.as_ref();
+            let section = |(index, attachment): (usize, &Attachment)| {
+                let name = match attachment.to {
+                    Support::Ground => "ground".to_owned(),
+                    Support::Body(body) => {
+                        scene.bodies.get(body.0).map_or_else(String::new, |b| format!("\"{}\"", b.name))
+                    }
+                };
+                let at = shaft.and_then(|shaft| shaft.stations.get(index));
+                at.map_or(name.clone(), |at| format!("{name} at {} {}", rounded(at / unit.metres), unit.name))
+            };
+            let free = |body: BodyId| scene.bodies.get(body.0).map_or(&[][..], |body| &body.free);
+            PlannedShaft {
+                name: connection.name.clone(),
+                sections: connection.attachments.iter().enumerate().map(section).collect(),
+                dofs: connection.bodies().map(|body| free(body).iter().filter(|free| **free).count()).sum(),
+                rigid: shaft.is_some_and(|shaft| shaft.rigid),
+                left_out: planned.left_out,
+                reason: planned.reason,
+            }
+        };
+        scene.connections.iter().zip(&plan.connections).map(of).collect()
+    }
+
+    fn line(&self) -> String {
+        let kind = if self.rigid { "rigid" } else { "elastic" };
+        format!("\"{}\", {kind}, {} degrees of freedom: {}", self.name, self.dofs, self.sections.join(", "))
+    }
+}
+
 impl Planned {
     pub(crate) fn of(host: &ModelHost, plan: &Plan, description: &ModelDescription) -> Planned {
         let scene = &host.scene;
@@ -203,6 +257,8 @@ impl Planned {
                 }),
                 free: free(body, &description.units),
                 left_out: planned.left_out,
+                section: gear(index).is_none()
+                    && scene.connections_of(BodyId(index)).any(|connection| connection.shaft.is_some()),
                 reason: planned.reason,
                 mesh: PlannedStructure {
                     prototype: body.prototype.clone(),
@@ -255,6 +311,7 @@ impl Planned {
             bodies: bodies.collect(),
             meshes: meshes.collect(),
             bearings: bearings.collect(),
+            shafts: PlannedShaft::all(scene, plan, host.length_unit),
             outputs: host.outputs.iter().map(|output| output.name.clone()).collect(),
             positions: match host.asked {
                 Some(asked) => vec![asked.problems],
@@ -298,13 +355,15 @@ impl Planned {
             }
         };
         section("Method", vec![self.fidelity_text()]);
-        let modelled = self.bodies.iter().filter(|body| !body.left_out);
+        let modelled = self.bodies.iter().filter(|body| !body.left_out && !body.section);
         section("Bodies", modelled.flat_map(body_lines).collect());
         let sizes = self.sizes();
         section("Structures", self.structure_lines(&sizes));
         section("Contact", self.meshes.iter().map(mesh_line).collect());
         let modelled = self.bearings.iter().filter(|bearing| !bearing.left_out);
         section("Bearings", modelled.map(bearing_line).collect());
+        let modelled = self.shafts.iter().filter(|shaft| !shaft.left_out);
+        section("Shafts", modelled.map(PlannedShaft::line).collect());
         section("Degrees of freedom", self.freedom_lines());
         section("Outputs", lines_of(&self.outputs));
         let left_out = self.bodies.iter().filter(|body| body.left_out);
@@ -346,7 +405,9 @@ impl Planned {
         let bodies = self.bodies.iter().filter(|body| !body.left_out);
         let free: Vec<String> = bodies
             .flat_map(|body| {
-                body.free.iter().map(move |(dof, load)| format!("{dof} of \"{}\", {load}", body.name))
+                // The sections of shafts are listed with their shaft.
+                let listed = body.free.iter().filter(|(_, load)| !body.section || load != NO_LOAD);
+                listed.map(move |(dof, load)| format!("{dof} of \"{}\", {load}", body.name))
             })
             .collect();
         if free.is_empty() { vec!["none: the motion of every frame is prescribed".into()] } else { free }
@@ -478,7 +539,7 @@ fn free(body: &Body, system: &str) -> Vec<(&'static str, String)> {
     let each = DOF_NAMES.iter().zip(body.free).zip(loads).enumerate().filter(|(_, ((_, free), _))| *free);
     each.map(|(index, ((name, _), load))| {
         let (kind, unit) = if index < 3 { ("force", of("Force")) } else { ("moment", of("Moment")) };
-        let load = if *load == 0.0 { "no load".into() } else { format!("{kind} {}", in_unit(*load, &unit)) };
+        let load = if *load == 0.0 { NO_LOAD.into() } else { format!("{kind} {}", in_unit(*load, &unit)) };
         (*name, load + at_start)
     })
     .collect()

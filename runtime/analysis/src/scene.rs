@@ -3,7 +3,7 @@
 pub use calyx_model::body::Body;
 pub use calyx_model::dof::{Component, DOF_NAMES};
 pub use calyx_model::fidelity::{BodyModel, Fidelity, StructureOptions, Template};
-pub use calyx_model::ids::{BearingId, BodyId, ObservableId, PairId};
+pub use calyx_model::ids::{BearingId, BodyId, ConnectionId, ObservableId, PairId};
 pub use calyx_model::mechanism::Mechanism;
 pub use calyx_model::pairs::{CharacteristicPoint, FirstContact, GearMesh, GridOptions, SurfacePair};
 pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks, ToothMeridian};

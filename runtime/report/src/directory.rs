@@ -371,7 +371,16 @@ fn plan_json(plan: &Plan) -> Value {
     let bearings = plan.bearings.iter().map(|bearing| {
         (bearing.name.clone(), json!({ "modelled": !bearing.left_out, "reason": bearing.reason }))
     });
-    json!({ "bodies": bodies.collect::<Map<_, _>>(), "bearings": bearings.collect::<Map<_, _>>() })
+    let mut all =
+        json!({ "bodies": bodies.collect::<Map<_, _>>(), "bearings": bearings.collect::<Map<_, _>>() });
+    if !plan.connections.is_empty() {
+        let connections = plan.connections.iter().map(|connection| {
+            let part = json!({ "modelled": !connection.left_out, "reason": connection.reason });
+            (connection.name.clone(), part)
+        });
+        all["elastic_connections"] = connections.collect::<Map<_, _>>().into();
+    }
+    all
 }
 
 /// Returns the summary of an output. `position` is that of its maximum; `None` without an analysis.

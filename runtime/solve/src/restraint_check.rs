@@ -8,13 +8,17 @@
 //!
 //! See `docs/theory/equilibrium.md`.
 
+mod unresisted;
+
 use calyx_contact::problem::{ContactError, FreeMotion};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
 use calyx_model::bearing::springs;
+use calyx_model::connection::add_connection_stiffness;
 use calyx_model::dof::DOF_NAMES;
 use calyx_model::dof::Dof;
 use calyx_model::flanks::{add_flanks, spline_contacts};
 use calyx_model::frames::{axes, loads_on, number_dofs, solid_pose};
+use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::axle;
 use calyx_model::pairs::{FirstContact, SurfacePair};
@@ -40,6 +44,9 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
         let planned = plan.modelled_bearings();
         springs(&scene.bodies, &scene.bearings, &planned, &dofs, |_| 1.0, time)?
     };
+    let connections = (&scene.bodies[..], &scene.connections[..]);
+    let planned = plan.modelled_connections();
+    add_connection_stiffness(&mut springs.stiffness, connections, &planned, &dofs, |_| 1.0, time)?;
     for (body, contact) in &spline_contacts(scene, plan) {
         add_flanks(&mut springs, scene, (*body, contact), &dofs, time, None)?;
     }
@@ -49,12 +56,13 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
     }
     let unloaded = unloaded_equilibrium(&springs.stiffness, &load);
     // Resistance of teeth against axial and out-of-plane motion depends on the distribution of
-    // contact along the face, which only the solution shows.
+    // contact along the face, which only the solution shows. Some motions meet no teeth at all.
     let out_of_plane = |free: &Vec<f64>| {
         dofs.iter().zip(free).any(|(dof, part)| (2..5).contains(&dof.component) && *part != 0.0)
     };
     if plan.three_dimensional && unloaded.free.iter().any(out_of_plane) {
-        return Ok(());
+        let motion = unresisted::motion(scene, plan, &dofs, (&springs.arms, &unloaded.free), time)?;
+        return motion.map_or(Ok(()), |motion| Err(explain(scene, &dofs, &unresisted::error(motion, &load))));
     }
     // Count stops of bearings as closed: behind their clearances they resist like teeth.
     let mut arms = springs.arms;
@@ -219,8 +227,18 @@ fn motion_name(scene: &Mechanism, dofs: &[Dof], motion: &[f64]) -> String {
         motion[at].abs() * if component < 3 { 1.0 } else { radius }
     };
     let largest = (0..motion.len()).map(size).fold(0.0, f64::max);
+    // One section of a shaft stands for the others that move in the same sense.
+    let repeated = |at: usize| {
+        let Dof { body, component } = dofs[at];
+        let first = scene.connections_of(BodyId(body)).find_map(|connection| connection.bodies().next());
+        let same = |other: usize| {
+            let named = Dof { body: first.map_or(body, |first| first.0), component };
+            dofs[other] == named && size(other) > TAKES_PART * largest && motion[other] * motion[at] > 0.0
+        };
+        first.is_some_and(|first| first.0 != body) && (0..motion.len()).any(same)
+    };
     let parts: Vec<String> = (0..motion.len())
-        .filter(|&at| size(at) > TAKES_PART * largest)
+        .filter(|&at| size(at) > TAKES_PART * largest && !repeated(at))
         .map(|at| {
             let sense = if motion[at] > 0.0 { "positive" } else { "negative" };
             let Dof { body, component } = dofs[at];

@@ -6,6 +6,7 @@ use crate::modal::Modes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{Springs, springs};
+use calyx_model::connection::{add_connection_mass, add_connection_stiffness};
 use calyx_model::fidelity::Fidelity;
 use calyx_model::flanks::{add_flanks, spline_contacts};
 use calyx_model::frames::{axes, loads_on, number_dofs, pose, solid_pose};
@@ -43,6 +44,8 @@ pub struct System<'s> {
     lines: Vec<Option<f64>>,
     /// Modelled bearings, by index in the scene.
     pub bearings: Vec<usize>,
+    /// Modelled elastic connections, by index in the scene.
+    pub connections: Vec<usize>,
     /// Spline teeth with clearance, by the index of the body that they support.
     pub spline_teeth: Vec<(usize, SplineContact)>,
     /// Callback at every checkpoint.
@@ -162,7 +165,7 @@ impl<'s> System<'s> {
         let (structures, structure_counts) = build_structures(scene, plan, resources)?;
         let bodies = bodies.with(structures);
         let interrupt = resources.interrupt.clone();
-        let bearings = plan.modelled_bearings();
+        let (bearings, connections) = (plan.modelled_bearings(), plan.modelled_connections());
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
         let (lines, spline_teeth, modes) = (Vec::new(), spline_contacts(scene, plan), Modes::default());
         let mut system = System {
@@ -172,6 +175,7 @@ impl<'s> System<'s> {
             axles,
             lines,
             bearings,
+            connections,
             spline_teeth,
             interrupt,
             rigid: plan.fidelity == Fidelity::Rigid,
@@ -213,6 +217,7 @@ impl<'s> System<'s> {
             axles: self.axles.clone(),
             lines: self.lines.clone(),
             bearings: self.bearings.clone(),
+            connections: self.connections.clone(),
             spline_teeth: self.spline_teeth.clone(),
             interrupt: self.interrupt.clone(),
             modes: self.modes.clone(),
@@ -258,13 +263,21 @@ impl<'s> System<'s> {
         Ok(loads.iter().zip(&self.dofs).map(|(load, on)| load / self.width(on.body)).collect())
     }
 
-    /// Returns stiffness and forces of bearings and of spline teeth with clearance at a time, per
-    /// [`System::width`].
+    /// Returns stiffness and forces of bearings, elastic connections and spline teeth with clearance
+    /// at a time, per [`System::width`].
     pub fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
         let mut springs = {
             let Mechanism { bodies, bearings, .. } = self.scene;
             springs(bodies, bearings, &self.bearings, &self.dofs, |body| self.width(body), time)?
         };
+        add_connection_stiffness(
+            &mut springs.stiffness,
+            (&self.scene.bodies, &self.scene.connections),
+            &self.connections,
+            &self.dofs,
+            |body| self.width(body),
+            time,
+        )?;
         for (body, contact) in &self.spline_teeth {
             let structure = match &self.bodies {
                 Bodies::Plane(bodies) => bodies.structures.get(*body).and_then(Option::as_deref),
@@ -274,6 +287,21 @@ impl<'s> System<'s> {
             add_flanks(&mut springs, self.scene, (*body, contact), &self.dofs, time, between)?;
         }
         Ok(springs)
+    }
+
+    /// Adds the mass of elastic connections at a time to a mass matrix of the DOFs, row-major, per
+    /// `width` of a body.
+    ///
+    /// # Errors
+    /// Those of [`calyx_model::connection::ConnectionState::at`].
+    pub fn add_connection_mass(
+        &self,
+        mass: &mut [f64],
+        width: impl Fn(usize) -> f64,
+        time: f64,
+    ) -> Result<(), EngineError> {
+        let parts = (&self.scene.bodies[..], &self.scene.connections[..]);
+        add_connection_mass(mass, parts, &self.connections, &self.dofs, width, time)
     }
 
     /// Returns the number of gap equations of bearing stops; those of spline teeth follow them.

@@ -26,8 +26,8 @@ use nalgebra::DMatrix;
 use std::sync::Arc;
 
 impl System<'_> {
-    /// Returns the mass matrix of the DOFs at a time (s), of rigid bodies about their axes of
-    /// rotation.
+    /// Returns the mass matrix of the DOFs at a time (s): rigid bodies about their axes of rotation,
+    /// and elastic connections.
     pub fn mass_matrix(&self, time: f64) -> DMatrix<f64> {
         let dofs = &self.dofs;
         let mut mass = DMatrix::zeros(dofs.len(), dofs.len());
@@ -45,7 +45,11 @@ impl System<'_> {
                 }
             }
         }
-        mass
+        let mut connected = vec![0.0; dofs.len() * dofs.len()];
+        if self.add_connection_mass(&mut connected, |_| 1.0, time).is_err() {
+            connected.fill(f64::NAN);
+        }
+        mass + DMatrix::from_row_slice(dofs.len(), dofs.len(), &connected)
     }
 
     /// Rotates an inertia from a body's axes to those of the ground.

@@ -25,7 +25,7 @@ impl Equilibrium<'_> {
 
     /// Returns the support reaction of a body, in the order of [`calyx_model::dof::DOF_NAMES`]:
     /// force (N) and moment about the body's axis of rotation (N m), along ground axes. It balances
-    /// contact, bearings, spline teeth with clearance, external load and inertia, so it vanishes
+    /// contact, bearings, elastic connections, spline teeth with clearance, external load and inertia, so it vanishes
     /// along free DOFs.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
@@ -34,10 +34,11 @@ impl Equilibrium<'_> {
         let [mx, my, mz] = load.moment;
         let load = [fx, fy, fz, mx, my, mz];
         let (bearings, spline_teeth) = (self.bearings_on(body), self.spline_forces_on(body));
+        let connections = self.connections_on(body);
         let other_loads = self.step.other_loads.get(body.0).copied().unwrap_or_default();
         // Subtract from 0.0, not -(a + b): the result of no forces is 0, not -0.
         let all = |k: usize| 0.0 - contact[k] - load[k] - bearings[k] - spline_teeth[k] - other_loads[k];
-        std::array::from_fn(all)
+        std::array::from_fn(|k| all(k) - connections[k])
     }
 }
 

@@ -20,6 +20,7 @@ mod mesh;
 mod mesh_cycle;
 mod mode_kind;
 mod pressure;
+mod shafts;
 mod sliding;
 mod spline_teeth;
 mod stress;
@@ -46,6 +47,10 @@ pub use mode_kind::{
     ModeClassification, ModeEnergyShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet,
 };
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
+pub use shafts::{
+    ConnectionLoad, NominalStress, SectionComponent, ShaftDisplacement, ShaftMoment, ShaftPosition,
+    ShaftReaction, ShaftRotation, ShaftStress,
+};
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
 pub use spline_teeth::SplineToothLoad;
 pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};

@@ -40,10 +40,12 @@
 
 use crate::system::System;
 use calyx_fe::inertia::Inertia;
-use calyx_model::bearing::damping;
+use calyx_model::bearing::{Support, damping};
+use calyx_model::connection::ConnectionState;
 use calyx_model::dof::Dof;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::frames::pose;
+use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::{angular_acceleration, angular_velocity, point_acceleration};
 use calyx_model::plan::Plan;
@@ -66,6 +68,8 @@ pub struct Matrices {
     bodies: Vec<BodyMotion>,
     /// Coupling of every modal coordinate.
     arms: Vec<ModalArm>,
+    /// Elastic connections with mass, by their index in the scene.
+    connections: Vec<(usize, ConnectionState)>,
 }
 
 /// State of a body at a time.
@@ -135,6 +139,7 @@ impl Matrices {
             modal_load: vec![0.0; count],
             bodies: Vec::with_capacity(system.scene.bodies.len()),
             arms: modal_arms(system, time)?,
+            connections: Vec::new(),
         };
         for index in 0..system.scene.bodies.len() {
             let body = &system.scene.bodies[index];
@@ -176,10 +181,42 @@ impl Matrices {
                 *load = spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
             }
         }
+        matrices.add_connections(system, time)?;
         matrices.coupling = on_dofs_by_modes(system, &matrices.arms);
         let by_motion: Vec<[f64; 3]> = matrices.bodies.iter().map(|body| body.load).collect();
         matrices.load = on_dofs(system, &by_motion);
         Ok(matrices)
+    }
+
+    /// Adds mass and inertia loads of elastic connections.
+    fn add_connections(&mut self, system: &System<'_>, time: f64) -> Result<(), EngineError> {
+        let scene = system.scene;
+        system.add_connection_mass(&mut self.mass, |body| system.width(body), time)?;
+        for &index in &system.connections {
+            let connection = &scene.connections[index];
+            if connection.mass.is_empty() {
+                continue;
+            }
+            let state = ConnectionState::at(&scene.bodies, connection, time)?;
+            // Accelerations of the prescribed motion, as values of all DOFs.
+            let dofs = IN_PLANE
+                .into_iter()
+                .flat_map(|component| connection.bodies().map(move |BodyId(body)| Dof { body, component }));
+            let dofs: Vec<Dof> = dofs.collect();
+            let of = |dof: &Dof| {
+                let BodyMotion { acceleration: [ax, ay], spinning_up, .. } = self.bodies[dof.body];
+                [ax, ay, spinning_up][dof.component.min(2)]
+            };
+            let accelerations: Vec<f64> = dofs.iter().map(of).collect();
+            let forces = connection.inertia_forces(&state.motions(&dofs, &accelerations));
+            for body in connection.bodies() {
+                let wrench = state.wrench_on(body, &forces);
+                let load = &mut self.bodies[body.0].load;
+                load.iter_mut().zip(IN_PLANE).for_each(|(load, component)| *load += wrench[component]);
+            }
+            self.connections.push((index, state));
+        }
+        Ok(())
     }
 
     /// Returns the inertia forces due to displacements and rates of all coordinates: all terms of
@@ -277,7 +314,18 @@ impl Matrices {
             }
             wrench
         };
-        self.bodies.iter().enumerate().map(of).collect()
+        let mut wrenches: Vec<[f64; 6]> = self.bodies.iter().enumerate().map(of).collect();
+        for (index, state) in &self.connections {
+            let connection = &system.scene.connections[*index];
+            let forces = connection.inertia_forces(&state.motions(&system.dofs, &acceleration[..m]));
+            for body in connection.bodies() {
+                let wrench = state.wrench_on(body, &forces);
+                for component in IN_PLANE {
+                    wrenches[body.0][component] += wrench[component];
+                }
+            }
+        }
+        wrenches
     }
 }
 
@@ -393,7 +441,7 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
                 (inertia.about[about][about], "moment of inertia")
             }
         };
-        if !(resists.is_finite() && resists > 0.0) {
+        if !(resists.is_finite() && resists > 0.0) && !connection_resists(scene, dof) {
             return Err(EngineError::new(
                 "E0762",
                 format!("body \"{}\" is free to move and has no {what}", body.name),
@@ -404,4 +452,16 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
         }
     }
     Ok(())
+}
+
+/// Returns whether an elastic connection has inertia along a DOF.
+fn connection_resists(scene: &Mechanism, dof: &Dof) -> bool {
+    scene.connections_of(BodyId(dof.body)).any(|connection| {
+        let size = connection.size();
+        let own = connection.attachments.iter().enumerate();
+        own.filter(|(_, attachment)| attachment.to == Support::Body(BodyId(dof.body))).any(|(index, _)| {
+            let row = 6 * index + dof.component;
+            connection.mass.get(row * size + row).is_some_and(|&entry| entry > 0.0)
+        })
+    })
 }

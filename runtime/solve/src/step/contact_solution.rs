@@ -10,6 +10,7 @@ use calyx_contact::assembly::FormerCompliance;
 use calyx_contact::friction::solve_with_friction;
 use calyx_contact::problem::{ContactError, ContactProblem, Solution};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
+use calyx_model::dof::Dof;
 use calyx_model::ids::BodyId;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
@@ -234,6 +235,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
     /// several meshes carry one load, as planets do. A patch without a direct load passes on the
     /// loads of others.
     fn largest_forces(&self, load: &[f64], candidates: &[&Candidate<S::Site>]) -> Vec<f64> {
+        let load = &self.with_torques_of_shafts(load);
         let largest_arm = |dof: usize| {
             candidates.iter().map(|candidate| candidate.nearest.arms[dof].abs()).fold(0.0, f64::max)
         };
@@ -273,6 +275,21 @@ impl<S: ContactGeometry> Solver<'_, S> {
             *force = largest;
         }
         forces
+    }
+
+    /// Returns the load with the torque on every elastic connection acting on each of its bodies: a
+    /// shaft transmits a torque from its coupling to its gears.
+    fn with_torques_of_shafts(&self, load: &[f64]) -> Vec<f64> {
+        const THETA_Z: usize = 5;
+        let (dofs, mut whole) = (&self.system.dofs, load.to_vec());
+        for &index in &self.system.connections {
+            let bodies: Vec<BodyId> = self.system.scene.connections[index].bodies().collect();
+            let about = |dof: &Dof| dof.component == THETA_Z && bodies.contains(&BodyId(dof.body));
+            let own = || dofs.iter().enumerate().filter(|(_, dof)| about(dof)).map(|(at, _)| at);
+            let torque: f64 = own().map(|at| load[at]).sum();
+            own().for_each(|at| whole[at] = torque);
+        }
+        whole
     }
 
     /// Creates the contact problem; also returns the compliance matrix of the cells alone.

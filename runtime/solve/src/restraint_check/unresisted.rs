@@ -1,0 +1,129 @@
+//! Motions of a three-dimensional model that strain no spring and that no tooth can resist.
+//!
+//! On parallel axes the contact forces of a mesh act in its plane of action: along the line of
+//! action, along the axis if the teeth are helical, and at any position along the face. So a mesh
+//! resists at most three motions, a displacement along either direction and a rotation about the
+//! normal of the plane. A motion that strains no spring and does no work in any of them is free.
+
+use calyx_contact::problem::{ContactError, FreeMotion};
+use calyx_model::dof::Dof;
+use calyx_model::frames::{axes, solid_pose};
+use calyx_model::mechanism::Mechanism;
+use calyx_model::motion::axle;
+use calyx_model::pairs::SurfacePair;
+use calyx_model::plan::Plan;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::vec3::{cross, dot, minus, plus, scaled, unit};
+use nalgebra::DMatrix;
+use std::f64::consts::PI;
+
+/// Length, m, at which rotations are compared with displacements.
+const RADIUS: f64 = 0.1;
+/// Work of contact forces on a free motion, relative to the largest, that counts as rounding.
+const NO_WORK: f64 = 1e-8;
+
+/// Returns a motion of the DOFs, a combination of those that strain no spring, that neither stops
+/// (`stops`: derivatives of their gaps by the DOFs, row-major) nor teeth can resist. Meshes on
+/// general axes and surfaces that are not gear flanks may resist any motion.
+///
+/// # Errors
+/// A frame is NaN.
+pub(super) fn motion(
+    scene: &Mechanism,
+    plan: &Plan,
+    dofs: &[Dof],
+    (stops, free): (&[f64], &[Vec<f64>]),
+    time: f64,
+) -> Result<Option<Vec<f64>>, EngineError> {
+    let mut rows = stops.to_vec();
+    let taking_part = |pair: &&SurfacePair| pair.bodies.iter().all(|body| !plan.bodies[body.0].left_out);
+    for pair in scene.pairs.iter().filter(taking_part) {
+        let Some(of_pair) = resisted(scene, pair, dofs, time)? else { return Ok(None) };
+        rows.extend(of_pair.into_iter().flatten());
+    }
+    let (m, count) = (dofs.len(), free.len());
+    let size = |k: usize| if dofs[k].component < 3 { 1.0 } else { RADIUS };
+    let scale: Vec<f64> = free
+        .iter()
+        .map(|motion| (0..m).map(|k| motion[k].abs() * size(k)).fold(0.0, f64::max).recip())
+        .collect();
+    // Rows without an entry complete the matrix, so that its decomposition has all directions.
+    let work = DMatrix::from_fn((rows.len() / m).max(count), count, |row, motion| {
+        let row = rows.get(row * m..(row + 1) * m).unwrap_or_default();
+        scale[motion] * row.iter().zip(&free[motion]).map(|(arm, part)| arm * part).sum::<f64>()
+    });
+    let decomposition = work.svd(false, true);
+    let Some(directions) = decomposition.v_t else { return Ok(None) };
+    let largest = decomposition.singular_values.iter().copied().fold(0.0, f64::max);
+    let Some(idle) = decomposition.singular_values.iter().position(|&value| value <= NO_WORK * largest)
+    else {
+        return Ok(None);
+    };
+    let part = |k: usize| (0..count).map(|of| directions[(idle, of)] * scale[of] * free[of][k]).sum::<f64>();
+    Ok(Some((0..m).map(part).collect()))
+}
+
+/// Returns the error about a free motion: whether the load drives it or not.
+pub(super) fn error(mut motion: Vec<f64>, load: &[f64]) -> ContactError {
+    let work: f64 = motion.iter().zip(load).map(|(part, load)| part * load).sum();
+    let terms: f64 = motion.iter().zip(load).map(|(part, load)| (part * load).abs()).sum();
+    let driven = work.abs() > NO_WORK * terms;
+    let dof = (0..motion.len()).max_by(|&one, &other| motion[one].abs().total_cmp(&motion[other].abs()));
+    let dof = dof.unwrap_or_default();
+    let sense = if driven { work.signum() } else { 1.0 };
+    let size = sense / motion.get(dof).map_or(1.0, |part| part.abs());
+    motion.iter_mut().for_each(|part| *part *= size);
+    let direction = motion.get(dof).map_or(1.0, |part| part.signum());
+    let motion = FreeMotion { dof, direction, motion };
+    if driven { ContactError::Infeasible(motion) } else { ContactError::Unconstrained(motion) }
+}
+
+/// Returns the work on each DOF of a force along the line of action, of one along the axis, and of a
+/// couple about the normal of the plane of action (per [`RADIUS`]), on the second body of a mesh
+/// and, oppositely, on the first; `None` if the mesh may resist other motions.
+fn resisted(
+    scene: &Mechanism,
+    pair: &SurfacePair,
+    dofs: &[Dof],
+    time: f64,
+) -> Result<Option<[Vec<f64>; 3]>, EngineError> {
+    let Some(mesh) = pair.mesh.as_ref().filter(|mesh| mesh.first_contact.is_none()) else { return Ok(None) };
+    let bodies = pair.bodies.map(|body| body.0);
+    let [first, second] =
+        [solid_pose(scene, bodies[0], time)?.origin, solid_pose(scene, bodies[1], time)?.origin];
+    let [x, y, z] = axes(scene, bodies[0], time);
+    let between = minus(second, first);
+    let across = [dot(between, x), dot(between, y)];
+    let [radius, mate] = mesh.base_radii;
+    let cosine = (radius + mesh.sign * mate).abs() / across[0].hypot(across[1]);
+    if !(0.0..=1.0).contains(&cosine) {
+        return Ok(None);
+    }
+    let contact = across[1].atan2(across[0]) + if mesh.sign < 0.0 { PI } else { 0.0 };
+    let angle = contact + mesh.drive_sense * cosine.asin();
+    let normal = unit(plus(scaled(x, angle.cos()), scaled(y, angle.sin())));
+    // The line of action is tangent to the base circle of the first body.
+    let point = plus(first, scaled(cross(normal, z), mesh.drive_sense * radius));
+    let couple = scaled(cross(z, normal), RADIUS);
+    let work = |dof: &Dof, row: usize| -> Result<f64, EngineError> {
+        let Some(side) = bodies.iter().position(|body| *body == dof.body) else { return Ok(0.0) };
+        let axis = axes(scene, dof.body, time)[dof.component % 3];
+        let is_rotation = dof.component >= 3;
+        let moved = if is_rotation {
+            let origin =
+                solid_pose(scene, dof.body, time)?.point(axle(scene.bodies[dof.body].motion.as_ref()));
+            cross(axis, minus(point, origin))
+        } else {
+            axis
+        };
+        let along = match row {
+            0 => dot(normal, moved),
+            1 => dot(z, moved),
+            _ if is_rotation => dot(couple, axis),
+            _ => 0.0,
+        };
+        Ok(if side == 0 { -along } else { along })
+    };
+    let row = |row: usize| dofs.iter().map(|dof| work(dof, row)).collect::<Result<Vec<f64>, _>>();
+    Ok(Some([row(0)?, row(1)?, row(2)?]))
+}
