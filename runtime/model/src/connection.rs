@@ -163,9 +163,16 @@ fn check_matrix(matrix: &[f64], size: usize) -> Result<(), String> {
 /// stiffness gives forces.
 fn resisted_rigid_motion(stiffness: &[f64], motions: &[Vec<f64>; 6]) -> Option<usize> {
     motions.iter().position(|motion| {
+        // Rounding of a position counts relative to the size of the connection, which is the
+        // largest displacement in this motion.
+        let largest = |from: usize| {
+            motion.iter().skip(from).step_by(6).fold(0.0, |most: f64, part| most.max(part.abs()))
+        };
+        let [shift, turn] = [0, 3].map(|from| (from..from + 3).map(largest).fold(0.0, f64::max));
         stiffness.chunks_exact(motion.len()).any(|row| {
-            let terms = || row.iter().zip(motion).map(|(entry, part)| entry * part);
-            terms().sum::<f64>().abs() > ROUNDING * terms().map(f64::abs).sum::<f64>()
+            let force: f64 = row.iter().zip(motion).map(|(entry, part)| entry * part).sum();
+            let of = |(k, entry): (usize, &f64)| entry.abs() * if k % 6 < 3 { shift } else { turn };
+            force.abs() > ROUNDING * row.iter().enumerate().map(of).sum::<f64>()
         })
     })
 }

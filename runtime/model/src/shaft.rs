@@ -16,8 +16,8 @@
 mod beam;
 mod segment;
 
-pub use beam::{SectionForces, shear_coefficient};
-pub use segment::ShaftSegment;
+pub use beam::SectionForces;
+pub use segment::{ShaftSegment, shear_coefficient};
 
 use beam::{Integrals, Stretch};
 use calyx_fe::inertia::Inertia;

@@ -15,14 +15,6 @@ use super::Six;
 use super::segment::Section;
 use calyx_fe::material::Material;
 
-/// Returns the shear coefficient of a circular section with a bore of `ratio` of its diameter
-/// (Cowper 1966).
-pub fn shear_coefficient(poissons_ratio: f64, ratio: f64) -> f64 {
-    let (square, sum) = (ratio * ratio, (1.0 + ratio * ratio).powi(2));
-    6.0 * (1.0 + poissons_ratio) * sum
-        / ((7.0 + 6.0 * poissons_ratio) * sum + (20.0 + 12.0 * poissons_ratio) * square)
-}
-
 /// Integrals of the compliances of sections over a part of a stretch that begins at its start.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Integrals {

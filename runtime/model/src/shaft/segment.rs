@@ -1,7 +1,6 @@
 //! Segments of a shaft and their sections.
 
 use super::Six;
-use super::beam::shear_coefficient;
 use calyx_fe::material::Material;
 use calyx_numerics::error::EngineError;
 use std::f64::consts::PI;
@@ -80,6 +79,14 @@ pub(super) struct Section {
     /// Outside diameter that carries load.
     carrying: f64,
     bore: f64,
+}
+
+/// Returns the shear coefficient of a circular section with a bore of `ratio` of its diameter
+/// (Cowper 1966).
+pub fn shear_coefficient(poissons_ratio: f64, ratio: f64) -> f64 {
+    let (square, sum) = (ratio * ratio, (1.0 + ratio * ratio).powi(2));
+    6.0 * (1.0 + poissons_ratio) * sum
+        / ((7.0 + 6.0 * poissons_ratio) * sum + (20.0 + 12.0 * poissons_ratio) * square)
 }
 
 fn area([outside, bore]: [f64; 2]) -> f64 {
