@@ -241,8 +241,16 @@ impl Pairing {
         let body = &mut scene.bodies[second.0];
         body.phase = phases[1];
         if options.misalignment != Misalignment::default() {
-            body.motion =
-                Arc::new(self.axes.misaligned(body.motion.clone(), &geometry, sense, options.misalignment));
+            // The shaft of the gear is misaligned with it.
+            let mut tilted = vec![second];
+            tilted.extend(scene.connections_of(second).flat_map(|connection| connection.bodies()));
+            tilted.sort_by_key(|body| body.0);
+            tilted.dedup();
+            for body in tilted.into_iter().map(|body| body.0) {
+                let motion = scene.bodies[body].motion.clone();
+                let moved = self.axes.misaligned(motion, &geometry, sense, options.misalignment);
+                scene.bodies[body].motion = Arc::new(moved);
+            }
         }
         let surface = if sense > 0.0 { 0 } else { 1 };
         // On an internal gear the opposite sides of the teeth touch.
@@ -531,7 +539,7 @@ fn driven(scene: &Scene, id: BodyId) -> f64 {
     driving.filter_map(torque).sum()
 }
 
-/// A body and those that torsionally stiff bearings join to it: all bodies on one shaft.
+/// A body and those that torsionally stiff bearings or shafts join to it: all bodies on one shaft.
 fn on_shaft(scene: &Scene, id: BodyId) -> Vec<BodyId> {
     let mut found = vec![id];
     let mut next = 0;
@@ -542,6 +550,11 @@ fn on_shaft(scene: &Scene, id: BodyId) -> Vec<BodyId> {
                 if one == body && !found.contains(&other) {
                     found.push(other);
                 }
+            }
+        }
+        for other in scene.connections_of(body).flat_map(|connection| connection.bodies()) {
+            if !found.contains(&other) {
+                found.push(other);
             }
         }
         next += 1;

@@ -1,7 +1,8 @@
 //! Bearings for programs: the Rust side of `bearing` and its observables in `gears.cx`.
 
-use crate::externs::{body, entry, host, refusal};
+use crate::externs::{entry, host, refusal};
 use crate::observable_externs::observe;
+use crate::shaft_externs::{bearing_mounting, bearing_seat};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::bearing::{Bearing, BearingMatrix, Stop, Support, axisymmetric};
@@ -25,8 +26,15 @@ calyx_abi::externs! {
         gap_clearances: Vec<f64>, gap_directions: Vec<[f64; 3]>, gap_arms: Vec<[f64; 3]>, gap_stiffness: f64,
     ) -> Handle {
         let place = context.place;
-        let first = self::body(context, "body", body)?;
-        let to = if to == GROUND { Support::Ground } else { Support::Body(self::body(context, "to", to)?) };
+        if to == body && body != GROUND {
+            let help = "give the other body, or leave `to` out: then the second race is on ground";
+            return Err(refusal("E0685", "to", &format!("bearing \"{name}\" has both races on one body"), help));
+        }
+        let (first, at) = bearing_seat(context, body, at)?;
+        let to = match to == GROUND {
+            true => Support::Ground,
+            false => Support::Body(bearing_mounting(context, to, (first, at))?),
+        };
         for (argument, clearance) in [("radial_clearance", radial_clearance), ("axial_clearance", axial_clearance)] {
             if clearance < 0.0 {
                 return Err(refusal("E0688", argument, "a clearance of the bearing is negative",
@@ -95,7 +103,7 @@ fn bearing(context: &mut Context, bearing: Handle) -> Result<BearingId, RuntimeE
 }
 
 /// Direction by its declared name.
-fn direction(axis: &str) -> Direction {
+pub(crate) fn direction(axis: &str) -> Direction {
     match axis {
         "axial" => Direction::Axial,
         "radial" => Direction::Radial,

@@ -65,23 +65,12 @@ impl BodyPlacement {
         prototype: Arc<dyn Prototype>,
         gear: Option<usize>,
     ) -> Result<Handle, RuntimeError> {
-        let mut free = [false; 6];
-        for freedom in &self.free {
-            let Some(at) = DOF_NAMES.iter().position(|known| known == freedom) else {
-                return Err(refusal(
-                    "E0670",
-                    "free",
-                    &format!("a frame has no degree of freedom called \"{freedom}\""),
-                    "choose from \"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\" and \"theta_z\"",
-                ));
-            };
-            free[at] = true;
-        }
+        let free = named_components(&self.free)?;
         let expression = self.frame.0.clone();
-        let motion = Arc::new(FrameMotion { value: self.frame.0, params: context.params.clone() });
+        let motion = BodyPlacement::motion(self.frame, context.params.clone());
         let name = context.name_in_instance(self.name);
         let (place, host) = (context.place, host(context)?);
-        let load = load(host, self.load, self.host_load.as_deref(), place);
+        let load = BodyPlacement::load(host, self.load, self.host_load.as_deref(), place);
         let body =
             Body { name, prototype, motion, phase: 0.0, free, load, impulses: Vec::new(), added: self.added };
         let id = add_body(&mut host.scene, body).map_err(|refusal| host.rejected(refusal, place))?;
@@ -93,22 +82,52 @@ impl BodyPlacement {
         host.body_places.push(place);
         Ok(Handle(id.0 as u64))
     }
-}
 
-/// Load on a body: the constant part from the model, and the part that the host program provides
-/// under a name, if any.
-fn load(host: &mut ModelHost, constant: Wrench, name: Option<&str>, place: (u32, u32, u32)) -> Arc<dyn Load> {
-    let Some(name) = name else { return Arc::new(constant) };
-    match host.provided.loads.get(name) {
-        Some(load) => {
-            let load = load.clone();
-            Arc::new(move |time: f64| constant + load.at(time))
-        }
-        None => {
-            host.note_unprovided("host_load", "load", "none is added", name, place);
-            Arc::new(constant)
+    /// Compiled frame as a motion, with the params of the model.
+    pub fn motion(frame: SymbolicTransform, params: Vec<f64>) -> Arc<dyn Motion> {
+        Arc::new(FrameMotion { value: frame.0, params })
+    }
+
+    /// Load on a body: the constant part from the model, and the part that the host program provides
+    /// under a name, if any.
+    pub fn load(
+        host: &mut ModelHost,
+        constant: Wrench,
+        name: Option<&str>,
+        place: (u32, u32, u32),
+    ) -> Arc<dyn Load> {
+        let Some(name) = name else { return Arc::new(constant) };
+        match host.provided.loads.get(name) {
+            Some(load) => {
+                let load = load.clone();
+                Arc::new(move |time: f64| constant + load.at(time))
+            }
+            None => {
+                host.note_unprovided("host_load", "load", "none is added", name, place);
+                Arc::new(constant)
+            }
         }
     }
+}
+
+/// Returns which degrees of freedom are named.
+///
+/// # Errors
+/// E0670: a name is not that of a degree of freedom.
+pub(crate) fn named_components(names: &[String]) -> Result<[bool; 6], RuntimeError> {
+    let mut free = [false; 6];
+    for name in names {
+        let Some(at) = DOF_NAMES.iter().position(|known| known == name) else {
+            return Err(refusal(
+                "E0670",
+                "free",
+                &format!("a frame has no degree of freedom called \"{name}\""),
+                "choose from \"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\" and \"theta_z\"",
+            ));
+        };
+        free[at] = true;
+    }
+    Ok(free)
 }
 
 /// Compiled frame as a motion.

@@ -9,6 +9,7 @@ use crate::host::{AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
 use crate::load_plausibility::check_loads;
 use crate::lubrication_externs::of_mesh;
 use crate::plausibility::{of_material, pitch_line, unequal_planet_spacing};
+use crate::shaft_externs::as_shaft;
 use calyx_abi::externs::{Handle, SymbolicNumber};
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::analyses::{Analysis, without_tolerance};
@@ -317,8 +318,19 @@ pub fn check_unrestrained(host: &mut ModelHost) {
     let meshed = |body: usize| host.scene.pairs.iter().any(|pair| pair.bodies.contains(&BodyId(body)));
     let supported = |body: usize| host.scene.bearings.iter().any(|b| b.bodies().any(|other| other.0 == body));
     let free = |body: &Body| DOF_NAMES.iter().zip(body.free).find(|(_, free)| *free).map(|(name, _)| *name);
-    let bodies =
-        host.scene.bodies.iter().enumerate().filter(|(index, _)| !meshed(*index) && !supported(*index));
+    // The sections of a shaft are restrained together, and its first body stands for them.
+    let joined = |body: usize| {
+        host.scene.connections_of(BodyId(body)).any(|connection| {
+            let first = connection.bodies().next() == Some(BodyId(body));
+            !first || connection.bodies().any(|other| meshed(other.0) || supported(other.0))
+        })
+    };
+    let bodies = host
+        .scene
+        .bodies
+        .iter()
+        .enumerate()
+        .filter(|(index, _)| !meshed(*index) && !supported(*index) && !joined(*index));
     let unrestrained: Vec<Finding> = bodies
         .filter_map(|(index, body)| {
             let error = EngineError::new(
@@ -358,6 +370,9 @@ pub(crate) fn body(context: &mut Context, argument: &str, body: Handle) -> Resul
     if body == GROUND {
         let help = "ground carries bearings, as in `gears.bearing(..., to = gears.ground())`; give a body that `gears.body` made";
         return Err(refusal("E0684", argument, "ground is not a body", help));
+    }
+    if let Some(shaft) = as_shaft(host(context)?, body) {
+        return Ok(host(context)?.shafts[shaft].body);
     }
     entry(&host(context)?.scene.bodies, body)?;
     Ok(BodyId(body.0 as usize))

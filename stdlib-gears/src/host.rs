@@ -12,6 +12,7 @@ use crate::lumped_planetary::{LumpedMember, Mode};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
 use crate::prototype::GearPrototype;
+use crate::shafts::ModelShaft;
 use crate::shaper::Shaper;
 use crate::tables::Table;
 use crate::tabulated::prototype::TabulatedGear;
@@ -28,6 +29,7 @@ use calyx_runtime::observables::Gauge;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Prototype, Scene, StructureOptions};
 use calyx_runtime::settings_override::Override;
+use calyx_runtime::shaft::ShaftSegment;
 use calyx_runtime::signal::{Signal, SignalRequest};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -149,6 +151,10 @@ pub struct ModelHost {
     pub rims: Vec<Rim>,
     /// Modifications of flanks.
     pub modifications: Vec<Modification>,
+    /// Segments of shafts.
+    pub shaft_segments: Vec<ShaftSegment>,
+    /// Shafts.
+    pub shafts: Vec<ModelShaft>,
     /// Gears.
     pub gears: Vec<GearModel>,
     /// Source locations of the calls that created each gear.

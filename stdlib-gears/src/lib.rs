@@ -165,6 +165,8 @@ mod relief;
 mod root_finding;
 pub mod roughing;
 pub mod sector_mesh;
+pub mod shaft_externs;
+pub mod shafts;
 pub mod shaper;
 pub mod signal_externs;
 mod size;

@@ -53,7 +53,7 @@ fn warning(host: &ModelHost, error: EngineError) -> Finding {
     Finding { severity: Severity::Warning, error: host.engine_error(error) }
 }
 
-/// Bodies that meshes and bearings connect: one list for each connected component with a mesh.
+/// Bodies that meshes, bearings and shafts connect: one list for each connected component with a mesh.
 fn groups(scene: &Scene) -> Vec<Vec<usize>> {
     let mut left: Vec<bool> = vec![true; scene.bodies.len()];
     let mut groups = Vec::new();
@@ -69,6 +69,8 @@ fn groups(scene: &Scene) -> Vec<Vec<usize>> {
             next.extend(pairs.flat_map(|pair| pair.bodies).map(|other| other.0));
             let bearings = scene.bearings.iter().filter(|b| b.bodies().any(|other| other.0 == body));
             next.extend(bearings.flat_map(|bearing| bearing.bodies()).map(|other| other.0));
+            let connections = scene.connections_of(BodyId(body));
+            next.extend(connections.flat_map(|connection| connection.bodies()).map(|other| other.0));
         }
         if !group.is_empty() {
             group.sort_unstable();

@@ -3,6 +3,7 @@
 use crate::externs::{self, entry, host, refusal, spline_tooth_number, tooth_number};
 use crate::lumped_scene::{LumpedFrequency, LumpedSet};
 use crate::mesh_externs::on_parallel_axes;
+use crate::shaft_externs::{observe_reaction, observe_shaft};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::observables::{
@@ -207,11 +208,17 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_support_force(context, body: Handle, axis: String) -> Handle {
+        if let Some(of_shaft) = observe_reaction(context, body, axis_number(&axis), false)? {
+            return Ok(of_shaft);
+        }
         let body = self::body(context, body)?;
         observe(context, SupportForce(body, axis_number(&axis)))
     }
 
     Scene fn calyx_gears_support_moment(context, body: Handle, axis: String) -> Handle {
+        if let Some(of_shaft) = observe_reaction(context, body, axis_number(&axis), true)? {
+            return Ok(of_shaft);
+        }
         let body = self::body(context, body)?;
         observe(context, SupportMoment(body, axis_number(&axis)))
     }
@@ -223,11 +230,17 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_displacement(context, body: Handle, axis: String) -> Handle {
+        if let Some(of_shaft) = observe_shaft(context, body, axis_number(&axis), false)? {
+            return Ok(of_shaft);
+        }
         let body = self::body(context, body)?;
         observe(context, Displacement(body, axis_number(&axis)))
     }
 
     Scene fn calyx_gears_rotation(context, body: Handle, axis: String) -> Handle {
+        if let Some(of_shaft) = observe_shaft(context, body, axis_number(&axis), true)? {
+            return Ok(of_shaft);
+        }
         let body = self::body(context, body)?;
         observe(context, Rotation(body, axis_number(&axis)))
     }
