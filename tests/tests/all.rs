@@ -21,6 +21,7 @@ mod reference;
 mod report;
 mod rust_scene;
 mod same_scene;
+mod shafts;
 mod theory;
 mod tooth_contact;
 mod tribology;

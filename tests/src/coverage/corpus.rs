@@ -180,6 +180,7 @@ fn other_tests() -> Vec<PathBuf> {
         "stdlib-gears/tests",
         "compiler/codegen/tests",
         "runtime/tests",
+        "runtime/model/tests",
         "runtime/analysis/src",
         "runtime/solve/src",
         "runtime/model/src",
