@@ -7,6 +7,7 @@
 //! functions (serendipity family).
 
 use crate::model::{Element, ElementKind, Node, ShellShape, SolidShape};
+use std::sync::OnceLock;
 
 pub(super) type Vector = [f64; 3];
 
@@ -98,7 +99,7 @@ fn tetrahedron_shapes(count: usize, [r, s, t]: Vector) -> Vec<f64> {
     corners.chain(sides.into_iter().map(|[i, j]| 4.0 * l[i] * l[j])).collect()
 }
 
-pub(super) fn solid_shapes(shape: SolidShape, at: Vector) -> Vec<f64> {
+fn solid_shapes(shape: SolidShape, at: Vector) -> Vec<f64> {
     match shape {
         SolidShape::Hexahedron8 => hexahedron_shapes(8, at),
         SolidShape::Hexahedron20 => hexahedron_shapes(20, at),
@@ -109,7 +110,7 @@ pub(super) fn solid_shapes(shape: SolidShape, at: Vector) -> Vec<f64> {
     }
 }
 
-pub(super) fn shell_shapes(shape: ShellShape, [r, s, _]: Vector) -> Vec<f64> {
+fn shell_shapes(shape: ShellShape, [r, s, _]: Vector) -> Vec<f64> {
     let l = [1.0 - r - s, r, s];
     let along = |x: f64, a: f64| if a == 0.0 { 1.0 - x * x } else { 0.5 * x * a * (1.0 + x * a) };
     let middles = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
@@ -150,7 +151,7 @@ const TRIANGLE: [([f64; 2], f64); 3] = [
 ];
 
 /// Quadrature points of a solid element with weights.
-pub(super) fn solid_points(shape: SolidShape) -> Vec<(Vector, f64)> {
+fn solid_points(shape: SolidShape) -> Vec<(Vector, f64)> {
     let mut points = Vec::new();
     match shape {
         SolidShape::Hexahedron8 | SolidShape::Hexahedron20 => {
@@ -177,7 +178,7 @@ fn square_points() -> Vec<(Vector, f64)> {
 }
 
 /// Quadrature points of a shell element with weights.
-pub(super) fn shell_points(shape: ShellShape) -> Vec<(Vector, f64)> {
+fn shell_points(shape: ShellShape) -> Vec<(Vector, f64)> {
     match shell_corners(shape) {
         3 => TRIANGLE.iter().map(|([r, s], weight)| ([*r, *s, 0.0], *weight)).collect(),
         _ => square_points(),
@@ -189,33 +190,73 @@ pub(super) fn interpolate(shapes: &[f64], positions: &[Vector]) -> Vector {
     shapes.iter().zip(positions).fold([0.0; 3], |sum, (n, x)| add(sum, scale(*x, *n)))
 }
 
-/// Derivatives of the position with respect to the coordinates `axes` of an element.
-fn tangents<const N: usize>(
+/// Quadrature point of an element: shape functions, their derivatives and the weight.
+pub(super) struct Point {
+    pub shapes: Vec<f64>,
+    derivatives: Vec<Vector>,
+    pub weight: f64,
+}
+
+/// Points of a quadrature rule.
+fn tabulated(
+    points: Vec<(Vector, f64)>,
+    dimensions: usize,
     shapes: impl Fn(Vector) -> Vec<f64>,
-    at: Vector,
-    positions: &[Vector],
-) -> [Vector; N] {
-    std::array::from_fn(|axis| {
-        let step = |h: f64| {
-            let mut moved = at;
-            moved[axis] += h;
-            interpolate(&shapes(moved), positions)
-        };
-        // A step of one half to either side: the difference is divided by one.
-        sub(step(0.5), step(-0.5))
-    })
+) -> Vec<Point> {
+    let point = |(at, weight): (Vector, f64)| {
+        let own = shapes(at);
+        let mut derivatives = vec![[0.0; 3]; own.len()];
+        for axis in 0..dimensions {
+            let step = |h: f64| {
+                let mut moved = at;
+                moved[axis] += h;
+                shapes(moved)
+            };
+            // A step of one half to either side: the difference is divided by one.
+            for (derivative, (a, b)) in derivatives.iter_mut().zip(step(0.5).iter().zip(&step(-0.5))) {
+                derivative[axis] = a - b;
+            }
+        }
+        Point { shapes: own, derivatives, weight }
+    };
+    points.into_iter().map(point).collect()
 }
 
-/// Determinant of the Jacobian matrix of a solid element.
-pub(super) fn jacobian(shape: SolidShape, at: Vector, positions: &[Vector]) -> f64 {
-    let [r, s, t] = tangents::<3>(|at| solid_shapes(shape, at), at, positions);
-    dot(cross(r, s), t)
+/// Quadrature points of a solid element.
+pub(super) fn solid_table(shape: SolidShape) -> &'static [Point] {
+    static TABLES: [OnceLock<Vec<Point>>; 6] = [const { OnceLock::new() }; 6];
+    TABLES[shape as usize].get_or_init(|| tabulated(solid_points(shape), 3, |at| solid_shapes(shape, at)))
 }
 
-/// Normal of a shell element; its length is the area per area of the reference element.
-pub(super) fn normal(shape: ShellShape, at: Vector, positions: &[Vector]) -> Vector {
-    let [r, s] = tangents::<2>(|at| shell_shapes(shape, at), at, positions);
-    cross(r, s)
+/// Quadrature points of a shell element. Shapes with the same corners have the same points.
+pub(super) fn shell_table(shape: ShellShape) -> &'static [Point] {
+    static TABLES: [OnceLock<Vec<Point>>; 5] = [const { OnceLock::new() }; 5];
+    TABLES[shape as usize].get_or_init(|| tabulated(shell_points(shape), 2, |at| shell_shapes(shape, at)))
+}
+
+impl Point {
+    /// Derivatives of the position with respect to the coordinates of the element.
+    fn tangents(&self, positions: &[Vector]) -> [Vector; 3] {
+        let mut tangents = [[0.0; 3]; 3];
+        for (derivative, position) in self.derivatives.iter().zip(positions) {
+            for (tangent, factor) in tangents.iter_mut().zip(derivative) {
+                (0..3).for_each(|i| tangent[i] += factor * position[i]);
+            }
+        }
+        tangents
+    }
+
+    /// Determinant of the Jacobian matrix of a solid element.
+    pub fn jacobian(&self, positions: &[Vector]) -> f64 {
+        let [r, s, t] = self.tangents(positions);
+        dot(cross(r, s), t)
+    }
+
+    /// Normal of a shell element; its length is the area per area of the reference element.
+    pub fn normal(&self, positions: &[Vector]) -> Vector {
+        let [r, s, _] = self.tangents(positions);
+        cross(r, s)
+    }
 }
 
 /// Smallest accepted ratio of the Jacobian to the size of the element to the third power, or to the
@@ -238,18 +279,17 @@ pub(super) fn defect(element: &Element, nodes: &[Node]) -> Option<String> {
         ElementKind::Solid(shape) => {
             let least = FLAT * size.powi(3);
             let values: Vec<f64> =
-                solid_points(*shape).iter().map(|(at, _)| jacobian(*shape, *at, &positions)).collect();
+                solid_table(*shape).iter().map(|point| point.jacobian(&positions)).collect();
             jacobian_defect(&values, least)
         }
         ElementKind::Shell { shape, .. } => {
             let least = FLAT * size.powi(2);
-            let points = shell_points(*shape);
-            let mean = points.iter().fold([0.0; 3], |sum, (at, _)| add(sum, normal(*shape, *at, &positions)));
+            let points = shell_table(*shape);
+            let mean = points.iter().fold([0.0; 3], |sum, point| add(sum, point.normal(&positions)));
             let Some(mean) = unit(mean) else {
                 return Some("has no area".into());
             };
-            let values: Vec<f64> =
-                points.iter().map(|(at, _)| dot(normal(*shape, *at, &positions), mean)).collect();
+            let values: Vec<f64> = points.iter().map(|point| dot(point.normal(&positions), mean)).collect();
             if values.iter().all(|value| *value <= least) {
                 return Some("has no area".into());
             }

@@ -1,8 +1,7 @@
 //! Mass, centre of mass and inertia of a model, by quadrature over its elements.
 
 use super::geometry::{
-    Vector, add, interpolate, jacobian, norm, normal, scale, shell_corners, shell_points, shell_shapes,
-    solid_points, solid_shapes, sub, unit,
+    Vector, add, interpolate, norm, scale, shell_corners, shell_table, solid_table, sub, unit,
 };
 use crate::model::{ElasticModel, Element, ElementKind, ShellShape};
 
@@ -67,9 +66,9 @@ fn accumulate(model: &ElasticModel, element: &Element, moments: &mut Moments) {
     let density = element.material.map_or(0.0, |material| model.materials[material].density);
     match &element.kind {
         ElementKind::Solid(shape) => {
-            for (at, weight) in solid_points(*shape) {
-                let volume = weight * jacobian(*shape, at, &positions);
-                moments.point(density * volume, interpolate(&solid_shapes(*shape, at), &positions));
+            for point in solid_table(*shape) {
+                let volume = point.weight * point.jacobian(&positions);
+                moments.point(density * volume, interpolate(&point.shapes, &positions));
             }
         }
         ElementKind::Shell { shape, thickness, offset, added_mass } => {
@@ -77,13 +76,13 @@ fn accumulate(model: &ElasticModel, element: &Element, moments: &mut Moments) {
                 3 => ShellShape::Triangle3,
                 _ => ShellShape::Quadrilateral4,
             };
-            for (at, weight) in shell_points(*shape) {
-                let normal = normal(*shape, at, &positions);
+            for (point, corner) in shell_table(*shape).iter().zip(shell_table(corners)) {
+                let normal = point.normal(&positions);
                 let local: f64 =
-                    shell_shapes(corners, at).iter().zip(thickness).map(|(shape, value)| shape * value).sum();
+                    corner.shapes.iter().zip(thickness).map(|(shape, value)| shape * value).sum();
                 let middle = scale(unit(normal).unwrap_or_default(), *offset);
-                let mass = weight * norm(normal) * (density * local + added_mass);
-                moments.point(mass, add(interpolate(&shell_shapes(*shape, at), &positions), middle));
+                let mass = point.weight * norm(normal) * (density * local + added_mass);
+                moments.point(mass, add(interpolate(&point.shapes, &positions), middle));
             }
         }
         ElementKind::Beam(beam) => {

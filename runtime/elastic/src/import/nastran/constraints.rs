@@ -13,9 +13,10 @@ use std::collections::{BTreeMap, HashMap};
 
 /// Reads rigid elements.
 pub(super) fn rigid(cards: &[Card], builder: &mut Builder, labels: &HashMap<u64, Place>) -> Result<()> {
+    let mut own: HashMap<u64, Place> = HashMap::new();
     for card in repeated(cards.iter().filter(|card| matches!(card.name.as_str(), "RBE2" | "RBE3")))? {
         let label = card.id(1, "EID")?;
-        if let Some(place) = labels.get(&label) {
+        if let Some(place) = labels.get(&label).or(own.get(&label)) {
             let message = format!("{} has the label of an element in line {}", card.subject(), place.line);
             return Err(card.problem(message, "give each element its own label"));
         }
@@ -24,6 +25,7 @@ pub(super) fn rigid(cards: &[Card], builder: &mut Builder, labels: &HashMap<u64,
             _ => ("RBE3", weighted_average(card, label, builder)?),
         };
         builder.constraint(card.origin(name), constraint);
+        own.insert(label, card.place);
     }
     Ok(())
 }

@@ -216,15 +216,13 @@ fn material(card: &Card) -> Result<Material> {
     let g = card.optional_real(3, "G")?;
     let nu = card.optional_real(4, "NU")?;
     let (e, g, nu) = match (e, g, nu) {
-        (Some(e), None, nu) => {
-            let nu = nu.unwrap_or(0.0);
-            (e, e / (2.0 * (1.0 + nu)), nu)
-        }
+        (Some(e), None, Some(nu)) => (e, e / (2.0 * (1.0 + nu)), nu),
         (None, Some(g), Some(nu)) => (2.0 * (1.0 + nu) * g, g, nu),
         (Some(e), Some(g), None) => (e, g, e / (2.0 * g) - 1.0),
         (Some(e), Some(g), Some(nu)) => (e, g, nu),
-        (None, ..) => {
-            let message = format!("{} has neither E nor both G and NU", card.subject());
+        // NASTRAN would use a material without shear stiffness.
+        (Some(_), None, None) | (None, ..) => {
+            let message = format!("{} states less than two of E, G and NU", card.subject());
             return Err(card.problem(message, "write E and NU"));
         }
     };
