@@ -1,6 +1,6 @@
 //! The same body in all formats.
 
-use super::files::{Files, open_data, open_in};
+use super::files::{Files, open_data, open_in, read};
 use calyx_elastic::import::{
     AbaqusOptions, CondensedMatrices, CondensedOptions, GmshOptions, GmshPart, Import, NastranOptions, Units,
     read_abaqus, read_condensed, read_gmsh, read_nastran,
@@ -333,4 +333,33 @@ fn a_condensed_body_in_all_formats_gives_the_same_matrices() {
     assert!(close(&npz.stiffness, &punch.stiffness));
     assert!(close(npz.mass.as_ref().expect("a mass"), punch.mass.as_ref().expect("a mass")));
     assert_eq!(npz.stiffness[(1, 1)], 3e4);
+}
+
+#[test]
+fn damaged_archives_are_rejected() {
+    let archive = read("import/condensed.npz");
+    let find = |bytes: &[u8], last: bool| {
+        let mut windows = archive.windows(bytes.len());
+        let at = if last { windows.rposition(|w| w == bytes) } else { windows.position(|w| w == bytes) };
+        at.expect("the bytes are there")
+    };
+    // The mass matrix is stored without compression: its data begin 128 bytes after the magic number.
+    let (data, name, end) =
+        (find(b"\x93NUMPY", false) + 128, find(b"stiffness", true), find(b"PK\x05\x06", true));
+    for (at, value, words) in [
+        (data, 7, "the checksum of the array `mass` is wrong"),
+        (name, b'S', "the archive has no array `stiffness`"),
+        (end, b'Q', "not a ZIP archive"),
+        (end + 16, 0xff, "directory of the archive"),
+    ] {
+        let mut damaged = archive.clone();
+        damaged[at] = value;
+        let options = CondensedOptions { units: Units::N_M_S, stiffness: None, mass: None };
+        let error = read_condensed("body.npz", &options, &mut |_| Ok(damaged.clone())).expect_err(words);
+        assert!(error.message.contains(words), "{error}");
+        assert_eq!((error.file.as_str(), error.line), ("body.npz", 1));
+    }
+    let options = CondensedOptions { units: Units::N_M_S, stiffness: None, mass: None };
+    let error = read_condensed("body.xlsx", &options, &mut open_data).expect_err("no format");
+    assert!(error.help.contains("npz"), "{error:?}");
 }
