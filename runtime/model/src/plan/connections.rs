@@ -55,6 +55,6 @@ pub(super) fn refuse_bending_in_plane(
         "\"{}\" bends and moves along its axis ({}), which a two-dimensional model does not have",
         connection.name, DOF_NAMES[dof]
     );
-    let help = "choose the fidelity \"analytic\" or a three-dimensional one, or give the shaft `free = [\"theta_z\"]`: it then twists only";
+    let help = "give the shaft `free = [\"theta_z\"]`: it then twists only";
     Err(EngineError::new("E0611", message, help).blame("free"))
 }
