@@ -175,8 +175,16 @@ pub(super) fn elasticity_root(material: &Material) -> Result<SMatrix<f64, STRAIN
 
 /// Returns `s^T s`, symmetric to the last bit.
 pub(super) fn squared(s: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut product = s.tr_mul(s);
-    product.fill_upper_triangle_with_lower_triangle();
+    let (rows, count) = s.shape();
+    let columns = s.as_slice().chunks_exact(rows).collect::<Vec<_>>();
+    let mut product = DMatrix::zeros(count, count);
+    for (column, a) in columns.iter().enumerate() {
+        for (row, b) in columns.iter().enumerate().skip(column) {
+            let value = a.iter().zip(*b).map(|(a, b)| a * b).sum::<f64>();
+            product[(row, column)] = value;
+            product[(column, row)] = value;
+        }
+    }
     product
 }
 
