@@ -40,6 +40,8 @@ pub struct System<'m> {
     pub stiffness: SparseColMat<usize, f64>,
     /// Degrees of freedom with stiffness that are independent and not prescribed.
     is_unknown: Vec<bool>,
+    /// Degrees of freedom with stiffness.
+    is_stiff: Vec<bool>,
     pattern: Pattern,
     rooms: Vec<MemoryReservation>,
 }
@@ -80,10 +82,12 @@ impl<'m> System<'m> {
             prescribed: BTreeMap::new(),
             stiffness,
             is_unknown: Vec::new(),
+            is_stiff: Vec::new(),
             pattern,
             rooms: vec![room],
         };
-        system.is_unknown = system.stiff_dofs();
+        system.is_stiff = system.stiff_dofs();
+        system.is_unknown = system.is_stiff.clone();
         system.prescribe()?;
         Ok(system)
     }
@@ -96,6 +100,11 @@ impl<'m> System<'m> {
     /// Returns true for a degree of freedom that is an unknown of the equations.
     pub fn is_unknown(&self, dof: usize) -> bool {
         self.is_unknown[dof]
+    }
+
+    /// Returns true for a prescribed degree of freedom with stiffness: it supports the body.
+    pub fn is_support(&self, dof: usize) -> bool {
+        self.is_stiff[dof] && self.prescribed.contains_key(&dof)
     }
 
     /// Returns the unknowns, ascending.

@@ -6,11 +6,13 @@ use crate::error::ElasticError;
 use crate::factor::{Factor, Pencil};
 use crate::model::{Component, Constraint};
 use crate::resources::Resources;
-use nalgebra::{Matrix6, SymmetricEigen};
+use nalgebra::{DMatrix, Matrix6};
 
 /// A rigid-body motion is free if it causes forces of at most this share of those of an equal motion
 /// of single degrees of freedom.
 const FREE: f64 = 1e-11;
+/// Number of nodes whose rows are orthogonalized at a time.
+const ROWS: usize = 1024;
 /// Number of labels in a message.
 const NAMED: usize = 10;
 
@@ -131,7 +133,7 @@ fn free_motions(system: &System<'_>, nodes: &[usize], diagonal: &[f64]) -> Vec<V
     let mut motions = system.rigid_motions(centre);
     for (k, motion) in motions.iter_mut().enumerate() {
         for (dof, value) in motion.iter_mut().enumerate() {
-            let active = system.is_unknown(dof) || system.prescribed.contains_key(&dof);
+            let active = system.is_unknown(dof) || system.is_support(dof);
             *value *= if !belongs[dof / 6] || !active {
                 0.0
             } else if k < 3 {
@@ -143,30 +145,45 @@ fn free_motions(system: &System<'_>, nodes: &[usize], diagonal: &[f64]) -> Vec<V
     }
     let moved = motions.clone();
     let forces = moved.each_ref().map(|motion| multiply(&system.stiffness, motion));
-    let mut gram = Matrix6::<f64>::zeros();
-    for &node in nodes {
-        for dof in 6 * node..6 * node + 6 {
-            let scale = if dof % 6 < 3 { 1.0 } else { length };
-            let row = |k: usize| {
-                if system.prescribed.contains_key(&dof) {
-                    moved[k][dof] * scale
-                } else if system.is_unknown(dof) && diagonal[dof] > 0.0 {
-                    forces[k][dof] / diagonal[dof] * scale
-                } else {
-                    0.0
-                }
-            };
-            let row: [f64; 6] = std::array::from_fn(row);
-            gram += Matrix6::from_fn(|i, j| row[i] * row[j]);
+    // Triangular factor of all rows: the squares of a Gram matrix would lose half of the digits.
+    let mut triangle = DMatrix::<f64>::zeros(0, 6);
+    for nodes in nodes.chunks(ROWS) {
+        let mut rows = Vec::with_capacity(6 * nodes.len());
+        for &node in nodes {
+            for dof in 6 * node..6 * node + 6 {
+                let scale = if dof % 6 < 3 { 1.0 } else { length };
+                let row = |k: usize| {
+                    if system.is_support(dof) {
+                        moved[k][dof] * scale
+                    } else if system.is_unknown(dof) && diagonal[dof] > 0.0 {
+                        forces[k][dof] / diagonal[dof] * scale
+                    } else {
+                        0.0
+                    }
+                };
+                rows.push(std::array::from_fn::<f64, 6, _>(row));
+            }
         }
+        let old = triangle.nrows();
+        let stacked =
+            DMatrix::from_fn(
+                old + rows.len(),
+                6,
+                |i, j| {
+                    if i < old { triangle[(i, j)] } else { rows[i - old][j] }
+                },
+            );
+        triangle = stacked.qr().r();
     }
-    let eigen = SymmetricEigen::new(gram);
+    let square = Matrix6::from_fn(|i, j| if i < triangle.nrows() { triangle[(i, j)] } else { 0.0 });
+    let svd = square.svd(false, true);
+    let Some(directions) = svd.v_t else { return Vec::new() };
     let mut free = Vec::new();
-    for (k, value) in eigen.eigenvalues.iter().enumerate() {
-        if value.max(0.0).sqrt() <= FREE * count.sqrt() {
+    for (k, value) in svd.singular_values.iter().enumerate() {
+        if *value <= FREE * count.sqrt() {
             let mut motion = vec![0.0; system.dof_count()];
             for (j, column) in moved.iter().enumerate() {
-                let factor = eigen.eigenvectors[(j, k)];
+                let factor = directions[(k, j)];
                 motion.iter_mut().zip(column).for_each(|(sum, value)| *sum += factor * value);
             }
             if dot(&motion, &motion) > 0.0 {

@@ -135,6 +135,10 @@ fn mechanisms_are_reported_by_their_nodes() {
     let error = statics::solve(&system, &[vec![load(4, [0.0, 1.0, 0.0, 0.0, 0.0, 0.0])]], &resources);
     let Err(ElasticError::Mechanism { message, nodes, .. }) = error else { panic!("a mechanism") };
     assert!(message.contains("mechanisms") && nodes.iter().all(|&node| node >= 4), "{message}");
+    // A node of a solid has no rotational stiffness: fixing its rotations supports nothing.
+    let mut solid = block(SolidShape::Hexahedron8, [2, 2, 2], |at| at);
+    solid.fixed.push(clamped(0));
+    assert_eq!(report(&solid).free_motion_count(), 3);
     // Two parts and a node without elements.
     let mut two = block(SolidShape::Tetrahedron4, [1, 1, 1], |at| at);
     let other = block(SolidShape::Tetrahedron4, [1, 1, 1], |at| [at[0] + 5.0, at[1], at[2]]);
