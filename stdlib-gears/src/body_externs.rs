@@ -88,8 +88,8 @@ impl BodyPlacement {
         Arc::new(FrameMotion { value: frame.0, params })
     }
 
-    /// Load on a body: the constant part from the model, and the part that the host program provides
-    /// under a name, if any.
+    /// Load on a body: the constant part from the model, and the part that the host program
+    /// provides under a name, if any.
     pub fn load(
         host: &mut ModelHost,
         constant: Wrench,

@@ -53,7 +53,8 @@ fn warning(host: &ModelHost, error: EngineError) -> Finding {
     Finding { severity: Severity::Warning, error: host.engine_error(error) }
 }
 
-/// Bodies that meshes, bearings and shafts connect: one list for each connected component with a mesh.
+/// Bodies that meshes, bearings and shafts connect: one list for each connected component with a
+/// mesh.
 fn groups(scene: &Scene) -> Vec<Vec<usize>> {
     let mut left: Vec<bool> = vec![true; scene.bodies.len()];
     let mut groups = Vec::new();

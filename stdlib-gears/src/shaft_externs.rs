@@ -304,8 +304,8 @@ pub(crate) fn bearing_mounting(
     Ok(section(host, index, z, place)?.0)
 }
 
-/// Displacement or rotation of a shaft at its origin along a ground axis, if the handle is that of a
-/// shaft: its body may have another origin.
+/// Displacement or rotation of a shaft at its origin along a ground axis, if the handle is that of
+/// a shaft: its body may have another origin.
 pub(crate) fn observe_shaft(
     context: &mut Context,
     handle: Handle,

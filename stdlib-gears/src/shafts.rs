@@ -5,9 +5,9 @@
 //! discs. A gear that is mounted at the position of such a section takes its place. The connection
 //! is condensed again whenever a section is added, so the scene is complete at any time.
 //!
-//! A rigid shaft has one body, on which all bearings and loads act at their distance; its first gear
-//! becomes this body, which makes the scene that of a gear on bearings. Further gears are joined to
-//! it by the shaft at [`RIGID`] times its stiffness.
+//! A rigid shaft has one body, on which all bearings and loads act at their distance; its first
+//! gear becomes this body, which makes the scene that of a gear on bearings. Further gears are
+//! joined to it by the shaft at [`RIGID`] times its stiffness.
 
 use crate::assembly::add_body;
 use crate::error::Refusal;
@@ -144,7 +144,8 @@ impl ModelShaft {
     /// prescribed. The connection is called like the shaft.
     ///
     /// # Errors
-    /// Those of [`add_body`] and of [`Scene::add_connection`](calyx_runtime::mechanism::Mechanism::add_connection).
+    /// Those of [`add_body`] and of
+    /// [`Scene::add_connection`](calyx_runtime::mechanism::Mechanism::add_connection).
     pub fn add(
         scene: &mut Scene,
         name: String,
@@ -201,7 +202,8 @@ impl ModelShaft {
     }
 
     /// Returns the body that carries the section at a position (m), and the position in the
-    /// coordinates of its frame along the axis; adds a section to an elastic shaft if there is none.
+    /// coordinates of its frame along the axis; adds a section to an elastic shaft if there is
+    /// none.
     /// `named` names the position.
     ///
     /// # Errors
@@ -267,8 +269,8 @@ impl ModelShaft {
         }
     }
 
-    /// Adds attachments (position, body, position in the body's frame), in place of those of a body,
-    /// and condenses the shaft.
+    /// Adds attachments (position, body, position in the body's frame), in place of those of a
+    /// body, and condenses the shaft.
     fn attach(
         &self,
         scene: &mut Scene,
@@ -337,8 +339,8 @@ impl ModelShaft {
         Ok(())
     }
 
-    /// Mounts a body on the shaft. It takes the place of a section without teeth at its position, or
-    /// within its hub. `toothed` returns whether a body carries a gear.
+    /// Mounts a body on the shaft. It takes the place of a section without teeth at its position,
+    /// or within its hub. `toothed` returns whether a body carries a gear.
     ///
     /// # Errors
     /// E0859: the hub reaches beyond the shaft, or another gear or several sections are within it.

@@ -281,7 +281,8 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"analyt
     close("second mesh", rigid["second_force"][1], of("second_force"), 1e-2);
 }
 
-/// In two dimensions a shaft twists: the wind-up is that of its length, and does not reach the teeth.
+/// In two dimensions a shaft twists: the wind-up is that of its length, and does not reach the
+/// teeth.
 #[test]
 fn a_shaft_twists_in_a_plane_model() {
     let found = solved(

@@ -1,6 +1,6 @@
 //! Time to condense a housing with eight bearing seats, as a ratio to a sparse Cholesky
-//! factorization with minimum degree and one solution per attachment component, of the same matrix in
-//! the same run.
+//! factorization with minimum degree and one solution per attachment component, of the same matrix
+//! in the same run.
 //!
 //! `cargo bench -p calyx-elastic --bench condensation` runs a small housing;
 //! `-- full` one of 200,000 degrees of freedom, `-- 20` one of 20 cells along an edge, and

@@ -2,8 +2,8 @@
 //!
 //! Degrees of freedom are numbered by node, six per node, in the displacement axes of the node. The
 //! matrices have columns for all of them; those of dependent components and of components that no
-//! element concerns are empty. Each entry is summed in the order of the elements, so that results do
-//! not depend on the number of threads bit for bit.
+//! element concerns are empty. Each entry is summed in the order of the elements, so that results
+//! do not depend on the number of threads bit for bit.
 
 use crate::constraint::{Expansion, rigid_row};
 use crate::element::{self, ElementMatrix, Quantity};

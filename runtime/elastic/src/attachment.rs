@@ -53,9 +53,9 @@ pub enum Connection {
     Rigid,
     /// The attachment node follows the mean motion of the nodes, which can deform.
     Average,
-    /// The nodes move with the attachment node, and their displacements along and around the axis and
-    /// radially are Fourier series of the angle about it. Harmonic 0 is radial expansion; harmonic 1
-    /// is the rigid motion.
+    /// The nodes move with the attachment node, and their displacements along and around the axis
+    /// and radially are Fourier series of the angle about it. Harmonic 0 is radial expansion;
+    /// harmonic 1 is the rigid motion.
     Fourier {
         /// Axis of the surface through the attachment node.
         axis: [f64; 3],
@@ -157,9 +157,9 @@ fn unit(vector: [f64; 3]) -> Result<Vector3<f64>, ElementError> {
     }
 }
 
-/// Adds an attachment to a model and returns its nodes: the attachment node, and one node per harmonic
-/// of a Fourier surface, whose six components are the amplitudes (cosine, sine) of the radial, the
-/// circumferential and the axial displacement.
+/// Adds an attachment to a model and returns its nodes: the attachment node, and one node per
+/// harmonic of a Fourier surface, whose six components are the amplitudes (cosine, sine) of the
+/// radial, the circumferential and the axial displacement.
 ///
 /// # Errors
 /// The region is empty, or a harmonic is 1 or repeated.
@@ -270,8 +270,8 @@ fn fourier(
     Ok(())
 }
 
-/// Returns two directions across an axis from which angles count: the first is as near as possible to
-/// the basic x axis, or to the y axis if the axis is along x.
+/// Returns two directions across an axis from which angles count: the first is as near as possible
+/// to the basic x axis, or to the y axis if the axis is along x.
 pub fn transverse(axis: Vector3<f64>) -> [Vector3<f64>; 2] {
     let reference = if axis.x.abs() < (PI / 18.0).cos() { Vector3::x() } else { Vector3::y() };
     let start = (reference - axis * axis.dot(&reference)).normalize();

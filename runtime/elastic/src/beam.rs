@@ -1,9 +1,9 @@
 //! Timoshenko beams with offsets, releases and tapered sections, and rods.
 //!
-//! Stiffness follows from the flexibility of the beam clamped at its first end, integrated along the
-//! axis, and from equilibrium. It is exact for every taper. The displacements between the ends in the
-//! consistent mass are the exact static ones: for a uniform beam the cubic polynomial with the shear
-//! deformation of Timoshenko. See `docs/theory/elastic-bodies.md`.
+//! Stiffness follows from the flexibility of the beam clamped at its first end, integrated along
+//! the axis, and from equilibrium. It is exact for every taper. The displacements between the ends
+//! in the consistent mass are the exact static ones: for a uniform beam the cubic polynomial with
+//! the shear deformation of Timoshenko. See `docs/theory/elastic-bodies.md`.
 
 use crate::error::ElementError;
 use crate::model::{BeamProperties, BeamSection, Material};
@@ -63,7 +63,8 @@ fn rigid_motion(arm: f64) -> Matrix6<f64> {
     motion
 }
 
-/// Returns the components without stiffness of a section: extension, bending in each plane, torsion.
+/// Returns the components without stiffness of a section: extension, bending in each plane,
+/// torsion.
 fn absent(section: &BeamSection) -> [bool; 6] {
     let [xy, xz] = [section.second_moment_z == 0.0, section.second_moment_y == 0.0];
     [section.area == 0.0, xy, xz, section.torsion_constant == 0.0, xz, xy]
@@ -126,8 +127,8 @@ impl<'a> Beam<'a> {
         compliance
     }
 
-    /// Returns the displacements at a point of the beam, clamped at its first end, by unit forces and
-    /// moments at its second end.
+    /// Returns the displacements at a point of the beam, clamped at its first end, by unit forces
+    /// and moments at its second end.
     fn flexibility(&self, to: f64) -> Matrix6<f64> {
         let mut sum = Matrix6::zeros();
         for &(at, weight) in &self.rule {
@@ -322,8 +323,8 @@ fn rod_axis([first, second]: [[f64; 3]; 2]) -> Result<(Vector3<f64>, f64), Eleme
     }
 }
 
-/// Returns the stiffness of a rod with area A (m^2) and torsion constant J (m^4) over six components of
-/// both nodes along the basic axes.
+/// Returns the stiffness of a rod with area A (m^2) and torsion constant J (m^4) over six
+/// components of both nodes along the basic axes.
 ///
 /// # Errors
 /// The rod has no length.

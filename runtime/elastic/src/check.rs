@@ -1,5 +1,5 @@
-//! Check of a model for motions without stiffness: rigid-body motions of its parts, mechanisms within
-//! them, and nodes without stiffness.
+//! Check of a model for motions without stiffness: rigid-body motions of its parts, mechanisms
+//! within them, and nodes without stiffness.
 
 use crate::assembly::{System, dot, multiply};
 use crate::error::ElasticError;
@@ -8,8 +8,8 @@ use crate::model::{Component, Constraint};
 use crate::resources::Resources;
 use nalgebra::{DMatrix, Matrix6};
 
-/// A rigid-body motion is free if it causes forces of at most this share of those of an equal motion
-/// of single degrees of freedom.
+/// A rigid-body motion is free if it causes forces of at most this share of those of an equal
+/// motion of single degrees of freedom.
 const FREE: f64 = 1e-11;
 /// Number of nodes whose rows are orthogonalized at a time.
 const ROWS: usize = 1024;
@@ -29,7 +29,8 @@ pub struct Part {
 /// Result of [`check`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// Smallest label, number of nodes and number of free rigid-body motions of each connected part.
+    /// Smallest label, number of nodes and number of free rigid-body motions of each connected
+    /// part.
     pub parts: Vec<(u64, usize, usize)>,
     /// Labels of nodes without stiffness in any component.
     pub without_stiffness: Vec<u64>,
@@ -214,8 +215,8 @@ fn independent(motions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     basis
 }
 
-/// Returns degrees of freedom that support the motions in a statically determinate way, far from each
-/// other: those with the largest remaining motion, in turn. Translations are preferred.
+/// Returns degrees of freedom that support the motions in a statically determinate way, far from
+/// each other: those with the largest remaining motion, in turn. Translations are preferred.
 pub fn determinate_support(system: &System<'_>, motions: &[Vec<f64>]) -> Vec<usize> {
     let mut motions = independent(motions.to_vec());
     let mut support = Vec::new();

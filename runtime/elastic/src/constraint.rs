@@ -1,8 +1,8 @@
 //! Constraints between nodes: dependent components as linear combinations of independent ones.
 //!
 //! Rigid elements (RBE2), weighted averages (RBE3) and equations (MPC) are eliminated by the
-//! transformation `u = T x`. A constraint can depend on components of another one, but not on its own.
-//! See `docs/theory/elastic-bodies.md`.
+//! transformation `u = T x`. A constraint can depend on components of another one, but not on its
+//! own. See `docs/theory/elastic-bodies.md`.
 
 use crate::error::ElementError;
 use crate::model::{Component, Components, Constraint, ElasticModel, Node};
@@ -31,8 +31,8 @@ impl Expansion {
     /// Collects the constraints of a model.
     ///
     /// # Errors
-    /// A component is dependent in two constraints or on itself, or the nodes of a weighted average do
-    /// not determine a requested component.
+    /// A component is dependent in two constraints or on itself, or the nodes of a weighted average
+    /// do not determine a requested component.
     pub fn new(model: &ElasticModel) -> Result<Self, ElementError> {
         let mut raw: BTreeMap<usize, Raw> = BTreeMap::new();
         for constraint in &model.constraints {
@@ -85,8 +85,8 @@ pub fn label(constraint: &Constraint) -> u64 {
     }
 }
 
-/// Resolves the terms of a dependent degree of freedom that are dependent themselves. `open` are the
-/// degrees of freedom that wait for it.
+/// Resolves the terms of a dependent degree of freedom that are dependent themselves. `open` are
+/// the degrees of freedom that wait for it.
 fn resolve(
     model: &ElasticModel,
     dof: usize,
@@ -129,8 +129,8 @@ fn axes(node: &Node) -> [Vector3<f64>; 3] {
     node.axes.map(Vector3::from)
 }
 
-/// Returns a component of a node by the motion of a rigid body with the point `about`: its translations
-/// and rotations along the basic axes.
+/// Returns a component of a node by the motion of a rigid body with the point `about`: its
+/// translations and rotations along the basic axes.
 pub fn rigid_row(node: &Node, component: Component, about: [f64; 3]) -> Vector6<f64> {
     let axis = axes(node)[component % 3];
     if component >= 3 {

@@ -1,8 +1,9 @@
 //! Sparse factorization of symmetric matrices, definite or not, with the number of negative pivots.
 //!
-//! The matrix `K - sigma M` is factorized into `L S L^T` with a lower triangular `L` and signs `S`, by
-//! the multifrontal method in the order of a nested dissection ([`Dissection`]). By Sylvester's law of
-//! inertia, the number of negative signs is the number of eigenvalues of `K x = lambda M x` below
+//! The matrix `K - sigma M` is factorized into `L S L^T` with a lower triangular `L` and signs `S`,
+//! by the multifrontal method in the order of a nested dissection ([`Dissection`]). By Sylvester's
+//! law of inertia, the number of negative signs is the number of eigenvalues of `K x = lambda M x`
+//! below
 //! `sigma` (Sturm count). There is no pivoting: a small pivot, relative to its diagonal entry, is
 //! reported, and the caller moves the shift. Results do not depend on the number of threads bit for
 //! bit.
@@ -24,7 +25,8 @@ use std::sync::OnceLock;
 const SINGULAR: f64 = 1e-13;
 /// Size of a matrix that is factorized column by column.
 const COLUMNS: usize = 32;
-/// Number of right-hand sides that are solved in one sequential pass; twice as many if there are many.
+/// Number of right-hand sides that are solved in one sequential pass; twice as many if there are
+/// many.
 const TOGETHER: usize = 4;
 /// Pivot in place of a zero one: its unknown does not move.
 const FIXED: f64 = 1e100;
@@ -91,7 +93,8 @@ pub fn memory(dissection: &Dissection) -> (u64, u64) {
         let own = (part.pivots.len() * (part.pivots.len() + part.boundary.len())) as u64;
         let below_peak: u64 = part.below.iter().map(|&below| peaks[below]).sum();
         let below_left: u64 = part.below.iter().map(|&below| left(&dissection.parts[below])).sum();
-        // Both parts below can be in work at the same time; a copy of the scaled columns is transient.
+        // Both parts below can be in work at the same time; a copy of the scaled columns is
+        // transient.
         peaks.push(below_peak.max(below_left + left(part) + own));
         entries += own;
     }
@@ -100,8 +103,8 @@ pub fn memory(dissection: &Dissection) -> (u64, u64) {
 }
 
 impl Factor {
-    /// Factorizes the matrix without the `constrained` degrees of freedom. The nodes have six degrees
-    /// of freedom each, at `positions`.
+    /// Factorizes the matrix without the `constrained` degrees of freedom. The nodes have six
+    /// degrees of freedom each, at `positions`.
     ///
     /// # Errors
     /// Memory is insufficient, or the caller ends the computation.
@@ -158,8 +161,8 @@ impl Factor {
         memory(&self.dissection).1
     }
 
-    /// Solves for the right-hand sides in the columns, in place; rows are all degrees of freedom, and
-    /// those that are not unknowns become zero.
+    /// Solves for the right-hand sides in the columns, in place; rows are all degrees of freedom,
+    /// and those that are not unknowns become zero.
     ///
     /// # Errors
     /// The caller ends the computation.

@@ -1,9 +1,9 @@
 //! Finite-element model of a body of any shape: nodes, elements, constraints, loads and named sets.
 //!
 //! All quantities are in one consistent system of units; importers convert them to SI. Positions
-//! and vectors are in the basic coordinate system of the model unless stated otherwise. Each node has
-//! three translations and three rotations along and about its own displacement axes; components to
-//! which no element gives stiffness take no part.
+//! and vectors are in the basic coordinate system of the model unless stated otherwise. Each node
+//! has three translations and three rotations along and about its own displacement axes; components
+//! to which no element gives stiffness take no part.
 
 use std::collections::BTreeMap;
 
@@ -39,8 +39,8 @@ pub struct Node {
     pub label: u64,
     /// Position, m.
     pub position: [f64; 3],
-    /// Unit vectors of the displacement axes: components of motion refer to them. Zero for a node whose
-    /// components are amplitudes of a deformation, which rigid-body motion leaves at zero.
+    /// Unit vectors of the displacement axes: components of motion refer to them. Zero for a node
+    /// whose components are amplitudes of a deformation, which rigid-body motion leaves at zero.
     pub axes: [[f64; 3]; 3],
 }
 
@@ -73,9 +73,9 @@ pub struct Element {
     pub material: Option<usize>,
 }
 
-/// Shape of a solid element. Nodes are ordered as in NASTRAN: corners of the first face, corners of the
-/// second face in the same sense, then the midside nodes of the first face, of the edges between the
-/// faces, and of the second face.
+/// Shape of a solid element. Nodes are ordered as in NASTRAN: corners of the first face, corners of
+/// the second face in the same sense, then the midside nodes of the first face, of the edges
+/// between the faces, and of the second face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SolidShape {
     /// Hexahedron of 8 nodes.
@@ -92,8 +92,8 @@ pub enum SolidShape {
     Tetrahedron10,
 }
 
-/// Shape of a shell element: corners counter-clockwise seen against the normal, then midside nodes from
-/// the side of the first two corners.
+/// Shape of a shell element: corners counter-clockwise seen against the normal, then midside nodes
+/// from the side of the first two corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShellShape {
     /// Triangle of 3 nodes.
@@ -137,8 +137,8 @@ pub enum ElementKind {
     },
     /// Spring between a component of the first node and one of the second node or ground.
     Spring {
-        /// Components at the first and the second node; the second node is ground if the element has
-        /// only one.
+        /// Components at the first and the second node; the second node is ground if the element
+        /// has only one.
         components: [Component; 2],
         /// Stiffness, N/m or N m/rad.
         stiffness: f64,
@@ -190,7 +190,8 @@ pub struct BeamSection {
 /// Constraint between nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Constraint {
-    /// The stated components of the dependent nodes follow the reference node as a rigid body (RBE2).
+    /// The stated components of the dependent nodes follow the reference node as a rigid body
+    /// (RBE2).
     Rigid {
         /// Label in the source file.
         label: u64,

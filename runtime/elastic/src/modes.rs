@@ -2,9 +2,9 @@
 //!
 //! A block Krylov space of the shift-inverted pencil with full orthogonalization (Grimes, Lewis and
 //! Simon, SIAM J. Matrix Anal. Appl. 15, 1994) gives the lowest modes. The inertia of a second
-//! factorization counts the eigenvalues below the highest one (Sturm count); the iteration continues
-//! with new start vectors until it has found that number. Linear forms of the displacements can be
-//! constrained to zero by Lagrange multipliers, without dense coupling. See
+//! factorization counts the eigenvalues below the highest one (Sturm count); the iteration
+//! continues with new start vectors until it has found that number. Linear forms of the
+//! displacements can be constrained to zero by Lagrange multipliers, without dense coupling. See
 //! `docs/theory/elastic-bodies.md`.
 
 use crate::assembly::{System, dot, multiply};
@@ -195,8 +195,8 @@ fn negative_shift(problem: &Problem<'_>, request: Request) -> f64 {
 /// Computes the requested modes.
 ///
 /// # Errors
-/// The body has a mechanism (`mechanism` makes the error from the degrees of freedom), the iteration
-/// does not converge, memory is insufficient, or the caller ends the computation.
+/// The body has a mechanism (`mechanism` makes the error from the degrees of freedom), the
+/// iteration does not converge, memory is insufficient, or the caller ends the computation.
 pub fn solve(
     problem: &Problem<'_>,
     request: Request,
@@ -334,7 +334,8 @@ impl<'a> Space<'a> {
         self.eigenvalues.iter().zip(&self.residuals).filter(|(value, _)| **value < limit).count()
     }
 
-    /// Returns the number of eigenvalues, at least `wanted`, before a gap, and a value within the gap.
+    /// Returns the number of eigenvalues, at least `wanted`, before a gap, and a value within the
+    /// gap.
     fn gap(&self, wanted: usize) -> (usize, f64) {
         let scale = self.shift.abs();
         for count in wanted..self.eigenvalues.len() {
@@ -531,7 +532,8 @@ impl<'a> Space<'a> {
         Ok(())
     }
 
-    /// Computes the eigenpairs of the projection onto the columns to which the operator was applied.
+    /// Computes the eigenpairs of the projection onto the columns to which the operator was
+    /// applied.
     fn ritz(&mut self) -> Result<(), ElasticError> {
         let size = if self.is_complete { self.size } else { self.open };
         let symmetric = Mat::from_fn(size, size, |row, column| {

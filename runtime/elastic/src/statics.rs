@@ -13,8 +13,8 @@ use faer::Mat;
 pub struct StaticSolution {
     /// Displacement of each node in its displacement axes, m and rad.
     pub displacements: Vec<[f64; 6]>,
-    /// Reaction at each prescribed component: index of the node, component, force (N) or moment (N m)
-    /// on the body.
+    /// Reaction at each prescribed component: index of the node, component, force (N) or moment (N
+    /// m) on the body.
     pub reactions: Vec<(usize, Component, f64)>,
     /// Strain energy, J.
     pub strain_energy: f64,
@@ -23,8 +23,8 @@ pub struct StaticSolution {
 /// Solves the load cases of a system; the prescribed displacements act in every one.
 ///
 /// # Errors
-/// The body has a mechanism, a load acts on a component without stiffness, memory is insufficient, or
-/// the caller ends the computation.
+/// The body has a mechanism, a load acts on a component without stiffness, memory is insufficient,
+/// or the caller ends the computation.
 pub fn solve(
     system: &System<'_>,
     cases: &[Vec<NodalLoad>],

@@ -192,7 +192,8 @@ fn component_modes_keep_the_static_solution_and_the_rigid_mass() {
             for (k, &(node, component)) in body.components.iter().enumerate() {
                 assert!((moved[node][component] - unknowns[k]).abs() < 1e-9 * scale);
             }
-            // Translation along x: both ends by one; the modal coordinates by equilibrium without load.
+            // Translation along x: both ends by one; the modal coordinates by equilibrium without
+            // load.
             let translation =
                 DMatrix::from_fn(body.unknown_count(), 1, |k, _| f64::from(u8::from(k == 0 || k == 6)));
             let matrix = body.mass.as_ref().expect("a mass");

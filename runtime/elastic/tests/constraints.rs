@@ -101,8 +101,8 @@ fn weighted_average_distributes_forces_like_fasteners() {
 
 #[test]
 fn rotations_of_averaged_nodes_have_the_weight_of_their_mean_distance() {
-    // Two nodes at distance b on both sides, with rotations: about x, the translations along y and z
-    // give nothing, and the rotations are averaged; about z, both resist.
+    // Two nodes at distance b on both sides, with rotations: about x, the translations along y and
+    // z give nothing, and the rotations are averaged; about z, both resist.
     let b = 2.0;
     let mut model = points(&[[b, 0.0, 0.0], [-b, 0.0, 0.0], [0.0; 3]]);
     let terms = vec![(1.0, 0, [true; 6]), (1.0, 1, [true; 6])];

@@ -84,8 +84,8 @@ pub fn load(node: usize, load: [f64; 6]) -> NodalLoad {
     NodalLoad { node, load }
 }
 
-/// Returns a block of `counts` cells of unit edge, divided into solids of a shape. `place` moves the
-/// corners.
+/// Returns a block of `counts` cells of unit edge, divided into solids of a shape. `place` moves
+/// the corners.
 pub fn block(shape: SolidShape, counts: [usize; 3], place: impl Fn([f64; 3]) -> [f64; 3]) -> ElasticModel {
     let [nx, ny, nz] = counts;
     let index = |i: usize, j: usize, k: usize| i + (nx + 1) * (j + (ny + 1) * k);

@@ -1,5 +1,5 @@
-//! Limits: memory is refused before it is allocated, computations end on request, and results do not
-//! depend on the number of threads.
+//! Limits: memory is refused before it is allocated, computations end on request, and results do
+//! not depend on the number of threads.
 
 use crate::meshes::{block, clamped, load};
 use calyx_elastic::assembly::System;

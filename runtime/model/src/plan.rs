@@ -363,7 +363,8 @@ fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bo
     if touches { path } else { everything() }
 }
 
-/// Returns these bodies and all that surface pairs, bearings or elastic connections connect to them.
+/// Returns these bodies and all that surface pairs, bearings or elastic connections connect to
+/// them.
 fn connected_bodies(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> Vec<bool> {
     let mut wanted = vec![false; scene.bodies.len()];
     let mut more: Vec<BodyId> = bodies.collect();

@@ -263,8 +263,8 @@ impl<'s> System<'s> {
         Ok(loads.iter().zip(&self.dofs).map(|(load, on)| load / self.width(on.body)).collect())
     }
 
-    /// Returns stiffness and forces of bearings, elastic connections and spline teeth with clearance
-    /// at a time, per [`System::width`].
+    /// Returns stiffness and forces of bearings, elastic connections and spline teeth with
+    /// clearance at a time, per [`System::width`].
     pub fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
         let mut springs = {
             let Mechanism { bodies, bearings, .. } = self.scene;

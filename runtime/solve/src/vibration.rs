@@ -26,8 +26,8 @@ use nalgebra::DMatrix;
 use std::sync::Arc;
 
 impl System<'_> {
-    /// Returns the mass matrix of the DOFs at a time (s): rigid bodies about their axes of rotation,
-    /// and elastic connections.
+    /// Returns the mass matrix of the DOFs at a time (s): rigid bodies about their axes of
+    /// rotation, and elastic connections.
     pub fn mass_matrix(&self, time: f64) -> DMatrix<f64> {
         let dofs = &self.dofs;
         let mut mass = DMatrix::zeros(dofs.len(), dofs.len());

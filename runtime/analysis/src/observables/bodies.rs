@@ -25,8 +25,8 @@ impl Equilibrium<'_> {
 
     /// Returns the support reaction of a body, in the order of [`calyx_model::dof::DOF_NAMES`]:
     /// force (N) and moment about the body's axis of rotation (N m), along ground axes. It balances
-    /// contact, bearings, elastic connections, spline teeth with clearance, external load and inertia, so it vanishes
-    /// along free DOFs.
+    /// contact, bearings, elastic connections, spline teeth with clearance, external load and
+    /// inertia, so it vanishes along free DOFs.
     pub fn support(self, body: BodyId) -> [f64; 6] {
         let (contact, load) =
             (self.contact_force(body), self.system.scene.bodies[body.0].acted_on(self.step.time, 1.0));

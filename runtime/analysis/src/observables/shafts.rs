@@ -31,8 +31,8 @@ impl ConnectionLoad<'_> {
         self.connection.shaft.as_ref()
     }
 
-    /// Returns the motion of a section of a shaft at a position (m): displacement and rotation along
-    /// and about the reference axes; `None` for another connection.
+    /// Returns the motion of a section of a shaft at a position (m): displacement and rotation
+    /// along and about the reference axes; `None` for another connection.
     fn motion_at(&self, z: f64) -> Option<[f64; 6]> {
         let CondensedShaft { shaft, stations, .. } = self.shaft()?;
         Some(shaft.motion_at(stations, &self.motions, z))
@@ -205,8 +205,8 @@ pub enum NominalStress {
     Equivalent,
 }
 
-/// Nominal stress in a section of a shaft, Pa, without stress concentrations: the larger one of both
-/// sides of a step or of a force. Without a position, the largest along the shaft.
+/// Nominal stress in a section of a shaft, Pa, without stress concentrations: the larger one of
+/// both sides of a step or of a force. Without a position, the largest along the shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShaftStress {
     /// Connection of the shaft.

@@ -1,9 +1,9 @@
 //! Influence matrix of the images of a patch's cells in one inclined mirror.
 //!
-//! The potential of an image is smooth on the patch, except where a cell touches the mirror, and the
-//! matrix of averages of 1/r has a low numerical rank. It is positive semidefinite, since between
-//! points on one side of a plane and mirrored points, with wave number k parallel to the plane and
-//! distances z from it,
+//! The potential of an image is smooth on the patch, except where a cell touches the mirror, and
+//! the matrix of averages of 1/r has a low numerical rank. It is positive semidefinite, since
+//! between points on one side of a plane and mirrored points, with wave number k parallel to the
+//! plane and distances z from it,
 //!
 //! ```text
 //! 1 / r = 1 / (2 pi) ∫ exp(i k . (x - x')) exp(-|k| (z + z')) / |k| d²k
@@ -22,8 +22,8 @@ use calyx_numerics::interrupt::Interrupt;
 /// Largest error of an entry relative to the influence of its cells on themselves. With a smaller
 /// one, the errors of quadrature, up to 1e-6 of an entry, make small pivots meaningless.
 const TOLERANCE: f64 = 1e-7;
-/// The decomposition ends, and all pairs are evaluated, if its rank exceeds this share of the number
-/// of cells.
+/// The decomposition ends, and all pairs are evaluated, if its rank exceeds this share of the
+/// number of cells.
 const LARGEST_RANK: f64 = 0.4;
 /// Pivots that are equal to within this share are tied. Rounding must not decide: results would
 /// depend on the position of the bodies in space by more than rounding.
@@ -75,8 +75,8 @@ struct Factor {
 }
 
 impl Factor {
-    /// Decomposes the matrix of a mirror; `None` if the rank is too large or cells lie on both sides
-    /// of the mirror, where the matrix is not positive semidefinite.
+    /// Decomposes the matrix of a mirror; `None` if the rank is too large or cells lie on both
+    /// sides of the mirror, where the matrix is not positive semidefinite.
     fn of(
         images: &Images,
         cells: &[Cell],

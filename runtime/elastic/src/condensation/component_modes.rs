@@ -113,8 +113,8 @@ fn images(matrix: &SparseColMat<usize, f64>, columns: MatRef<'_, f64>) -> Mat<f6
     images
 }
 
-/// Shapes over all unknowns, component modes, and the stiffness of the attachments where it decouples
-/// from the modes.
+/// Shapes over all unknowns, component modes, and the stiffness of the attachments where it
+/// decouples from the modes.
 type Basis = (Mat<f64>, Modes, Option<Mat<f64>>);
 
 fn fixed_interface(
@@ -203,7 +203,8 @@ fn fixed_interface(
 }
 
 /// Adds pseudo-modes to the modes with fixed attachments: the response of the omitted modes to the
-/// inertia of the static shapes (modal truncation augmentation, Dickens, Nakagawa and Wittbrodt 1997).
+/// inertia of the static shapes (modal truncation augmentation, Dickens, Nakagawa and Wittbrodt
+/// 1997).
 fn augment(
     system: &System<'_>,
     mass: &SparseColMat<usize, f64>,

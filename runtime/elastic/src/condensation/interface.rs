@@ -4,9 +4,9 @@ use crate::error::ElasticError;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
-/// Condensed equations of retained unknowns `u` (attachments first, then helpers) and multipliers of
-/// forms `q`: `S u = f + P^T multiplier + F`, `q = P u + C multiplier + d`. Helpers carry no external
-/// force F.
+/// Condensed equations of retained unknowns `u` (attachments first, then helpers) and multipliers
+/// of forms `q`: `S u = f + P^T multiplier + F`, `q = P u + C multiplier + d`. Helpers carry no
+/// external force F.
 pub(super) struct Interface {
     /// Number of attachment unknowns among the retained ones.
     pub attached: usize,

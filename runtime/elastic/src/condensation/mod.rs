@@ -1,8 +1,9 @@
-//! Condensation of a body onto its attachment nodes: static condensation and component mode synthesis.
+//! Condensation of a body onto its attachment nodes: static condensation and component mode
+//! synthesis.
 //!
-//! Attachment components are independent degrees of freedom, or combinations of them (reference nodes
-//! of weighted averages). The former are retained; the latter are constrained by Lagrange multipliers,
-//! so that an average over thousands of nodes causes no dense coupling. See
+//! Attachment components are independent degrees of freedom, or combinations of them (reference
+//! nodes of weighted averages). The former are retained; the latter are constrained by Lagrange
+//! multipliers, so that an average over thousands of nodes causes no dense coupling. See
 //! `docs/theory/elastic-bodies.md`.
 
 mod component_modes;
@@ -25,11 +26,11 @@ use interface::Interface;
 /// Body condensed onto its attachment nodes.
 #[derive(Clone, Debug)]
 pub struct CondensedBody {
-    /// Attachment components: index of the node, and component in its displacement axes. They are the
-    /// first unknowns.
+    /// Attachment components: index of the node, and component in its displacement axes. They are
+    /// the first unknowns.
     pub components: Vec<(usize, Component)>,
-    /// Squared angular frequencies of the component modes, (rad/s)^2; modal coordinates are the last
-    /// unknowns. Values above the requested highest frequency belong to pseudo-modes.
+    /// Squared angular frequencies of the component modes, (rad/s)^2; modal coordinates are the
+    /// last unknowns. Values above the requested highest frequency belong to pseudo-modes.
     pub eigenvalues: Vec<f64>,
     /// Stiffness.
     pub stiffness: Mat<f64>,
@@ -73,8 +74,8 @@ pub(crate) struct Attached {
     pub forms: Vec<SparseVector>,
     /// Index of each component among the retained ones and then the forms.
     pub places: Vec<usize>,
-    /// Degrees of freedom that support the body statically determinately while the retained ones are
-    /// fixed.
+    /// Degrees of freedom that support the body statically determinately while the retained ones
+    /// are fixed.
     pub helpers: Vec<usize>,
 }
 
@@ -166,8 +167,8 @@ fn helpers(system: &System<'_>, fixed: &[usize]) -> Vec<usize> {
 /// Condenses the stiffness and load cases onto attachment nodes. The result is exact for statics.
 ///
 /// # Errors
-/// An attachment node is fixed or without stiffness, the body has a mechanism, memory is insufficient,
-/// or the caller ends the computation.
+/// An attachment node is fixed or without stiffness, the body has a mechanism, memory is
+/// insufficient, or the caller ends the computation.
 pub fn static_condensation(
     system: &System<'_>,
     attachments: &[usize],

@@ -1,5 +1,5 @@
-//! Assumed strains: covariant strains interpolated from tying points, so that they do not lock (mixed
-//! interpolation of tensorial components, MITC).
+//! Assumed strains: covariant strains interpolated from tying points, so that they do not lock
+//! (mixed interpolation of tensorial components, MITC).
 //!
 //! | Shape | Transverse shear | Strains in the lamina |
 //! |---|---|---|
@@ -108,8 +108,9 @@ pub(super) fn ties(shape: ShellShape, [xi, eta]: [f64; 2]) -> Ties {
 /// Number of tying points of quadratic quadrilaterals in the lamina.
 const IN_LAMINA: usize = 16;
 
-/// Returns the ties of a transverse shear strain of quadratic quadrilaterals, with the fields 1, along,
-/// across, along across, across^2: from two points on each side and the mean over the square.
+/// Returns the ties of a transverse shear strain of quadratic quadrilaterals, with the fields 1,
+/// along, across, along across, across^2: from two points on each side and the mean over the
+/// square.
 fn square_shear(strain: usize, along: f64, across: f64) -> Vec<Tie> {
     let first = IN_LAMINA + if strain == 3 { 0 } else { 4 };
     let lines = lagrange(&two(), along);
@@ -138,7 +139,8 @@ fn three() -> [f64; 3] {
     [-b, 0.0, b]
 }
 
-/// Corners of the sides of a triangle along xi and eta and of the third side: first, second, opposite.
+/// Corners of the sides of a triangle along xi and eta and of the third side: first, second,
+/// opposite.
 const SIDES: [[usize; 3]; 3] = [[0, 1, 2], [0, 2, 1], [1, 2, 0]];
 
 /// Number of tying points in the lamina for each side of a triangle.
@@ -150,8 +152,8 @@ fn side_points() -> [f64; 2] {
     [0.5 - 0.5 * r, 0.5 + 0.5 * r]
 }
 
-/// Returns the ties of the quadratic triangle. The linear field of the strain along a side vanishes for
-/// all inextensional bending of a shallow quadratic surface (`docs/theory/shells.md`).
+/// Returns the ties of the quadratic triangle. The linear field of the strain along a side vanishes
+/// for all inextensional bending of a shallow quadratic surface (`docs/theory/shells.md`).
 fn triangle_ties(xi: f64, eta: f64) -> Ties {
     let [p, q] = side_points();
     let shares = [1.0 - xi - eta, xi, eta];
@@ -211,8 +213,8 @@ fn shear_rule() -> Vec<Weighted> {
     rule
 }
 
-/// Returns the contribution of each strain component at a point of the rule to the eight functionals:
-/// tangential components on the sides, and integrals of both components.
+/// Returns the contribution of each strain component at a point of the rule to the eight
+/// functionals: tangential components on the sides, and integrals of both components.
 fn functionals(index: usize) -> [SVector<f64, 8>; 2] {
     let mut parts = [SVector::zeros(), SVector::zeros()];
     if index < 6 {

@@ -1,5 +1,5 @@
-//! Shell element of the report (2.3): displacements and their derivatives by the thickness coordinate at
-//! each node, without rotations.
+//! Shell element of the report (2.3): displacements and their derivatives by the thickness
+//! coordinate at each node, without rotations.
 
 use super::element::too_thick;
 use super::interpolation::{Weighted, lagrange_quadrilateral, lagrange_triangle, square_rule, triangle_rule};
@@ -29,8 +29,8 @@ pub struct DirectorNode {
     pub position: [f64; 3],
     /// Half of the thickness vector: derivative of the position by zeta, m.
     pub half_thickness: [f64; 3],
-    /// Offset of the mid-surface from the position, in half thicknesses: zeta = 0 is at the position
-    /// plus this factor times the half thickness.
+    /// Offset of the mid-surface from the position, in half thicknesses: zeta = 0 is at the
+    /// position plus this factor times the half thickness.
     pub offset: f64,
 }
 
@@ -45,11 +45,12 @@ pub enum Integration {
     SelectivelyReduced,
 }
 
-/// Shell element with displacement `u` and its thickness derivative `w` at each node: six components
-/// per node in basic axes.
+/// Shell element with displacement `u` and its thickness derivative `w` at each node: six
+/// components per node in basic axes.
 ///
 /// The element has no stiffness against strain across its thickness. The
-/// [constraint](DirectorNode::thickness_constraint) of each node, or a joint with a solid, supplies it.
+/// [constraint](DirectorNode::thickness_constraint) of each node, or a joint with a solid, supplies
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub struct DirectorShell<'a> {
     /// Shape and order.
@@ -182,8 +183,8 @@ impl DirectorShell<'_> {
         Ok(squared(&self.nodal_columns(rows)))
     }
 
-    /// Returns the load of a pressure (Pa) on the surface of constant zeta, against the normal, over `u`
-    /// and `w` of each node (N).
+    /// Returns the load of a pressure (Pa) on the surface of constant zeta, against the normal,
+    /// over `u` and `w` of each node (N).
     ///
     /// # Errors
     /// As for [`DirectorShell::stiffness`].

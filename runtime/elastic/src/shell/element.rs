@@ -168,8 +168,8 @@ pub(super) fn too_thick() -> ElementError {
     }
 }
 
-/// Replaces covariant strains by those interpolated from tying points: in the lamina at the same zeta,
-/// across it at the mid-surface. In the lamina, only the first `tied` columns are replaced.
+/// Replaces covariant strains by those interpolated from tying points: in the lamina at the same
+/// zeta, across it at the mid-surface. In the lamina, only the first `tied` columns are replaced.
 fn assume(
     covariant: &mut DMatrix<f64>,
     ties: &Ties,
@@ -189,8 +189,8 @@ fn assume(
     }
 }
 
-/// Returns the strains of the enhanced modes: covariant strains at the centre xi of 11, eta of 22, xi and
-/// eta of 12, whose integral over the element vanishes (Simo and Rifai 1990).
+/// Returns the strains of the enhanced modes: covariant strains at the centre xi of 11, eta of 22,
+/// xi and eta of 12, whose integral over the element vanishes (Simo and Rifai 1990).
 fn enhancement(centre: &Basis, local: &Basis, volume_here: f64, [xi, eta]: [f64; 2]) -> SMatrix<f64, 5, 4> {
     let mut modes = SMatrix::<f64, 5, 4>::zeros();
     let Some(dual) = contravariant(centre) else { return modes };
@@ -258,8 +258,8 @@ fn drilling_rows(
 }
 
 /// Returns the root of the stiffness that ties the deflection of the inner node of quadratic
-/// quadrilaterals, whose gradient has no assumed shear strain: the part of the transverse shear strain of
-/// the displacements that this gradient has.
+/// quadrilaterals, whose gradient has no assumed shear strain: the part of the transverse shear
+/// strain of the displacements that this gradient has.
 fn bubble_row(prepared: &Prepared, rule: &[Weighted], shear_modulus: f64) -> DMatrix<f64> {
     let columns = prepared.offsets.len() * 6 + prepared.internal.ncols();
     if !matches!(prepared.shape, ShellShape::Quadrilateral8 | ShellShape::Quadrilateral9) {

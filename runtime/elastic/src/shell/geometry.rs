@@ -144,8 +144,9 @@ fn folded(node: usize) -> ElementError {
 }
 
 impl Prepared {
-    /// Returns the shape functions at a point. Displacements of the internal node are bubbles on top of
-    /// those of the other nodes; so are those of the ninth node ([`Prepared::without_bubbles`]).
+    /// Returns the shape functions at a point. Displacements of the internal node are bubbles on
+    /// top of those of the other nodes; so are those of the ninth node
+    /// ([`Prepared::without_bubbles`]).
     pub fn sample(&self, at: [f64; 2]) -> Sample {
         match self.shape {
             ShellShape::Triangle3 | ShellShape::Triangle6 => {
@@ -177,8 +178,8 @@ impl Prepared {
         rows
     }
 
-    /// Converts columns of the displacements `u` and `w` of the mid-surface to those of the degrees of
-    /// freedom: six of each node, then the internal ones.
+    /// Converts columns of the displacements `u` and `w` of the mid-surface to those of the degrees
+    /// of freedom: six of each node, then the internal ones.
     pub fn to_degrees_of_freedom(&self, rows: &DMatrix<f64>) -> DMatrix<f64> {
         let nodes = self.offsets.len();
         let internal = self.internal.ncols();

@@ -159,8 +159,9 @@ pub(super) fn square_rule(points: usize) -> Vec<Weighted> {
     line.iter().flat_map(|&(y, b)| line.iter().map(move |&(x, a)| ([x, y], a * b))).collect()
 }
 
-/// Returns a rule over the triangle that is exact to a total degree. Rules to degree 4 are symmetric
-/// with 1, 3 and 6 points (Dunavant 1985); above, a square is collapsed onto the triangle.
+/// Returns a rule over the triangle that is exact to a total degree. Rules to degree 4 are
+/// symmetric with 1, 3 and 6 points (Dunavant 1985); above, a square is collapsed onto the
+/// triangle.
 pub(super) fn triangle_rule(degree: usize) -> Vec<Weighted> {
     let orbit = |a: f64, weight: f64| {
         [[a, a], [1.0 - 2.0 * a, a], [a, 1.0 - 2.0 * a]].map(|point| (point, 0.5 * weight))

@@ -28,8 +28,8 @@ pub fn coupling(element: &ShellElement<'_>, point: [f64; 3]) -> Result<DMatrix<f
 }
 
 impl DirectorShell<'_> {
-    /// Returns the displacement of a point of the element, or on its boundary, as three rows over `u`
-    /// and `w` of its nodes. A node of a solid at that point follows these rows.
+    /// Returns the displacement of a point of the element, or on its boundary, as three rows over
+    /// `u` and `w` of its nodes. A node of a solid at that point follows these rows.
     ///
     /// # Errors
     /// The element is invalid, or the point is not within its area and thickness.
@@ -41,7 +41,8 @@ impl DirectorShell<'_> {
     }
 }
 
-/// Returns the rows of the displacement. Internal functions vanish on the boundary and take no part.
+/// Returns the rows of the displacement. Internal functions vanish on the boundary and take no
+/// part.
 fn displacement(sample: &Sample, zeta: f64) -> DMatrix<f64> {
     let mut rows = DMatrix::zeros(3, 6 * sample.translation.len());
     for (node, shape) in sample.position.iter().enumerate() {

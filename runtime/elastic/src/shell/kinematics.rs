@@ -1,10 +1,10 @@
-//! Geometry and strains of a solid that is linear in its thickness coordinate zeta (degenerated solid,
-//! Ahmad, Irons and Zienkiewicz 1970):
+//! Geometry and strains of a solid that is linear in its thickness coordinate zeta (degenerated
+//! solid, Ahmad, Irons and Zienkiewicz 1970):
 //!
 //! `x = sum N (x_i + zeta h_i)` and `u = sum N (u_i + zeta w_i)`,
 //!
-//! where `h_i` is half of the thickness vector at a node and `w_i` the derivative of the displacement
-//! by zeta. Columns of strain rows are `u_i` and `w_i` of each node in turn.
+//! where `h_i` is half of the thickness vector at a node and `w_i` the derivative of the
+//! displacement by zeta. Columns of strain rows are `u_i` and `w_i` of each node in turn.
 
 use super::interpolation::Shape;
 use crate::error::ElementError;
@@ -112,8 +112,9 @@ pub(super) fn contravariant(base: &Basis) -> Option<Basis> {
     Some(std::array::from_fn(|vector| std::array::from_fn(|axis| inverse[(axis, vector)])))
 }
 
-/// Returns the orthonormal base e_r, e_s, e_t of the surface of constant zeta: e_t is its normal, and
-/// e_r the direction in the surface nearest to `reference`. The base is constant in flat elements.
+/// Returns the orthonormal base e_r, e_s, e_t of the surface of constant zeta: e_t is its normal,
+/// and e_r the direction in the surface nearest to `reference`. The base is constant in flat
+/// elements.
 pub(super) fn lamina(base: &Basis, reference: [f64; 3]) -> Basis {
     let normal = unit(cross(base[0], base[1]));
     let r = unit(minus(reference, scaled(normal, dot(normal, reference))));
@@ -135,8 +136,9 @@ pub(super) fn conversion(dual: &Basis, local: &Basis) -> Matrix5<f64> {
     })
 }
 
-/// Returns the transposed Cholesky factor of the elasticity in a lamina: plane stress, and transverse
-/// shear with [`SHEAR_FACTOR`]. The product with strains is the root of twice the energy density.
+/// Returns the transposed Cholesky factor of the elasticity in a lamina: plane stress, and
+/// transverse shear with [`SHEAR_FACTOR`]. The product with strains is the root of twice the energy
+/// density.
 ///
 /// # Errors
 /// The material has no positive definite elasticity.

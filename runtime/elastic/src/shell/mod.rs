@@ -1,5 +1,5 @@
-//! Shell elements with transverse shear (Reissner 1945, Mindlin 1951), both as solids that are linear
-//! in the thickness coordinate.
+//! Shell elements with transverse shear (Reissner 1945, Mindlin 1951), both as solids that are
+//! linear in the thickness coordinate.
 //!
 //! - [`DirectorShell`]: the element of the report, with displacements and their thickness derivatives
 //!   at each node, of order one to three. It joins solids.

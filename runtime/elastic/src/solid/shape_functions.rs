@@ -1,8 +1,8 @@
 //! Shape functions of solid elements with their derivatives by the reference coordinates.
 //!
-//! Hexahedra occupy -1 <= xi, eta, zeta <= 1. Wedges occupy the triangle xi, eta >= 0, xi + eta <= 1
-//! times -1 <= zeta <= 1. Tetrahedra occupy xi, eta, zeta >= 0, xi + eta + zeta <= 1. Elements of 20,
-//! 15 and 10 nodes are of the serendipity family (Zienkiewicz and Taylor, 5th ed., chapter 8).
+//! Hexahedra occupy -1 <= xi, eta, zeta <= 1. Wedges occupy the triangle xi, eta >= 0, xi + eta <=
+//! 1 times -1 <= zeta <= 1. Tetrahedra occupy xi, eta, zeta >= 0, xi + eta + zeta <= 1. Elements of
+//! 20, 15 and 10 nodes are of the serendipity family (Zienkiewicz and Taylor, 5th ed., chapter 8).
 
 use crate::model::SolidShape;
 

@@ -343,7 +343,8 @@ fn damaged_archives_are_rejected() {
         let at = if last { windows.rposition(|w| w == bytes) } else { windows.position(|w| w == bytes) };
         at.expect("the bytes are there")
     };
-    // The mass matrix is stored without compression: its data begin 128 bytes after the magic number.
+    // The mass matrix is stored without compression: its data begin 128 bytes after the magic
+    // number.
     let (data, name, end) =
         (find(b"\x93NUMPY", false) + 128, find(b"stiffness", true), find(b"PK\x05\x06", true));
     for (at, value, words) in [

@@ -1,11 +1,12 @@
-//! Curved shells of the literature with elements of six degrees of freedom per node, against converged
-//! solutions.
+//! Curved shells of the literature with elements of six degrees of freedom per node, against
+//! converged solutions.
 
 use super::support::{Mesh, Model, SHAPES, assert_close, material, uniform};
 use calyx_elastic::model::ShellShape;
 use std::f64::consts::PI;
 
-/// Number of elements along a side of equal numbers of nodes: quadratic elements are twice as large.
+/// Number of elements along a side of equal numbers of nodes: quadratic elements are twice as
+/// large.
 fn count(shape: ShellShape, linear: usize) -> usize {
     if matches!(shape, ShellShape::Triangle3 | ShellShape::Quadrilateral4) { linear } else { linear / 2 }
 }
@@ -74,8 +75,8 @@ fn hemisphere(shape: ShellShape, nodes: usize) -> f64 {
     model.solve()[6 * a]
 }
 
-/// Beam twisted by 90 degrees: returns the displacements of the middle of the tip in the direction of
-/// unit loads along and across its width.
+/// Beam twisted by 90 degrees: returns the displacements of the middle of the tip in the direction
+/// of unit loads along and across its width.
 fn twisted_beam(shape: ShellShape, nodes: usize, thickness: f64) -> [f64; 2] {
     let steel = material(29e6, 0.22, 0.0);
     let lines = [uniform(count(shape, 6 * nodes)), uniform(count(shape, nodes))];
@@ -105,12 +106,12 @@ fn twisted_beam(shape: ShellShape, nodes: usize, thickness: f64) -> [f64; 2] {
     })
 }
 
-/// Allowed deviations from the converged solutions, for each shape: roof, cylinder and hemisphere with 16
-/// linear or 8 quadratic elements along each side, twisted beam of thickness 0.32 and 0.05 with 4 linear or
-/// 2 quadratic elements across.
+/// Allowed deviations from the converged solutions, for each shape: roof, cylinder and hemisphere
+/// with 16 linear or 8 quadratic elements along each side, twisted beam of thickness 0.32 and 0.05
+/// with 4 linear or 2 quadratic elements across.
 ///
-/// The triangle of three nodes has constant membrane strain and converges slowly where the membrane bends in
-/// its plane. The load on the cylinder is a point load.
+/// The triangle of three nodes has constant membrane strain and converges slowly where the membrane
+/// bends in its plane. The load on the cylinder is a point load.
 const ALLOWED: [(ShellShape, [f64; 4]); 5] = [
     (ShellShape::Triangle3, [0.04, 0.11, 0.02, 0.09]),
     (ShellShape::Triangle6, [0.01, 0.08, 0.015, 0.01]),
@@ -171,8 +172,8 @@ fn fine_meshes_agree_with_converged_solutions() {
     }
 }
 
-/// Quarter of a thin ring clamped at one end, with a radial force at the other: pi P R^3 / (4 E I) for
-/// thickness over radius of 1e-4.
+/// Quarter of a thin ring clamped at one end, with a radial force at the other: pi P R^3 / (4 E I)
+/// for thickness over radius of 1e-4.
 #[test]
 fn thin_curved_strips_do_not_lock() {
     let (radius, thickness, width) = (10.0_f64, 1e-3_f64, 1.0);

@@ -1,11 +1,11 @@
-//! Plates with elements of six degrees of freedom per node: distorted meshes down to a thickness of 1e-4 of
-//! the length, and offsets.
+//! Plates with elements of six degrees of freedom per node: distorted meshes down to a thickness of
+//! 1e-4 of the length, and offsets.
 
 use super::support::{Mesh, Model, SHAPES, assert_close, material, uniform};
 use calyx_elastic::model::ShellShape;
 
-/// Returns the deflection at the centre of the square plate of the report's table 2.2 for a thickness, times
-/// its cube relative to 0.1, from a quarter with distorted elements.
+/// Returns the deflection at the centre of the square plate of the report's table 2.2 for a
+/// thickness, times its cube relative to 0.1, from a quarter with distorted elements.
 fn deflection(shape: ShellShape, nodes: usize, thickness: f64, clamped: bool) -> f64 {
     let linear = matches!(shape, ShellShape::Triangle3 | ShellShape::Quadrilateral4);
     let count = if linear { nodes } else { nodes / 2 };
@@ -42,7 +42,8 @@ fn deflection(shape: ShellShape, nodes: usize, thickness: f64, clamped: bool) ->
 #[test]
 fn thin_plates_do_not_lock() {
     for shape in SHAPES {
-        // Mindlin plates of thickness 0.01, and Kirchhoff plates of thickness 1e-4, relative to the length.
+        // Mindlin plates of thickness 0.01, and Kirchhoff plates of thickness 1e-4, relative to the
+        // length.
         for (clamped, thick, thin) in
             [(true, 0.4615005165164572, 0.460576147842839), (false, 1.4794625505597, 1.47869636848572)]
         {
@@ -56,8 +57,8 @@ fn thin_plates_do_not_lock() {
     }
 }
 
-/// Cantilever of two layers of different thickness and modulus on common nodes at their interface, under a
-/// moment at its end: curvature M / (D - B^2 / A) of the composite section.
+/// Cantilever of two layers of different thickness and modulus on common nodes at their interface,
+/// under a moment at its end: curvature M / (D - B^2 / A) of the composite section.
 #[test]
 fn offset_layers_are_a_composite_section() {
     let (length, width, moment) = (4.0, 1.0, 1e-3);
@@ -99,9 +100,9 @@ fn offset_layers_are_a_composite_section() {
     }
 }
 
-/// Returns the deflection of the end of a cantilever 6 long and 0.2 high of six elements that bends in its plane,
-/// relative to beam theory, under a moment (no force) or a force at its end. `slope` shifts the upper nodes of
-/// inner mesh lines, in alternating directions for trapezoids.
+/// Returns the deflection of the end of a cantilever 6 long and 0.2 high of six elements that bends
+/// in its plane, relative to beam theory, under a moment (no force) or a force at its end. `slope`
+/// shifts the upper nodes of inner mesh lines, in alternating directions for trapezoids.
 fn in_plane(shape: ShellShape, slope: f64, trapezoids: bool, force: bool) -> f64 {
     let (length, height, thickness) = (6.0, 0.2, 0.1);
     let steel = material(1e7, 0.3, 0.0);
@@ -160,8 +161,8 @@ fn quadrilaterals_bend_in_their_plane() {
     }
 }
 
-/// Cantilever whose thickness varies linearly, under a force at its end: the deflection by Timoshenko's beam
-/// theory as in the test of the report's element.
+/// Cantilever whose thickness varies linearly, under a force at its end: the deflection by
+/// Timoshenko's beam theory as in the test of the report's element.
 #[test]
 fn a_cantilever_of_varying_thickness_bends_as_a_beam() {
     let (length, [root, tip]) = (10.0, [0.2_f64, 0.1]);

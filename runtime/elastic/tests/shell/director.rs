@@ -1,5 +1,5 @@
-//! The report's element: rigid-body motions, zero-energy modes, patch tests, varying thickness, offsets,
-//! errors.
+//! The report's element: rigid-body motions, zero-energy modes, patch tests, varying thickness,
+//! offsets, errors.
 
 use super::support::{DirectorMesh, Model, assert_close, corners, material, places, uniform};
 use calyx_elastic::model::Material;
@@ -71,8 +71,8 @@ fn zero_energy_modes(nodes: &[DirectorNode], stiffness: &DMatrix<f64>) -> usize 
     scaled.symmetric_eigenvalues().iter().filter(|value| value.abs() < 1e-9).count()
 }
 
-/// Zero-energy modes of single flat elements, six of them rigid-body motions: what remains for each shape with
-/// full, selectively reduced and reduced integration.
+/// Zero-energy modes of single flat elements, six of them rigid-body motions: what remains for each
+/// shape with full, selectively reduced and reduced integration.
 #[test]
 fn rigid_body_motions_are_exact_and_mechanisms_are_known() {
     let steel = material(2e11, 0.3, 7850.0);
@@ -190,7 +190,8 @@ fn check_patch(mesh: &DirectorMesh, integration: Integration, field: Field, what
     }
 }
 
-/// The linear element represents curvature only where its sides are parallel and its shear is reduced.
+/// The linear element represents curvature only where its sides are parallel and its shear is
+/// reduced.
 #[test]
 fn constant_membrane_strain_and_curvature_are_exact() {
     for shape in SHAPES {
@@ -244,8 +245,9 @@ fn constant_transverse_shear_is_exact() {
     }
 }
 
-/// Cantilever whose thickness varies linearly, under a force at its end: the deflection by Timoshenko's
-/// beam theory, with the integrals of M^2 / (E I) and Q^2 / (kappa G A) in closed form.
+/// Cantilever whose thickness varies linearly, under a force at its end: the deflection by
+/// Timoshenko's beam theory, with the integrals of M^2 / (E I) and Q^2 / (kappa G A) in closed
+/// form.
 #[test]
 fn a_cantilever_of_varying_thickness_bends_as_a_beam() {
     let (length, [root, tip]) = (10.0, [0.2_f64, 0.1]);

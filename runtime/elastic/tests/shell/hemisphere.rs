@@ -17,7 +17,8 @@ fn axes(polar: f64, azimuth: f64) -> Matrix3<f64> {
     Matrix3::new(c * d, -t, s * d, c * t, d, s * t, -s, 0.0, c)
 }
 
-/// Sector of cubic elements between polar angles in degrees: a triangle at the pole, then quadrilaterals.
+/// Sector of cubic elements between polar angles in degrees: a triangle at the pole, then
+/// quadrilaterals.
 fn sector(angles: &[f64]) -> (DirectorMesh, Vec<[f64; 2]>) {
     let (mut keys, mut elements) = (Vec::<[f64; 2]>::new(), Vec::new());
     let mut number = |at: [f64; 2]| {
@@ -53,7 +54,8 @@ fn sector(angles: &[f64]) -> (DirectorMesh, Vec<[f64; 2]>) {
     (DirectorMesh { nodes, parameters: keys.clone(), elements }, keys)
 }
 
-/// Results of the sector: radial displacements at 84 degrees and the pole, moments per length at angles.
+/// Results of the sector: radial displacements at 84 degrees and the pole, moments per length at
+/// angles.
 struct Found {
     at_84: f64,
     at_pole: f64,

@@ -81,8 +81,8 @@ enum Load {
     Tension,
 }
 
-/// Returns the displacement and the thickness derivative of the middle of the end x = 3 of the report's shell
-/// joined to the block, under a unit load.
+/// Returns the displacement and the thickness derivative of the middle of the end x = 3 of the
+/// report's shell joined to the block, under a unit load.
 fn director_joint(poissons_ratio: f64, load: Load) -> [f64; 6] {
     let steel = material(YOUNGS_MODULUS, poissons_ratio, 0.0);
     let half = 0.5 * THICKNESS;
@@ -150,8 +150,9 @@ fn bending_passes_through_a_joint_exactly() {
     assert_close(slope, curvature * 3.0, 1e-9, "slope");
 }
 
-/// With lateral contraction, the joint and the clamped end of the solid suppress its curved thickness strain.
-/// The disturbance is local: it stiffens the strip by less than a quarter of the thickness at each of them.
+/// With lateral contraction, the joint and the clamped end of the solid suppress its curved
+/// thickness strain. The disturbance is local: it stiffens the strip by less than a quarter of the
+/// thickness at each of them.
 #[test]
 fn a_joint_disturbs_bending_locally() {
     let steel = material(YOUNGS_MODULUS, 0.3, 0.0);

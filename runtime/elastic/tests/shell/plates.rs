@@ -1,4 +1,5 @@
-//! Square plate of the report (tables 2.2 to 2.5) under uniform pressure, with the report's element.
+//! Square plate of the report (tables 2.2 to 2.5) under uniform pressure, with the report's
+//! element.
 
 use super::support::{DirectorMesh, Model, assert_close, material, uniform};
 use calyx_elastic::shell::{DirectorNode, Integration};
@@ -57,8 +58,8 @@ pub fn deflection(
     Some(found[6 * mesh.nodes_where(|at| at == [0.0; 2])[0] + 2])
 }
 
-/// Number of elements along the full plate, and the report's deflections for simple and clamped support;
-/// NaN where the report states that the stiffness is singular.
+/// Number of elements along the full plate, and the report's deflections for simple and clamped
+/// support; NaN where the report states that the stiffness is singular.
 type Row = (u8, usize, f64, f64);
 
 /// Compares rows with the quarter plate, which excludes unsymmetric mechanisms of the full plate.
@@ -83,8 +84,8 @@ fn compare(integration: Integration, rows: &[Row]) {
 
 const NONE: f64 = f64::NAN;
 
-/// Table 2.3. With full integration the linear element locks: 97 % of the deflection are missing with
-/// 8 elements. The quadratic element locks on coarse meshes under clamped support.
+/// Table 2.3. With full integration the linear element locks: 97 % of the deflection are missing
+/// with 8 elements. The quadratic element locks on coarse meshes under clamped support.
 #[test]
 fn full_integration_agrees_with_the_report() {
     compare(
@@ -101,8 +102,8 @@ fn full_integration_agrees_with_the_report() {
     );
 }
 
-/// Table 2.4. Under simple support all of these meshes are mechanisms. The report prints values for two of
-/// them, which it calls almost singular.
+/// Table 2.4. Under simple support all of these meshes are mechanisms. The report prints values for
+/// two of them, which it calls almost singular.
 #[test]
 fn reduced_integration_agrees_with_the_report() {
     compare(
@@ -141,8 +142,8 @@ fn selectively_reduced_integration_agrees_with_the_report() {
     );
 }
 
-/// Rows of 16 by 16 elements. The report prints 0.4614497 for cubic elements under clamped support and full
-/// integration, less than with 8 elements: one digit 4 too many.
+/// Rows of 16 by 16 elements. The report prints 0.4614497 for cubic elements under clamped support
+/// and full integration, less than with 8 elements: one digit 4 too many.
 #[test]
 #[ignore = "takes seconds"]
 fn fine_meshes_agree_with_the_report() {
@@ -157,8 +158,8 @@ fn fine_meshes_agree_with_the_report() {
     );
 }
 
-/// Series solutions of Mindlin plates with shear factor 5/6; the report quotes rounded Kirchhoff values.
-/// Meshes are graded to the boundary layer, whose width is that of the thickness.
+/// Series solutions of Mindlin plates with shear factor 5/6; the report quotes rounded Kirchhoff
+/// values. Meshes are graded to the boundary layer, whose width is that of the thickness.
 #[test]
 fn cubic_elements_converge_to_mindlin_plates() {
     let lines = [0.0, 0.2, 0.39, 0.56, 0.7, 0.81, 0.89, 0.94, 0.97, 0.985, 0.9925, 0.997, 1.0];

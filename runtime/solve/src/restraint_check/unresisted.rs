@@ -78,8 +78,8 @@ pub(super) fn error(mut motion: Vec<f64>, load: &[f64]) -> ContactError {
     if driven { ContactError::Infeasible(motion) } else { ContactError::Unconstrained(motion) }
 }
 
-/// Returns the work on each DOF of a force along the line of action, of one along the axis, and of a
-/// couple about the normal of the plane of action (per [`RADIUS`]), on the second body of a mesh
+/// Returns the work on each DOF of a force along the line of action, of one along the axis, and of
+/// a couple about the normal of the plane of action (per [`RADIUS`]), on the second body of a mesh
 /// and, oppositely, on the first; `None` if the mesh may resist other motions.
 fn resisted(
     scene: &Mechanism,

@@ -96,8 +96,8 @@ pub(super) trait ContactGeometry {
     /// Returns the point of action of the closest approach, if there is no grid.
     fn approaching(&self, candidate: &Candidate<Self::Site>) -> Action;
 
-    /// Computes the compliance matrix, see [`ContactProblem::compliance`]. Blocks of unchanged grids
-    /// are copied from the `former` matrix.
+    /// Computes the compliance matrix, see [`ContactProblem::compliance`]. Blocks of unchanged
+    /// grids are copied from the `former` matrix.
     fn compliance(
         &self,
         laid: &[(&Candidate<Self::Site>, &Self::Grid)],

@@ -23,8 +23,8 @@ const TOUCHING: f64 = 1e-7;
 /// others.
 const WORTH_LOADING: f64 = 0.1;
 /// Largest number of matrices of all cells by all cells that exist at a time: the compliance, its
-/// copy for the next correction of grids, its static part if modes are eliminated, and the factor of
-/// the active set.
+/// copy for the next correction of grids, its static part if modes are eliminated, and the factor
+/// of the active set.
 const MATRICES: u64 = 4;
 /// Maximum number of corrections of grid sizes at a position.
 const REGRIDS: usize = 3;
