@@ -19,13 +19,13 @@ use std::sync::Arc;
 
 /// Angle between the fillet's tangent and the tooth's centreline at which the tooth ends and the
 /// foundation ring begins: 75 degrees, as Cornell (1981) recommends.
-const FOOT: f64 = 75.0_f64.to_radians();
+pub(crate) const FOOT: f64 = 75.0_f64.to_radians();
 /// The same angle at the critical section for external and internal gears: ISO 6336-3.
-const CRITICAL: [f64; 2] = [30.0_f64.to_radians(), 60.0_f64.to_radians()];
+pub(crate) const CRITICAL: [f64; 2] = [30.0_f64.to_radians(), 60.0_f64.to_radians()];
 /// Numbers of stations of the tooth's half-thickness along a fillet and along a flank.
 const STATIONS: [usize; 2] = [24, 24];
 /// Number of bisections of a fillet's length to find an inclination.
-const HALVINGS: usize = 50;
+pub(crate) const HALVINGS: usize = 50;
 
 impl GearPrototype {
     /// Teeth and rim in closed form.

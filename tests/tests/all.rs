@@ -2,6 +2,7 @@
 //! once, and its tests run in parallel.
 
 mod architecture;
+mod bevel_analytic;
 mod bevel_pair;
 mod data_block;
 mod derived_quantities;

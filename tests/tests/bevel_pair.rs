@@ -92,14 +92,16 @@ fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
         let [low, high] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of).expect("values"));
         high - low
     };
-    let deviation = |torque: &str| {
-        let loaded = error(&[("fidelity", "medium"), ("pinion_torque", torque)]);
-        let off = loaded.iter().zip(&rigid).map(|(loaded, rigid)| (loaded - rigid).abs());
-        off.fold(0.0, f64::max) / spread(&rigid)
-    };
-    let [light, lightest] = ["0.26 lbf*inch", "0.026 lbf*inch"].map(deviation);
-    assert!(lightest < 0.01, "{lightest}");
-    assert!((0.2..0.3).contains(&(lightest / light)), "{light} {lightest}");
+    for fidelity in ["analytic", "medium"] {
+        let deviation = |torque: &str| {
+            let loaded = error(&[("fidelity", fidelity), ("pinion_torque", torque)]);
+            let off = loaded.iter().zip(&rigid).map(|(loaded, rigid)| (loaded - rigid).abs());
+            off.fold(0.0, f64::max) / spread(&rigid)
+        };
+        let [light, lightest] = ["0.26 lbf*inch", "0.026 lbf*inch"].map(deviation);
+        assert!(lightest < 0.01, "{fidelity}: {lightest}");
+        assert!((0.2..0.3).contains(&(lightest / light)), "{fidelity}: {light} {lightest}");
+    }
 }
 
 /// A pair of straight bevel gears with small cone angles has the transmission error and the root
@@ -107,10 +109,23 @@ fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
 /// end where the teeth are smaller, so that its difference is proportional to the angles.
 #[test]
 fn a_bevel_pair_of_small_cone_angles_is_a_spur_pair() {
+    cone_limit("medium", "0 deg");
+}
+
+/// The same with closed forms. Those of the spur pair are three-dimensional with a small helix angle.
+#[test]
+fn closed_forms_of_a_bevel_pair_of_small_cone_angles_are_those_of_a_spur_pair() {
+    cone_limit("analytic", "1e-5 deg");
+}
+
+fn cone_limit(fidelity: &str, helix_angle: &str) {
     let directory = tempfile::tempdir().expect("a directory");
     let model = directory.path().join("pair.cx");
     fs::write(&model, include_str!("bevel_pair/cone_limit.cx")).expect("a file");
-    let pair = |angle: &str| columns(&model, &[("shaft_angle", angle), ("steps", "4")]);
+    let pair = |angle: &str| {
+        let helix = ("helix_angle", helix_angle);
+        columns(&model, &[("shaft_angle", angle), ("steps", "4"), ("fidelity", fidelity), helix])
+    };
     let spur = pair("0 deg");
     // The cycle of the spur pair also has its characteristic points.
     let value = |columns: &BTreeMap<String, Vec<f64>>, output: &str, cycle: f64| {
@@ -133,6 +148,10 @@ fn a_bevel_pair_of_small_cone_angles_is_a_spur_pair() {
         })
     });
     assert!(narrow[..3].iter().all(|off| *off < 0.01), "{narrow:?}");
+    if fidelity == "analytic" {
+        // The pressure at the ends of the face depends on the slices, see the how-to.
+        return;
+    }
     let ratio = wide[3] / narrow[3];
     assert!((3.0..5.0).contains(&ratio) && narrow[3] < 0.03, "{wide:?} {narrow:?}");
 }

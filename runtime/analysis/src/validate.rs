@@ -7,7 +7,7 @@
 
 use crate::method::{Method, QuasiStatic};
 use crate::options::AnalysisOptions;
-use crate::scene::{Scene, SurfacePair};
+use crate::scene::Scene;
 use calyx_fe::inertia::Inertia;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::frames::number_dofs;
@@ -40,32 +40,10 @@ pub struct Request<'a> {
 }
 
 /// Codes of errors that another fidelity or another method may avoid.
-const AVOIDABLE: [&str; 13] = [
+const AVOIDABLE: [&str; 12] = [
     "E0610", "E0611", "E0623", "E0676", "E0690", "E0756", "E0761", "E0771", "E0780", "E0781", "E0782",
-    "E0783", "E0889",
+    "E0783",
 ];
-
-/// Rejects closed-form models of gears that mesh on general axes.
-///
-/// # Errors
-/// E0889.
-fn refuse_analytic_on_general_axes(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
-    if plan.fidelity != Fidelity::Analytic {
-        return Ok(());
-    }
-    let general = |pair: &&SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.first_contact.is_some());
-    let modelled = |pair: &&SurfacePair| pair.bodies.iter().all(|body| !plan.bodies[body.0].left_out);
-    let Some(pair) = scene.pairs.iter().find(|pair| general(pair) && modelled(pair)) else { return Ok(()) };
-    let [first, second] = pair.bodies.map(|body| scene.bodies[body.0].name.as_str());
-    Err(EngineError::new(
-        "E0889",
-        format!(
-            "the fidelity \"analytic\" has no model of \"{first}\" and \"{second}\", which mesh on axes that are not parallel"
-        ),
-        "",
-    )
-    .blame("fidelity"))
-}
 
 impl<'a> Request<'a> {
     /// Creates the request of an analysis with these options.
@@ -84,7 +62,7 @@ impl<'a> Request<'a> {
     /// # Errors
     /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676,
     /// E0677, E0690, E0714, E0715, E0723, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to
-    /// E0783, E0889. Also those of the interrupt.
+    /// E0783. Also those of the interrupt.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
         if let Some(time) = self.method.first_equilibrium() {
@@ -125,7 +103,6 @@ impl<'a> Request<'a> {
         let planned = if method.has_inertia() { Plan::in_time } else { Plan::new };
         let plan = planned(scene, fidelity, structure)?;
         let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
-        refuse_analytic_on_general_axes(scene, &plan)?;
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             check_in_section(&plan)?;

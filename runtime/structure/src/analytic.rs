@@ -23,14 +23,20 @@
 //! See `docs/theory/analytic-compliance.md`.
 
 mod cantilever;
+mod face_coupling;
 mod foundation_ring;
+mod ring_family;
 mod root_stress;
+mod sections;
 mod solid;
+mod tapered;
 
 pub use cantilever::{Cantilever, Flexibility, RootLoad};
 pub use foundation_ring::{FoundationRing, RingShape};
 pub use root_stress::CriticalSection;
+pub use sections::{RootStation, ToothSection};
 pub use solid::AnalyticSolid;
+pub use tapered::{SectionPoint, SectionedSurface, TaperedSolid};
 
 use super::{Chart, StressPoint, Structure, SurfaceLoad};
 use crate::profile::Profile;

@@ -84,7 +84,7 @@ impl Mirror {
     }
 
     /// Returns the plane rotated by an angle (rad) about the z axis.
-    fn rotated(&self, angle: f64) -> Self {
+    pub(crate) fn rotated(&self, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         let turn = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
         Self { point: turn(self.point), normal: turn(self.normal) }

@@ -3,10 +3,11 @@
 //! The engine sees no machine. [`table::ToothTable`] contains points of the flanks and fillets of
 //! tooth 0 on section cones along the face ([`section`]). The tooth is interpolated from them
 //! ([`tooth`]); the interpolant is the contact surface ([`surface`]) and the boundary of the mesh
-//! ([`layout`]).
+//! ([`layout`]). Closed-form models take the dimensions of its sections ([`analytic`]).
 //!
 //! See `docs/theory/tabulated-teeth.md`.
 
+mod analytic;
 pub mod bore;
 mod boundary;
 mod layout;

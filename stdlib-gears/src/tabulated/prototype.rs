@@ -106,7 +106,7 @@ impl TabulatedGear {
     }
 
     /// Tooth with the tip edge of an analysis.
-    fn tooth_of(&self, options: &StructureOptions) -> Result<Arc<Tooth>, EngineError> {
+    pub(super) fn tooth_of(&self, options: &StructureOptions) -> Result<Arc<Tooth>, EngineError> {
         if !options.sharp_edges {
             return Ok(Arc::clone(&self.tooth));
         }
@@ -145,7 +145,7 @@ impl TabulatedGear {
         solid_mesh(&tooth, &self.bore, &Self::refinement(options), along, interrupt)?.map_err(unmeshable)
     }
 
-    fn coupled_teeth(&self) -> u32 {
+    pub(super) fn coupled_teeth(&self) -> u32 {
         COUPLED_TEETH.min(self.teeth() / 2)
     }
 
@@ -232,16 +232,7 @@ fn without_plane_model() -> EngineError {
     EngineError::new(
         "E0975",
         "a two-dimensional model cannot represent a gear with tabulated teeth, whose section varies along the face",
-        "choose the fidelity \"rigid\", \"medium\", \"thinrim\", \"fineroot\" or \"finest\"",
-    )
-    .blame("flanks")
-}
-
-fn without_closed_form() -> EngineError {
-    EngineError::new(
-        "E0975",
-        "there are no closed-form compliances of tabulated teeth",
-        "choose the fidelity \"rigid\", \"medium\", \"thinrim\", \"fineroot\" or \"finest\"",
+        "choose the fidelity \"rigid\", \"analytic\", \"medium\", \"thinrim\", \"fineroot\" or \"finest\"",
     )
     .blame("flanks")
 }
@@ -256,8 +247,7 @@ impl Prototype for TabulatedGear {
         }
         options.check()?;
         match options.model {
-            BodyModel::Rigid => self.surfaces(options).map(|_| ())?,
-            BodyModel::Analytic => return Err(without_closed_form()),
+            BodyModel::Rigid | BodyModel::Analytic => self.surfaces(options).map(|_| ())?,
             BodyModel::Elements => {
                 check_recovery(&self.data.material, options)?;
                 let tooth = self.tooth_of(options)?;
@@ -285,7 +275,7 @@ impl Prototype for TabulatedGear {
                 let surfaces = self.surfaces(options)?.map(|surface| surface as Arc<dyn Surface>);
                 Arc::new(HalfSpaceBody::rigid(surfaces.to_vec(), self.teeth()))
             }
-            BodyModel::Analytic => return Err(without_closed_form()),
+            BodyModel::Analytic => Arc::new(self.analytic(options)?),
             BodyModel::Elements => Arc::new(self.condensed(options, interrupt)?),
         })
     }
@@ -336,7 +326,9 @@ impl Prototype for TabulatedGear {
     ) -> Result<VisualizationMesh, EngineError> {
         match options.model {
             BodyModel::Rigid => return Ok(VisualizationMesh::Unavailable("is rigid")),
-            BodyModel::Analytic => return Err(without_closed_form()),
+            BodyModel::Analytic => {
+                return Ok(VisualizationMesh::Unavailable("has teeth of closed forms, without a mesh"));
+            }
             BodyModel::Elements => {}
         }
         let (model, ring) = self.sector(options, interrupt)?;
@@ -415,11 +407,14 @@ impl Prototype for TabulatedGear {
     }
 
     fn ignored(&self, fidelity: Fidelity) -> Vec<Ignored> {
-        if fidelity != Fidelity::Rigid {
-            return Vec::new();
-        }
-        let reason = "rigid bodies do not deform";
-        ["material", "rim"].map(|input| Ignored { input: input.into(), reason: reason.into() }).to_vec()
+        let (inputs, reason): (&[&str], &str) = match (fidelity, self.data.support) {
+            (Fidelity::Rigid, _) => (&["material", "rim"], "rigid bodies do not deform"),
+            (Fidelity::Analytic, support) if support != BoreSupport::Rigid => {
+                (&["rim"], "closed forms assume a rim that is rigidly supported")
+            }
+            _ => return Vec::new(),
+        };
+        inputs.iter().map(|&input| Ignored { input: input.into(), reason: reason.into() }).collect()
     }
 }
 

@@ -1,6 +1,8 @@
 //! Contact surface of a flank that is interpolated from a table.
 
+use super::section::Placed;
 use super::tooth::{CurvePoint, Tooth};
+use calyx_runtime::structure::analytic::{SectionPoint, SectionedSurface};
 use calyx_runtime::surface::{Surface, SurfacePoint};
 use calyx_runtime::vec3::{cross, length};
 use std::sync::Arc;
@@ -25,7 +27,10 @@ impl TabulatedSurface {
 
 /// Point of the body with its tangents, from a point of a developed section.
 pub(super) fn surface_point(tooth: &Tooth, side: usize, v: f64, point: &CurvePoint) -> SurfacePoint {
-    let placed = tooth.placed(v, point.position);
+    placed_point(&tooth.placed(v, point.position), side, point)
+}
+
+fn placed_point(placed: &Placed, side: usize, point: &CurvePoint) -> SurfacePoint {
     let [by_x, by_y, along] = placed.derivatives;
     let combined = |[x, y]: [f64; 2], more: f64| {
         [0, 1, 2].map(|axis: usize| x * by_x[axis] + y * by_y[axis] + more * along[axis])
@@ -51,6 +56,21 @@ impl Surface for TabulatedSurface {
 
     fn edge_from(&self) -> Option<f64> {
         Some(self.breaks[0])
+    }
+}
+
+impl SectionedSurface for TabulatedSurface {
+    fn in_section(&self, u: f64, v: f64) -> SectionPoint {
+        let curve = self.tooth.flank_at(self.side, u, v);
+        let placed = self.tooth.placed(v, curve.position);
+        // The development is isometric, and the length along the pitch cone is normal to it.
+        let [by_x, by_y, _] = placed.derivatives;
+        let axes = [by_x, by_y, cross(by_x, by_y)];
+        SectionPoint { point: placed_point(&placed, self.side, &curve), place: curve.position, axes }
+    }
+
+    fn as_surface(self: Arc<Self>) -> Arc<dyn Surface> {
+        self
     }
 }
 

@@ -13,9 +13,9 @@ use calyx_fe::material::{Material, Plane};
 
 /// Shear correction of a rectangular section (Cowper's limit for a section without lateral
 /// contraction; Weber's 1.2).
-const SHEAR: f64 = 1.2;
+pub(super) const SHEAR: f64 = 1.2;
 /// Abscissa of the two-point Gauss rule on half an interval: exact for cubics.
-const GAUSS: f64 = 0.577_350_269_189_625_8;
+pub(super) const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// Cantilever, given by its thickness along the centre line.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,11 +40,11 @@ struct Station {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Flexibility {
     /// Integrals of `t^k / (E' I)`, k from 0 to 2.
-    bending: [f64; 3],
+    pub(super) bending: [f64; 3],
     /// Integral of `6/5 / (G h)`.
-    shear: f64,
+    pub(super) shear: f64,
     /// Integral of `1 / (E' h)`.
-    axial: f64,
+    pub(super) axial: f64,
 }
 
 /// Resultants of a load at the root of a cantilever, per unit of width.
@@ -68,6 +68,24 @@ impl Flexibility {
         self.bending[0] * (one.moment * other.moment) - self.bending[1] * crossed
             + (self.bending[2] + self.shear) * (one.shear * other.shear)
             + self.axial * (one.axial * other.axial)
+    }
+
+    /// Returns the flexibility multiplied by a factor.
+    pub(super) fn scaled(&self, factor: f64) -> Flexibility {
+        Flexibility {
+            bending: self.bending.map(|part| factor * part),
+            shear: factor * self.shear,
+            axial: factor * self.axial,
+        }
+    }
+
+    /// Returns the sum of two flexibilities.
+    pub(super) fn plus(&self, other: &Flexibility) -> Flexibility {
+        Flexibility {
+            bending: [0, 1, 2].map(|k: usize| self.bending[k] + other.bending[k]),
+            shear: self.shear + other.shear,
+            axial: self.axial + other.axial,
+        }
     }
 }
 

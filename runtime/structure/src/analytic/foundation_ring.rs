@@ -17,7 +17,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Harmonics are summed up to a phase of this many radians over half of the arc. The truncation
 /// error of a force's own compliance is about 3e-4.
-const PHASE: f64 = 30.0;
+pub(super) const PHASE: f64 = 30.0;
 /// The far side of a ring does not affect harmonics that decay to this part on the way there and
 /// back.
 const UNFELT: f64 = 1e-16;
@@ -32,6 +32,10 @@ pub struct FoundationRing {
     along: Vec<f64>,
     sectors: u32,
 }
+
+/// Distance of a wave number from 1, that of a rigid displacement, below which two of the solutions
+/// would coincide within rounding.
+const NEARLY_RIGID: f64 = 1e-7;
 
 /// Flexibility of teeth that are too far apart for coupling.
 const UNCOUPLED: [[f64; 3]; 3] = [[0.0; 3]; 3];
@@ -111,7 +115,7 @@ impl FoundationRing {
         let last = (PHASE / half_arc).ceil() as u32;
         for n in 0..=last {
             let around = f64::from(n);
-            let loads = tractions(around, half_arc);
+            let loads = tractions(around, half_arc, 1.0);
             let answer = harmonics.answer(around);
             let mut work = [[0.0; 3]; 3];
             for (one, row) in loads.iter().zip(&mut work) {
@@ -120,7 +124,7 @@ impl FoundationRing {
                     *entry = if n == 0 { TAU } else { PI } * (one[0] * moved[0] + one[1] * moved[1]);
                 }
             }
-            let sheared = along_the_face(around, half_arc, fixed_radius / radius) / shear_modulus;
+            let sheared = along_the_face(around, half_arc, fixed_radius / radius, 1.0) / shear_modulus;
             for (apart, (sum, along)) in between.iter_mut().zip(&mut along).enumerate() {
                 let (sine, cosine) = (TAU * around * apart as f64 / f64::from(sectors)).sin_cos();
                 *along += cosine * sheared;
@@ -180,8 +184,9 @@ impl FoundationRing {
 /// radial displacement `cos` and a tangential one `sin` (axial), or to `sin` and `-cos`.
 ///
 /// The two forces are uniform along the arc; the moment, about [`RingShape::root`], is a force
-/// along the tooth proportional to the angle.
-fn tractions(n: f64, half: f64) -> [[f64; 2]; 3] {
+/// along the tooth proportional to the angle. The harmonics are those of a part of the full circle,
+/// after which everything repeats; 1 for a ring.
+pub(super) fn tractions(n: f64, half: f64, part: f64) -> [[f64; 2]; 3] {
     // Integrals over the arc of cos(k x) and of x sin(k x).
     let even = |k: f64| if k == 0.0 { 2.0 * half } else { 2.0 * (k * half).sin() / k };
     let odd = |k: f64| {
@@ -193,7 +198,7 @@ fn tractions(n: f64, half: f64) -> [[f64; 2]; 3] {
             2.0 * (phase.sin() - phase * phase.cos()) / (k * k)
         }
     };
-    let norm = if n == 0.0 { TAU.recip() } else { PI.recip() };
+    let norm = if n == 0.0 { (TAU * part).recip() } else { (PI * part).recip() };
     let evenly = norm / (2.0 * half);
     let [below, above] = [n - 1.0, n + 1.0];
     let with = 0.5 * evenly * (even(below) + even(above));
@@ -208,17 +213,17 @@ fn tractions(n: f64, half: f64) -> [[f64; 2]; 3] {
 /// times the shear modulus. The force is uniform on an arc of a ring of unit radius that is fixed
 /// at another one. The displacement under a traction `t` is `t ln(1 / radius_ratio)` for the zeroth
 /// harmonic, and `t tanh(n ln(1 / radius_ratio)) / n` otherwise.
-fn along_the_face(n: f64, half: f64, radius_ratio: f64) -> f64 {
+pub(super) fn along_the_face(n: f64, half: f64, radius_ratio: f64, part: f64) -> f64 {
     let thickness = radius_ratio.ln().abs();
     if n == 0.0 {
-        return thickness / TAU;
+        return thickness / (TAU * part);
     }
-    let traction = (n * half).sin() / (PI * n * half);
-    PI * traction * traction * (n * thickness).tanh() / n
+    let traction = (n * half).sin() / (n * half);
+    traction * traction * (n * thickness).tanh() / (PI * part * n)
 }
 
 /// Harmonics around a ring of unit radius that is fixed at another one.
-struct RingHarmonics {
+pub(super) struct RingHarmonics {
     radius_ratio: f64,
     /// Lamé's constants; the first one adapted to plane stress or plane strain.
     lambda: f64,
@@ -233,7 +238,7 @@ struct RingHarmonic {
 }
 
 impl RingHarmonics {
-    fn new(radius_ratio: f64, material: Material, plane: Plane) -> RingHarmonics {
+    pub(super) fn new(radius_ratio: f64, material: Material, plane: Plane) -> RingHarmonics {
         let Material { youngs_modulus: e, poissons_ratio: nu, .. } = material;
         let mu = 0.5 * e / (1.0 + nu);
         let lambda = match plane {
@@ -266,7 +271,7 @@ impl RingHarmonics {
             let of = 4.0 * (n + 1.0);
             power(n + 1.0, (n + 2.0 - n * stiffness) / of, ((n + 2.0) * stiffness - n) / of)
         };
-        let decaying = if n == 1.0 {
+        let decaying = if (n - 1.0).abs() < NEARLY_RIGID {
             let (log, rate) = ((radius / outer).ln(), 0.5 * (1.0 + stiffness));
             let (value, slope) = (rate * log, rate / radius);
             RingHarmonic { out: [value + 0.5 * (1.0 - stiffness), slope], around: [-value, -slope] }
@@ -289,7 +294,7 @@ impl RingHarmonics {
 
     /// Returns the displacements of the loaded side by unit tractions on it, radial and tangential;
     /// symmetric.
-    fn answer(&self, n: f64) -> [[f64; 2]; 2] {
+    pub(super) fn answer(&self, n: f64) -> [[f64; 2]; 2] {
         // The outward normal of an internal gear's ring points inwards.
         let outward = if self.radius_ratio < 1.0 { 1.0 } else { -1.0 };
         let solutions = self.solutions(n, 1.0);

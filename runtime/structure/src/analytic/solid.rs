@@ -185,7 +185,7 @@ impl Face {
 
 /// Returns the mean of `1 / sqrt(a² + u²)` over two stretches of a line whose middles are `along`
 /// apart.
-fn mean_inverse(a: f64, along: f64, [first, second]: [f64; 2]) -> f64 {
+pub(super) fn mean_inverse(a: f64, along: f64, [first, second]: [f64; 2]) -> f64 {
     let square = a * a + along * along;
     let (sum, difference) = (0.5 * (first + second), 0.5 * (first - second).abs());
     if square > (FAR * sum).powi(2) || first * second == 0.0 {
