@@ -2,7 +2,7 @@
 
 mod cases;
 mod decks;
-mod files;
+pub mod files;
 mod formats;
 mod hostile;
 mod mutations;
