@@ -112,7 +112,8 @@ fn a_bevel_pair_of_small_cone_angles_is_a_spur_pair() {
     cone_limit("medium", "0 deg");
 }
 
-/// The same with closed forms. Those of the spur pair are three-dimensional with a small helix angle.
+/// The same with closed forms. Those of the spur pair are three-dimensional with a small helix
+/// angle.
 #[test]
 fn closed_forms_of_a_bevel_pair_of_small_cone_angles_are_those_of_a_spur_pair() {
     cone_limit("analytic", "1e-5 deg");

@@ -53,8 +53,8 @@ fn deck_b_has_the_frequencies_of_the_reference() {
     let mass = system.mass(&resources).expect("valid");
     let found =
         natural_modes(&system, &mass, Request::Count(6), &resources).expect("converges").frequencies();
-    // The reference has seven digits. Presumably its iteration did not converge to the last modes: a
-    // dense eigensolver on the same matrices confirms those found here.
+    // The reference has seven digits. Presumably its iteration did not converge to the last modes:
+    // a dense eigensolver on the same matrices confirms those found here.
     let tolerances = [1e-6, 3e-5, 3e-5, 3e-5, 2e-4, 2e-3];
     let reference = numbers(&reference()["B"]["frequencies"]);
     for ((found, expected), tolerance) in found.iter().zip(reference).zip(tolerances) {

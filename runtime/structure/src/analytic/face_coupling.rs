@@ -173,8 +173,8 @@ mod tests {
         FaceCoupling::mean(&coupling.stretch(v, length), &coupling.stretch(w, other))
     }
 
-    /// Between free ends `K = cosh(lower) cosh(upper) / (l sinh(width))` with the distances from both
-    /// ends in lengths `l`.
+    /// Between free ends `K = cosh(lower) cosh(upper) / (l sinh(width))` with the distances from
+    /// both ends in lengths `l`.
     #[test]
     fn with_a_constant_length_it_is_a_product_of_hyperbolic_cosines() {
         let length = 0.8e-3;

@@ -3,8 +3,8 @@
 //!
 //! In one section the work of two loads in the cantilever is the integral of `M M' / (E' I)` and of
 //! its shear and axial terms ([`super::Cantilever`]). All of it is the same in similar sections of
-//! any size. Between two sections, `1 / (E' sqrt(I I'))` replaces `1 / (E' I)`, at equal fractions of
-//! the height of the tooth. This is a Gram matrix of the moments over the square roots of the
+//! any size. Between two sections, `1 / (E' sqrt(I I'))` replaces `1 / (E' I)`, at equal fractions
+//! of the height of the tooth. This is a Gram matrix of the moments over the square roots of the
 //! stiffnesses, hence positive semidefinite whatever the sections are. Between the given sections
 //! the reciprocal square roots are interpolated linearly.
 

@@ -1,4 +1,5 @@
-//! Teeth whose section varies along the face, without a mesh: those of bevel, hypoid and face gears.
+//! Teeth whose section varies along the face, without a mesh: those of bevel, hypoid and face
+//! gears.
 //!
 //! The model is that of [`super::AnalyticSolid`]: slices with the compliance of a cantilever on a
 //! ring, coupled in shear along the face, and the half-space near loads. Sections are normal to the
