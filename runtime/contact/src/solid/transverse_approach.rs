@@ -47,10 +47,6 @@ impl TransverseApproach {
 
 /// Number of steps across the patch in the search for a sign change of the slope.
 const WALK: f64 = 12.0;
-/// First step across the patch, relative to the interval on which both surfaces exist.
-const PROBE: f64 = 1e-3;
-/// Length of the second step relative to the distance to the predicted zero of the slope.
-const OVERSHOOT: f64 = 1.05;
 /// Smallest step, relative to the interval on which both surfaces exist.
 const LEAST_STRIDE: f64 = 1e-5;
 const BISECTIONS: usize = 60;
@@ -85,10 +81,9 @@ pub fn closest_across(
         return Some(closest);
     }
     let mut stride = length / WALK;
-    let mut predicted = None;
     let mut bracket = loop {
         let limit = if downhill > 0.0 { high } else { low };
-        let next = here + downhill * predicted.unwrap_or(PROBE * length).min(stride);
+        let next = here + downhill * stride;
         let beyond = downhill * (next - limit.x) >= 0.0;
         let next = if beyond { limit.x } else { next };
         let Some(there) = at(next, closest.places()) else {
@@ -102,22 +97,11 @@ pub fn closest_across(
         if there.slope()[0] * downhill >= 0.0 {
             break [(here, closest), (next, there)];
         }
-        if beyond {
-            return Some(TransverseApproach { end: Some(limit.side), ..there });
-        }
-        // After the first step, to just beyond the zero of the secant.
-        predicted = match predicted {
-            None => {
-                let rise = (there.slope()[0] - closest.slope()[0]) / (next - here);
-                let distance = -downhill * there.slope()[0] / rise;
-                Some(if distance > 0.0 { OVERSHOOT * distance + PROBE * length } else { stride })
-            }
-            Some(_) => {
-                stride *= 1.5;
-                Some(stride)
-            }
-        };
         (here, closest) = (next, there);
+        if beyond {
+            return Some(TransverseApproach { end: Some(limit.side), ..closest });
+        }
+        stride *= 1.5;
     };
     // Secant steps inside the bracket, bisection if they gain too little.
     for round in 0..BISECTIONS {
