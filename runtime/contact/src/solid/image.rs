@@ -19,6 +19,8 @@ pub struct PlacedMirror {
     pub softness: f64,
 }
 
+/// Part of a cell beyond a mirror, relative to its extent, that is rounding.
+const TOUCHING: f64 = 1e-6;
 /// Tolerance for equal mirrors: difference of normals and of positions relative to the patch.
 const SAME: f64 = 1e-12;
 
@@ -71,13 +73,14 @@ impl<'a> Images<'a> {
         self.upright.is_some()
     }
 
-    /// Returns whether all cells are on the same side of the mirror.
+    /// Returns whether all cells are on the same side of the mirror, or end at it to within rounding.
     pub fn are_on_one_side(&self, cells: &[Cell]) -> bool {
         let sides = [0, 1].map(|axis| self.frame_axis_height(axis));
         let reach = |cell: &Cell| 0.5 * (cell.size[0] * sides[0].abs() + cell.size[1] * sides[1].abs());
         let height = |cell: &Cell| self.mirror.height(self.frame.at(cell.center));
-        cells.iter().all(|cell| height(cell) >= reach(cell))
-            || cells.iter().all(|cell| -height(cell) >= reach(cell))
+        let least = |cell: &Cell| (1.0 - TOUCHING) * reach(cell);
+        cells.iter().all(|cell| height(cell) >= least(cell))
+            || cells.iter().all(|cell| -height(cell) >= least(cell))
     }
 
     /// Returns the growth of the distance from the mirror per length along an axis of the patch.
@@ -145,8 +148,9 @@ const RULES: [(f64, &[(f64, f64)]); 4] = [
 ];
 /// Distance, in sums of both halves of the long sides, from which quadrature points replace panels.
 const FAR: f64 = 2.0;
-/// Distance, in halves of the long side, from which points observe the potential of an image.
-const NEAR: f64 = 3.0;
+/// Distance, in halves of the long side, from which points observe the potential of an image. Cells
+/// of a lattice are at no such distance, so that rounding does not decide.
+const NEAR: f64 = 4.07;
 /// Maximum number of bisections of an observing panel. Where image and panel touch, the potential
 /// is continuous and only its slope is singular, so each bisection leaves a quarter of the error,
 /// down to 1e-6.
