@@ -1,6 +1,7 @@
 //! Collection of the parts of a model with their locations, and the checks that all formats share.
 
 use super::error::ImportError;
+use super::origin::{Origin, Problem};
 use super::source::{Place, Skipped, error, most_references};
 use super::units::{Units, to_si};
 use super::{Import, ImportReport, constraints, geometry, mass};
@@ -9,13 +10,6 @@ use crate::model::{
 };
 use std::cell::Cell;
 use std::collections::{BTreeMap, HashMap};
-
-/// Card or element type that a part of the model comes from, and its location.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Origin {
-    pub name: &'static str,
-    pub place: Place,
-}
 
 /// Model under construction, in the units of its source.
 pub(super) struct Builder {
@@ -33,24 +27,6 @@ pub(super) struct Builder {
     loads: BTreeMap<usize, [f64; 6]>,
     /// Number of nodes that ranges have given so far.
     expanded: Cell<usize>,
-}
-
-/// Problem without its file name.
-pub(super) struct Problem {
-    pub place: Place,
-    pub message: String,
-    pub help: String,
-}
-
-impl Problem {
-    pub fn new(place: Place, message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { place, message: message.into(), help: help.into() }
-    }
-
-    /// Returns the error with the name of its file.
-    pub fn located(self, files: &[String]) -> ImportError {
-        error(files, self.place, self.message, self.help)
-    }
 }
 
 impl Builder {

@@ -1,7 +1,7 @@
 //! Checks of constraints: each component depends on one constraint at most, is not fixed as well,
 //! and does not depend on itself.
 
-use super::builder::{Origin, Problem};
+use super::origin::{Origin, Problem};
 use crate::model::{Component, Constraint, ElasticModel};
 use std::collections::{BTreeMap, HashMap};
 

@@ -21,6 +21,7 @@ mod geometry;
 mod gmsh;
 mod mass;
 mod nastran;
+mod origin;
 mod section;
 mod source;
 mod units;

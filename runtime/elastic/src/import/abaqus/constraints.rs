@@ -4,8 +4,9 @@
 //! Source: Abaqus Keywords Reference Guide, entries of these names. The weights of a distributing
 //! coupling to faces are equal shares of the area of each face.
 
-use super::super::builder::{Builder, Origin};
+use super::super::builder::Builder;
 use super::super::geometry::{Vector, cross, dot, scale, sub, unit};
+use super::super::origin::Origin;
 use super::keyword::{Block, DataLine, Result, integer_at, normalized, real_at};
 use super::mesh::{Kind, Mesh};
 use super::sections::rectangular_axes;

@@ -3,8 +3,8 @@
 //! Source: Abaqus Analysis User's Guide, "Input syntax rules"; CalculiX CrunchiX User's Manual,
 //! "Input deck format".
 
-use super::super::builder::Problem;
 use super::super::error::ImportError;
+use super::super::origin::Problem;
 use super::super::source::{Place, Sources, included, lines, plain};
 
 /// Deepest nesting of included files.

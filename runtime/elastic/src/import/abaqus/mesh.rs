@@ -3,8 +3,8 @@
 //! Source: Abaqus Keywords Reference Guide, entries of these names; Abaqus Analysis User's Guide,
 //! element library (node ordering and face numbering).
 
-use super::super::builder::Problem;
 use super::super::geometry::{Vector, cross, norm, sub};
+use super::super::origin::Problem;
 use super::super::source::{Place, most_references};
 use super::keyword::{Block, DataLine, Result, integer_at, normalized, real_at};
 use crate::model::{ShellShape, SolidShape};

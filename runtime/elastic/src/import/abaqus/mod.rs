@@ -11,8 +11,9 @@ mod keyword;
 mod mesh;
 mod sections;
 
-use super::builder::{Builder, Problem};
+use super::builder::Builder;
 use super::error::ImportError;
+use super::origin::Problem;
 use super::source::{OpenFile, Place, Sources};
 use super::{Import, Units};
 use crate::model::Node;

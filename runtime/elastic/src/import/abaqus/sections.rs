@@ -4,8 +4,9 @@
 //! Source: Abaqus Keywords Reference Guide, entries of these names; Abaqus Analysis User's Guide,
 //! "Beam cross-section library" and "Choosing a beam element" (transverse shear stiffness).
 
-use super::super::builder::{Builder, Origin};
+use super::super::builder::Builder;
 use super::super::geometry::cross;
+use super::super::origin::Origin;
 use super::super::section::{circle, composed, hollow_box, rectangle, rectangle_torsion, tube};
 use super::keyword::{Block, DataLine, Result, integer_at, normalized, positive_at, real_at};
 use super::mesh::{Kind, Mesh};
@@ -151,7 +152,7 @@ pub(super) fn elements(
         let origin = Origin { name: element.kind.name, place: element.place };
         let problem = |message: &str, help: &str| {
             let message = format!("element {} {label} {message}", element.kind.name);
-            super::super::builder::Problem::new(element.place, message, help)
+            super::super::origin::Problem::new(element.place, message, help)
         };
         let Some((at, section)) = sections.get(label) else {
             return Err(problem("has no section", "add it to the element set of a section"));

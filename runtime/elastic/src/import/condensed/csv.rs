@@ -10,7 +10,7 @@
 //! Components are 1 to 3 for translations and 4 to 6 for rotations. An entry also states its
 //! transpose. Rows `node` are needed only for positions.
 
-use super::super::builder::Problem;
+use super::super::origin::Problem;
 use super::super::source::{Place, lines};
 use super::{CondensedNode, Dof, Entries, Parts, Result, assemble};
 use std::collections::HashMap;

@@ -2,9 +2,9 @@
 //!
 //! Source: NASTRAN Quick Reference Guide, entry DMIG. Positions come from GRID entries in the file.
 
-use super::super::builder::Problem;
 use super::super::error::ImportError;
 use super::super::nastran::{self, Card};
+use super::super::origin::Problem;
 use super::super::source::{Place, Sources};
 use super::{CondensedNode, CondensedOptions, Dof, Entries, Parts, Result, assemble};
 use std::collections::{BTreeMap, BTreeSet};

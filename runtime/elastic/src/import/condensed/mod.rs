@@ -5,8 +5,8 @@ mod dmig;
 mod npz;
 
 use super::Units;
-use super::builder::Problem;
 use super::error::ImportError;
+use super::origin::Problem;
 use super::source::{OpenFile, Place, Sources};
 use crate::model::Component;
 use nalgebra::DMatrix;

@@ -6,8 +6,9 @@ mod reader;
 
 use super::Import;
 use super::Units;
-use super::builder::{Builder, Origin, Problem};
+use super::builder::Builder;
 use super::error::ImportError;
+use super::origin::{Origin, Problem};
 use super::source::{OpenFile, Place, Sources};
 use crate::model::{Element, ElementKind, Material, Node, ShellShape, SolidShape};
 use reader::{Form, Reader, Result as ReadResult};

@@ -1,6 +1,6 @@
 //! Values of an MSH file, in text or binary form.
 
-use super::super::builder::Problem;
+use super::super::origin::Problem;
 use super::super::source::Place;
 
 pub(super) type Result<T> = std::result::Result<T, Problem>;

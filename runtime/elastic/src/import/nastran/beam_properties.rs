@@ -5,10 +5,10 @@
 //! area of the walls along the force over the whole area, and five sixths of it for flanges of open
 //! sections.
 
+use super::super::origin::Problem;
 use super::super::section::{circle, composed, hollow_box, open_torsion, rectangle, rectangle_torsion, tube};
 use super::card::Result;
 use super::deck::Card;
-use super::properties::invalid_section;
 use crate::model::BeamSection;
 
 /// Section of PBAR or PBARL.
@@ -205,4 +205,9 @@ fn channel(width: f64, height: f64, web: f64, flange: f64) -> BeamSection {
     let area = web * height + 2.0 * (width - web) * flange;
     let torsion = open_torsion(&[[height - flange, web], [2.0 * (width - 0.5 * web), flange]]);
     composed(&parts, torsion, [web * height / area, 5.0 / 6.0 * 2.0 * width * flange / area])
+}
+
+/// Error for a section without extent.
+pub(super) fn invalid_section(card: &Card, reason: &str) -> Problem {
+    card.problem(format!("{}: {reason}", card.subject()), "correct the dimensions of the section")
 }

@@ -1,6 +1,6 @@
 //! Access to the fields of a card, with errors that name the card, the field and its content.
 
-use super::super::builder::{Origin, Problem};
+use super::super::origin::{Origin, Problem};
 use super::deck::Card;
 use super::fields::{integer, real};
 use crate::model::Components;

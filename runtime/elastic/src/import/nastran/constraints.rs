@@ -2,7 +2,8 @@
 //!
 //! Source: NASTRAN Quick Reference Guide, entries of these names.
 
-use super::super::builder::{Builder, Problem};
+use super::super::builder::Builder;
+use super::super::origin::Problem;
 use super::super::source::Place;
 use super::card::{Range, Result};
 use super::deck::Card;

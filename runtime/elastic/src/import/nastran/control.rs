@@ -2,7 +2,7 @@
 //!
 //! Source: NASTRAN Quick Reference Guide, "Case Control Commands": SUBCASE, LOAD, SPC, MPC, TITLE.
 
-use super::super::builder::Problem;
+use super::super::origin::Problem;
 use super::super::source::Place;
 use super::deck::keyword;
 

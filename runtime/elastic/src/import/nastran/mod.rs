@@ -21,8 +21,9 @@ mod systems;
 
 pub(super) use deck::Card;
 
-use super::builder::{Builder, Problem};
+use super::builder::Builder;
 use super::error::ImportError;
+use super::origin::Problem;
 use super::source::{OpenFile, Place, Sources};
 use super::{Import, Units};
 use constraints::Selected;
@@ -108,7 +109,7 @@ fn build(deck: &deck::Deck, options: &NastranOptions) -> Result<(Builder, f64), 
     constraints::supports(cards, &supports, &mut builder)?;
     for (label, components, place) in std::mem::take(&mut geometry.fixed) {
         let node = builder.node(label, "GRID", place)?;
-        builder.fix(super::builder::Origin { name: "GRID", place }, node, &components, 0.0)?;
+        builder.fix(super::origin::Origin { name: "GRID", place }, node, &components, 0.0)?;
     }
     loads::read(cards, selection.load, case_control, &mut builder, &mut geometry)?;
     loads::sets(cards, &mut builder)?;

@@ -4,10 +4,9 @@
 //! the section on the line between the ends, so offsets of the neutral axis from the shear centre,
 //! offsets of non-structural mass, warping and intermediate stations are rejected.
 
-use super::beam_properties::{dimensions, section_type, shear_factor, typed, valid};
+use super::beam_properties::{dimensions, invalid_section, section_type, shear_factor, typed, valid};
 use super::card::Result;
 use super::deck::Card;
-use super::properties::invalid_section;
 use crate::model::BeamSection;
 
 /// Sections at both ends of a PBEAM or PBEAML.

@@ -2,7 +2,6 @@
 //!
 //! Source: NASTRAN Quick Reference Guide, entries of these names.
 
-use super::super::builder::Problem;
 use super::card::Result;
 use super::deck::Card;
 use super::systems::repeated;
@@ -244,9 +243,4 @@ fn material(card: &Card) -> Result<Material> {
     let density = card.not_negative(5, "RHO")?;
     let structural_damping = card.real_or(8, 0.0, "GE")?;
     Ok(Material { youngs_modulus: e, poissons_ratio: nu, shear_modulus: g, density, structural_damping })
-}
-
-/// Error for a section without extent.
-pub(super) fn invalid_section(card: &Card, reason: &str) -> Problem {
-    card.problem(format!("{}: {reason}", card.subject()), "correct the dimensions of the section")
 }

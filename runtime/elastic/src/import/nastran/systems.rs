@@ -2,8 +2,8 @@
 //!
 //! Source: NASTRAN Quick Reference Guide, entries of these names. Angles are in degrees.
 
-use super::super::builder::Problem;
 use super::super::geometry::{Vector, add, cross, dot, norm, scale, sub, unit};
+use super::super::origin::Problem;
 use super::super::source::Place;
 use super::card::Result;
 use super::deck::Card;
