@@ -2,7 +2,7 @@
 
 mod samples;
 
-use self::samples::{GEAR_DATA, MESHLESS, PAIR, SAMPLES, SCENE, sample_of, sample_of_gear_data};
+use self::samples::{GEAR_DATA, MESHLESS, PAIR, SAMPLES, SCENE, SHAFT, sample_of, sample_of_gear_data};
 use calyx_gears::library::{LibraryModule, MODULES, PRELUDE};
 use calyx_lang::ast::{Domain, FunctionDecl, Mode, Parameter, StmtKind, TypeExpr, TypeKind};
 use calyx_lang::dimension::Dimension;
@@ -175,9 +175,10 @@ fn is_number(ty: &TypeExpr) -> bool {
     }
 }
 
-/// Functions that need a planetary set, a splined rim or a dynamic analysis; [`samples::SCENE`] has
-/// none of them.
-pub const NOT_IN_SCENE: [&str; 7] = [
+/// Functions that need a planetary set, a splined rim, a dynamic analysis or bearings on their
+/// result; [`samples::SCENE`] has none of them.
+pub const NOT_IN_SCENE: [&str; 8] = [
+    "shaft",
     "mode_type",
     "lumped_natural_frequency",
     "spline_tooth_force",
@@ -199,6 +200,9 @@ pub fn model(function: &Function, arguments: &[String]) -> String {
     }
     if function.name == "mesh" {
         text += MESHLESS;
+    }
+    if function.name == "mount" || function.name.starts_with("shaft_") {
+        text += SHAFT;
     }
     match (function.is_observable, function.name.as_str()) {
         (true, _) => text += &format!("output observed := {call}\n"),

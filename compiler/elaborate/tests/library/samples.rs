@@ -52,6 +52,14 @@ var gauge = gears.gauge(pinion);
 output error := gears.transmission_error(mesh);
 "#;
 
+/// A shaft on two bearings.
+pub const SHAFT: &str = r#"
+var shaft = gears.shaft("shaft", [gears.shaft_segment(length = 80 mm, diameter = 30 mm)], steel,
+    prescribed_rotation_at = 0 mm, frame := Translate(2 m * e1));
+gears.bearing("left", shaft, at = 10 mm * e3, radial_stiffness = 1e8 N/m, axial_stiffness = 1e8 N/m);
+gears.bearing("right", shaft, at = 70 mm * e3, radial_stiffness = 1e8 N/m);
+"#;
+
 /// Bodies that may be meshed: those of [`PAIR`] are.
 pub const MESHLESS: &str = r#"
 var sun_like = gears.body("third", pinion_gear, free = ["theta_z"], moment = 10 N*m * e3, frame := Rotate(speed * Time, e3) * Translate(1 m * e2));
@@ -111,6 +119,26 @@ pub fn sample_of_gear_data(parameter: &str) -> Option<String> {
 
 /// Values that do not follow from types, as (function, parameter, value).
 pub const SAMPLES: &[(&str, &str, &str)] = &[
+    ("shaft_segment", "length", "20 mm"),
+    ("shaft_segment", "diameter", "30 mm"),
+    ("shaft", "segments", "[gears.shaft_segment(length = 80 mm, diameter = 30 mm)]"),
+    ("shaft", "prescribed_rotation_at", "0 mm"),
+    ("mount", "on", "shaft"),
+    ("mount", "at", "40 mm"),
+    ("shaft_disc", "mass", "1 kg"),
+    ("shaft_disc", "inertia", "1e-3 kg*m^2"),
+    ("shaft_displacement", "shaft", "shaft"),
+    ("shaft_displacement", "at", "20 mm"),
+    ("shaft_rotation", "shaft", "shaft"),
+    ("shaft_rotation", "at", "20 mm"),
+    ("shaft_moment", "shaft", "shaft"),
+    ("shaft_moment", "at", "20 mm"),
+    ("shaft_stress", "shaft", "shaft"),
+    ("shaft_stress", "at", "20 mm"),
+    ("shaft_load", "shaft", "shaft"),
+    ("shaft_load", "at", "20 mm"),
+    ("shaft_disc", "shaft", "shaft"),
+    ("shaft_disc", "at", "20 mm"),
     ("analyze", "method", "\"quasi_static\""),
     ("analyze", "fidelity", "\"analytic\""),
     ("analyze", "error_estimates", "\"none\""),

@@ -441,7 +441,8 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
                 (inertia.about[about][about], "moment of inertia")
             }
         };
-        if !(resists.is_finite() && resists > 0.0) && !connection_resists(scene, dof) {
+        let restrained = resists.is_finite() && resists > 0.0;
+        if !restrained && !connection_resists(scene, dof) {
             return Err(EngineError::new(
                 "E0762",
                 format!("body \"{}\" is free to move and has no {what}", body.name),
