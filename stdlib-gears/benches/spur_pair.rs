@@ -185,7 +185,7 @@ fn last_rounds(scene: &Scene, plan: &Plan, steps: &[StepResult], line: &dyn Fn(&
             })
             .collect();
         giving += timed(|| {
-            black_box(compliance(&patches, &never).expect("nothing interrupts it"));
+            black_box(compliance(&patches, None, &never).expect("nothing interrupts it"));
         });
         let grids: Vec<_> = step.patches.iter().filter_map(|patch| patch.solid()).collect();
         solving += timed(|| {
