@@ -84,7 +84,7 @@ fn problem(grid: &Grid, body: &HalfSpaceBody) -> ContactProblem {
     let side = |number| Side { body: number, structure: body, chart, pose: Pose::IDENTITY };
     let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
     ContactProblem {
-        compliance: compliance(&[patch], &Interrupt::never()).expect("nothing interrupts it"),
+        compliance: compliance(&[patch], None, &Interrupt::never()).expect("nothing interrupts it"),
         arms: vec![1.0; grid.cells.len()],
         gaps: grid.cells.iter().map(|cell| cell.gap).collect(),
         stiffness: vec![0.0],
