@@ -73,7 +73,8 @@ impl<'a> Images<'a> {
         self.upright.is_some()
     }
 
-    /// Returns whether all cells are on the same side of the mirror, or end at it to within rounding.
+    /// Returns whether all cells are on the same side of the mirror, or end at it to within
+    /// rounding.
     pub fn are_on_one_side(&self, cells: &[Cell]) -> bool {
         let sides = [0, 1].map(|axis| self.frame_axis_height(axis));
         let reach = |cell: &Cell| 0.5 * (cell.size[0] * sides[0].abs() + cell.size[1] * sides[1].abs());
