@@ -19,8 +19,6 @@ pub struct PlacedMirror {
     pub softness: f64,
 }
 
-/// Part of a cell beyond a mirror, relative to its extent, that is rounding.
-const TOUCHING: f64 = 1e-6;
 /// Tolerance for equal mirrors: difference of normals and of positions relative to the patch.
 const SAME: f64 = 1e-12;
 
@@ -73,30 +71,14 @@ impl<'a> Images<'a> {
         self.upright.is_some()
     }
 
-    /// Returns whether all cells are on the same side of the mirror, or end at it to within
-    /// rounding.
-    pub fn are_on_one_side(&self, cells: &[Cell]) -> bool {
-        let sides = [0, 1].map(|axis| self.frame_axis_height(axis));
-        let reach = |cell: &Cell| 0.5 * (cell.size[0] * sides[0].abs() + cell.size[1] * sides[1].abs());
-        let height = |cell: &Cell| self.mirror.height(self.frame.at(cell.center));
-        let least = |cell: &Cell| (1.0 - TOUCHING) * reach(cell);
-        cells.iter().all(|cell| height(cell) >= least(cell))
-            || cells.iter().all(|cell| -height(cell) >= least(cell))
-    }
-
-    /// Returns the growth of the distance from the mirror per length along an axis of the patch.
-    fn frame_axis_height(&self, axis: usize) -> f64 {
-        dot([self.frame.across, self.frame.along][axis], self.mirror.normal)
-    }
-
-    /// Returns the displacement of a cell by the image of a force of 1 N on another, m/N.
-    pub fn influence(&self, observe: &Cell, load: &Cell) -> f64 {
-        self.mirror.softness * self.mean_inverse_distance(observe, load)
+    /// Returns the surface displacement of images per 1/r.
+    pub fn softness(&self) -> f64 {
+        self.mirror.softness
     }
 
     /// Returns the average of 1/r between the points of a cell and of another's image, 1/m. It is
     /// symmetric in the cells, in the closed form bit for bit.
-    fn mean_inverse_distance(&self, observe: &Cell, load: &Cell) -> f64 {
+    pub fn mean_inverse_distance(&self, observe: &Cell, load: &Cell) -> f64 {
         if let Some(y) = self.upright {
             let halves = [observe, load].map(|cell| cell.size.map(|size| 0.5 * size));
             let offset = [observe.center[0] - load.center[0], (observe.center[1] - y) + (load.center[1] - y)];
@@ -149,9 +131,8 @@ const RULES: [(f64, &[(f64, f64)]); 4] = [
 ];
 /// Distance, in sums of both halves of the long sides, from which quadrature points replace panels.
 const FAR: f64 = 2.0;
-/// Distance, in halves of the long side, from which points observe the potential of an image. Cells
-/// of a lattice are at no such distance, so that rounding does not decide.
-const NEAR: f64 = 4.07;
+/// Distance, in halves of the long side, from which points observe the potential of an image.
+const NEAR: f64 = 3.0;
 /// Maximum number of bisections of an observing panel. Where image and panel touch, the potential
 /// is continuous and only its slope is singular, so each bisection leaves a quarter of the error,
 /// down to 1e-6.
@@ -175,11 +156,8 @@ impl Panel {
         usize::from(self.half[1] > self.half[0])
     }
 
-    /// Returns the distance of a point from the rectangle.
-    fn distance_from(&self, point: Vector) -> f64 {
-        let from = minus(point, self.center);
-        let [x, y, z] = self.axes.map(|axis| dot(from, axis).abs());
-        length([(x - self.half[0]).max(0.0), (y - self.half[1]).max(0.0), z])
+    fn radius(&self) -> f64 {
+        self.half[0].hypot(self.half[1])
     }
 
     /// Returns the points that average 1/r accurately at a distance.
@@ -220,7 +198,7 @@ impl Panel {
 
     fn near(&self, image: &Panel, halvings: u32) -> f64 {
         let longer = self.longer();
-        let apart = image.distance_from(self.center);
+        let apart = length(minus(self.center, image.center)) - image.radius();
         if halvings > 0 && apart < NEAR * self.half[longer] {
             let mut part = *self;
             part.half[longer] *= 0.5;
@@ -243,10 +221,10 @@ impl Panel {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
 
-    pub fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
+    fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
         let (places, slope) = ([[0.0; 2]; 2], [0.0; 2]);
         Cell {
             center,
@@ -261,7 +239,7 @@ pub(super) mod tests {
         }
     }
 
-    pub const FRAME: PatchFrame = PatchFrame {
+    const FRAME: PatchFrame = PatchFrame {
         point: [0.1, 0.2, 0.3],
         normal: [0.0, 0.0, 1.0],
         across: [1.0, 0.0, 0.0],
@@ -269,7 +247,7 @@ pub(super) mod tests {
     };
 
     /// Side face at y = 2, inclined towards the normal of the patch.
-    pub fn face(lean: f64) -> PlacedMirror {
+    fn face(lean: f64) -> PlacedMirror {
         PlacedMirror { point: [0.0, 2.2, 0.3], normal: [0.0, lean.cos(), lean.sin()], softness: 1.0 }
     }
 

@@ -15,7 +15,6 @@ mod grid_region;
 mod half_space;
 mod height_field;
 mod image;
-mod image_influence;
 mod interval_pairs;
 mod placement;
 mod pressure;
