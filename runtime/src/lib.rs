@@ -72,7 +72,7 @@
 //! |---|---|
 //! | [`scene`] | bodies ([`scene::Body`]), surface pairs ([`scene::SurfacePair`]) and observables; [`scene::Prototype`] defines how a body is modelled |
 //! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | the simulated parts of a scene, independent of its observables |
-//! | [`connection`], [`shaft`] | linear elastic parts between bodies: shafts |
+//! | [`connection`], [`shaft`], [`elastic_body`] | linear elastic parts between bodies: shafts, bodies of any shape |
 //! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
 //! | [`lubrication`] | friction, flash temperature and film thickness at a point of contact |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |
@@ -89,6 +89,7 @@
 //! | [`tolerance`] | search for the cheapest setting whose estimated error meets a tolerance |
 //! | [`cost`] | predicted time and memory of an analysis |
 //! | [`resources`], [`cache`], [`interrupt`] | resources without influence on results: threads, stored structures, an interrupt |
+//! | [`elastic`] | finite-element models of bodies of any shape, and their import |
 //! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
 //! | [`error`] | errors of the engine: code, message, remedy |
@@ -123,11 +124,12 @@ pub use calyx_analysis::{
     rows, scene, settings_override, signal, summary, tolerance, validate,
 };
 pub use calyx_contact as contact;
+pub use calyx_elastic as elastic;
 pub use calyx_fe as fe;
 pub use calyx_fe::{inertia, material};
 pub use calyx_model::{
-    bearing, body, connection, disc, dof, fidelity, ids, load, lubrication, mechanism, motion, observed,
-    pairs, plan, position, prototype, resources, rigid, shaft, spline_contact, target,
+    bearing, body, connection, disc, dof, elastic_body, fidelity, ids, load, lubrication, mechanism, motion,
+    observed, pairs, plan, position, prototype, resources, rigid, shaft, spline_contact, target,
 };
 pub use calyx_numerics::{error, interrupt, vec3};
 pub use calyx_solve::{integration, restraint_check, step, system, vibrations};

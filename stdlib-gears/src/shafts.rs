@@ -173,6 +173,7 @@ impl ModelShaft {
             stiffness: vec![0.0; 36],
             mass: if rigid { Vec::new() } else { shaft.mass(&[0.0]) },
             shaft: Some(CondensedShaft { shaft: shaft.clone(), stations: vec![0.0], rigid }),
+            body: None,
         };
         let connection = scene.add_connection(connection)?;
         let own = ModelShaft { name, shaft, rigid, free, prescribed, body, origin: 0.0, connection };
@@ -296,6 +297,7 @@ impl ModelShaft {
             mass: if self.rigid { Vec::new() } else { self.shaft.mass(&stations) },
             attachments,
             shaft: Some(CondensedShaft { shaft: self.shaft.clone(), stations, rigid: self.rigid }),
+            body: None,
         };
         connection.check(&scene.bodies)?;
         scene.connections[self.connection.0] = connection;

@@ -21,7 +21,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     (
         "calyx-model",
         "runtime/model",
-        &["calyx-abi", "calyx-contact", "calyx-fe", "calyx-numerics", "calyx-structure"],
+        &["calyx-abi", "calyx-contact", "calyx-elastic", "calyx-fe", "calyx-numerics", "calyx-structure"],
     ),
     (
         "calyx-solve",
@@ -39,6 +39,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
         &[
             "calyx-analysis",
             "calyx-contact",
+            "calyx-elastic",
             "calyx-fe",
             "calyx-model",
             "calyx-numerics",

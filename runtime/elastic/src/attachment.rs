@@ -13,6 +13,8 @@ pub enum Region {
     Set(String),
     /// Nodes with these labels.
     Labels(Vec<u64>),
+    /// Nodes with these indices.
+    Nodes(Vec<usize>),
     /// Cylinder about an axis.
     Cylinder {
         /// Point on the axis, from which heights count.
@@ -106,6 +108,15 @@ impl Region {
                 };
                 labels.iter().map(find).collect::<Result<Vec<_>, _>>()?
             }
+            Self::Nodes(indices) => match indices.iter().find(|&&index| index >= model.nodes.len()) {
+                Some(index) => {
+                    return Err(ElementError::new(
+                        format!("the body has no node of index {index}"),
+                        "give indices of its nodes",
+                    ));
+                }
+                None => indices.clone(),
+            },
             Self::Cylinder { origin, axis, radius, heights, tolerance } => {
                 let axis = unit(*axis)?;
                 within(&|position| {

@@ -12,6 +12,9 @@
 //! their positions relative to the reference. The bodies may rotate about their attachments
 //! relative to each other, as planets on the pins of a carrier.
 //!
+//! A shaft and an elastic body of any shape are connections. The matrices of an elastic body are
+//! computed when structures are built ([`crate::connection_building`]).
+//!
 //! See `docs/theory/shafts.md`.
 
 mod connection_state;
@@ -22,9 +25,11 @@ pub use terms::{add_connection_mass, add_connection_stiffness};
 
 use crate::bearing::Support;
 use crate::body::Body;
+use crate::elastic_body::{ElasticBody, SharedElasticBody, rigid_links};
 use crate::ids::BodyId;
 use crate::shaft::Shaft;
 use calyx_numerics::error::EngineError;
+use calyx_structure::AttachmentMatrices;
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::sync::Arc;
 
@@ -52,6 +57,9 @@ pub struct ElasticConnection {
     pub mass: Vec<f64>,
     /// The shaft of which this is the condensation, if any.
     pub shaft: Option<CondensedShaft>,
+    /// The elastic body that is condensed onto the attachments when structures are built, if any.
+    /// The matrices are empty before.
+    pub body: Option<SharedElasticBody>,
 }
 
 /// Shaft behind a connection, for displacements and forces between its stations.
@@ -70,6 +78,54 @@ pub struct CondensedShaft {
 const ROUNDING: f64 = 1e-6;
 
 impl ElasticConnection {
+    /// Creates the connection of an elastic body between the bodies of its attachments, whose frames
+    /// have their origins at the attachments and the axes of the body's coordinates. `origin` is
+    /// that of the body's coordinates from ground, m, where a grounded body is attached to ground.
+    pub fn of_body(
+        name: String,
+        body: Arc<dyn ElasticBody>,
+        attachments: &[BodyId],
+        origin: [f64; 3],
+    ) -> ElasticConnection {
+        let on_body = |&id: &BodyId| Attachment { to: Support::Body(id), at: [0.0; 3] };
+        let ground = body.is_grounded().then_some(Attachment { to: Support::Ground, at: origin });
+        ElasticConnection {
+            name,
+            attachments: attachments.iter().map(on_body).chain(ground).collect(),
+            stiffness: Vec::new(),
+            mass: Vec::new(),
+            shaft: None,
+            body: Some(SharedElasticBody(body)),
+        }
+    }
+
+    /// Returns the connection with the matrices of its elastic body.
+    ///
+    /// # Errors
+    /// Those of [`ElasticConnection::check`].
+    pub fn condensed(
+        &self,
+        bodies: &[Body],
+        matrices: &AttachmentMatrices,
+    ) -> Result<ElasticConnection, EngineError> {
+        let stiffness = matrices.stiffness.clone();
+        let condensed = ElasticConnection { stiffness, mass: matrices.mass.clone(), ..self.clone() };
+        condensed.check_matrices(bodies)?;
+        Ok(condensed)
+    }
+
+    /// Returns the connection with its elastic body as rigid, as links of this multiple of the
+    /// typical stiffness of the body; without mass.
+    ///
+    /// # Errors
+    /// Those of [`ConnectionState::at`].
+    pub fn rigid(&self, bodies: &[Body], multiple: f64) -> Result<ElasticConnection, EngineError> {
+        let Some(SharedElasticBody(body)) = &self.body else { return Ok(self.clone()) };
+        let positions = ConnectionState::at(bodies, self, 0.0)?.positions();
+        let stiffness = rigid_links(&positions, multiple * body.typical_stiffness(), body.typical_size());
+        Ok(ElasticConnection { stiffness, ..self.clone() })
+    }
+
     /// Returns the bodies that the connection joins, once each, in the order of the attachments.
     pub fn bodies(&self) -> impl Iterator<Item = BodyId> {
         let bodies = self.attachments.iter().map(|attachment| match attachment.to {
@@ -105,6 +161,26 @@ impl ElasticConnection {
         if size == 0 {
             return refused("has no attachments".into(), "attach it to at least two bodies");
         }
+        match &self.body {
+            None => self.check_matrices(bodies)?,
+            Some(body) if 6 * body.attachments() != size => {
+                return refused(
+                    format!("has {} attachments, and its body {}", size / 6, body.attachments()),
+                    "attach each attachment of the body to a body of the scene",
+                );
+            }
+            Some(_) => {}
+        }
+        // The velocities of the attachments show whether they stay together.
+        ConnectionState::at(bodies, self, 0.0)?.check_velocities(bodies, self)
+    }
+
+    fn check_matrices(&self, bodies: &[Body]) -> Result<(), EngineError> {
+        let size = self.size();
+        let refused = |problem: String, help: &str| {
+            let message = format!("the elastic connection \"{}\" {problem}", self.name);
+            Err(EngineError::new("E0869", message, help))
+        };
         let mass = (!self.mass.is_empty()).then_some(("mass", &self.mass));
         for (what, matrix) in [("stiffness", &self.stiffness)].into_iter().chain(mass) {
             if let Err(problem) = check_matrix(matrix, size) {
@@ -121,8 +197,7 @@ impl ElasticConnection {
                 "give a stiffness matrix under which a common motion of all attachments causes no forces; attach the part to ground where it is supported",
             );
         }
-        // The velocities of the attachments show whether they stay together.
-        state.check_velocities(bodies, self)
+        Ok(())
     }
 }
 
@@ -169,10 +244,13 @@ fn resisted_rigid_motion(stiffness: &[f64], motions: &[Vec<f64>; 6]) -> Option<u
             motion.iter().skip(from).step_by(6).fold(0.0, |most: f64, part| most.max(part.abs()))
         };
         let [shift, turn] = [0, 3].map(|from| (from..from + 3).map(largest).fold(0.0, f64::max));
-        stiffness.chunks_exact(motion.len()).any(|row| {
+        // Entries of components that do not couple are rounding errors themselves, relative to the
+        // diagonal.
+        let own = |k: usize| stiffness[k * motion.len() + k].max(0.0).sqrt();
+        let scale: f64 = (0..motion.len()).map(|k| own(k) * if k % 6 < 3 { shift } else { turn }).sum();
+        stiffness.chunks_exact(motion.len()).enumerate().any(|(k, row)| {
             let force: f64 = row.iter().zip(motion).map(|(entry, part)| entry * part).sum();
-            let of = |(k, entry): (usize, &f64)| entry.abs() * if k % 6 < 3 { shift } else { turn };
-            force.abs() > ROUNDING * row.iter().enumerate().map(of).sum::<f64>()
+            force.abs() > ROUNDING * own(k) * scale
         })
     })
 }

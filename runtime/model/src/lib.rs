@@ -6,8 +6,10 @@
 pub mod bearing;
 pub mod body;
 pub mod connection;
+pub mod connection_building;
 pub mod disc;
 pub mod dof;
+pub mod elastic_body;
 pub mod fidelity;
 pub mod flanks;
 pub mod frames;

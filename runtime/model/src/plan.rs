@@ -100,7 +100,7 @@ impl Plan {
     ) -> Result<Plan, EngineError> {
         let (mechanism, targets) = (scene.mechanism(), scene.targets());
         let path = load_path(mechanism, &targets, scene.examines_modes());
-        Plan::of((mechanism, &targets), path, fidelity, options)
+        Plan::of((mechanism, &targets, scene.examines_modes()), path, fidelity, options)
     }
 
     /// Plans like [`Plan::new`], but keeps all bodies in surface pairs, whether observables depend
@@ -116,11 +116,11 @@ impl Plan {
         let (mechanism, targets) = (scene.mechanism(), scene.targets());
         let everything =
             connected_bodies(mechanism, observed_bodies(mechanism, &targets).chain(touching(mechanism)));
-        Plan::of((mechanism, &targets), everything, fidelity, options)
+        Plan::of((mechanism, &targets, scene.examines_modes()), everything, fidelity, options)
     }
 
     fn of(
-        (scene, targets): (&Mechanism, &[Target]),
+        (scene, targets, modes_table): (&Mechanism, &[Target], bool),
         wanted: Vec<bool>,
         fidelity: Fidelity,
         options: StructureOptions,
@@ -191,7 +191,10 @@ impl Plan {
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
         ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
-        let connections = connections::plan_connections(scene, &bodies);
+        let vibrations = targets.iter().any(|target| target.mode.is_some()) || modes_table;
+        let treatment = (model == BodyModel::Rigid, vibrations);
+        let connections = connections::plan_connections(scene, &bodies, treatment);
+        ignored.extend(connections::ignored_inputs(scene, &connections));
         ignored.sort();
         ignored.dedup();
         Ok(Plan { fidelity, three_dimensional, refused: Vec::new(), bodies, bearings, connections, ignored })

@@ -12,6 +12,7 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::{Answer, Claim, Key, Operator};
 use calyx_structure::{AnyStructure, BodyModes};
 use rayon::prelude::*;
+use std::ops::Add;
 use std::sync::Arc;
 
 /// Provenance of the structures of an analysis.
@@ -22,6 +23,14 @@ pub struct StructureCounts {
     /// Number of structures from a cache, in memory or on disk, or from a parallel build in another
     /// thread.
     pub reused: usize,
+}
+
+impl Add for StructureCounts {
+    type Output = StructureCounts;
+
+    fn add(self, other: StructureCounts) -> StructureCounts {
+        StructureCounts { built: self.built + other.built, reused: self.reused + other.reused }
+    }
 }
 
 /// Structure that bodies of the scene require.

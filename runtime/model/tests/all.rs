@@ -2,6 +2,7 @@
 //! tests run in parallel.
 
 mod connections;
+mod elastic_bodies;
 mod flanks;
 mod lubrication;
 mod motion;

@@ -41,6 +41,7 @@ fn connection() -> ElasticConnection {
         stiffness: shaft().stiffness(&STATIONS),
         mass: shaft().mass(&STATIONS),
         shaft: None,
+        body: None,
     }
 }
 

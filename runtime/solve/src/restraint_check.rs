@@ -14,6 +14,7 @@ use calyx_contact::problem::{ContactError, FreeMotion};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
 use calyx_model::bearing::springs;
 use calyx_model::connection::add_connection_stiffness;
+use calyx_model::connection_building::connections_as_links;
 use calyx_model::dof::DOF_NAMES;
 use calyx_model::dof::Dof;
 use calyx_model::flanks::{add_flanks, spline_contacts};
@@ -44,7 +45,9 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
         let planned = plan.modelled_bearings();
         springs(&scene.bodies, &scene.bearings, &planned, &dofs, |_| 1.0, time)?
     };
-    let connections = (&scene.bodies[..], &scene.connections[..]);
+    // Elastic bodies are not condensed for the check.
+    let connections = connections_as_links(scene)?;
+    let connections = (&scene.bodies[..], &connections[..]);
     let planned = plan.modelled_connections();
     add_connection_stiffness(&mut springs.stiffness, connections, &planned, &dofs, |_| 1.0, time)?;
     for (body, contact) in &spline_contacts(scene, plan) {

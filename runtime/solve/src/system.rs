@@ -6,7 +6,8 @@ use crate::modal::Modes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{Springs, springs};
-use calyx_model::connection::{add_connection_mass, add_connection_stiffness};
+use calyx_model::connection::{ElasticConnection, add_connection_mass, add_connection_stiffness};
+use calyx_model::connection_building::build_connections;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::flanks::{add_flanks, spline_contacts};
 use calyx_model::frames::{axes, loads_on, number_dofs, pose, solid_pose};
@@ -46,6 +47,8 @@ pub struct System<'s> {
     pub bearings: Vec<usize>,
     /// Modelled elastic connections, by index in the scene.
     pub connections: Vec<usize>,
+    /// Elastic connections of the scene with the matrices of condensed bodies.
+    pub elastic_connections: Arc<Vec<ElasticConnection>>,
     /// Spline teeth with clearance, by the index of the body that they support.
     pub spline_teeth: Vec<(usize, SplineContact)>,
     /// Callback at every checkpoint.
@@ -164,6 +167,8 @@ impl<'s> System<'s> {
         };
         let (structures, structure_counts) = build_structures(scene, plan, resources)?;
         let bodies = bodies.with(structures);
+        let (elastic_connections, condensed) = build_connections(scene, plan, resources)?;
+        let structure_counts = structure_counts + condensed;
         let interrupt = resources.interrupt.clone();
         let (bearings, connections) = (plan.modelled_bearings(), plan.modelled_connections());
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
@@ -176,6 +181,7 @@ impl<'s> System<'s> {
             lines,
             bearings,
             connections,
+            elastic_connections: Arc::new(elastic_connections),
             spline_teeth,
             interrupt,
             rigid: plan.fidelity == Fidelity::Rigid,
@@ -218,6 +224,7 @@ impl<'s> System<'s> {
             lines: self.lines.clone(),
             bearings: self.bearings.clone(),
             connections: self.connections.clone(),
+            elastic_connections: self.elastic_connections.clone(),
             spline_teeth: self.spline_teeth.clone(),
             interrupt: self.interrupt.clone(),
             modes: self.modes.clone(),
@@ -272,7 +279,7 @@ impl<'s> System<'s> {
         };
         add_connection_stiffness(
             &mut springs.stiffness,
-            (&self.scene.bodies, &self.scene.connections),
+            (&self.scene.bodies, &self.elastic_connections),
             &self.connections,
             &self.dofs,
             |body| self.width(body),
@@ -300,7 +307,7 @@ impl<'s> System<'s> {
         width: impl Fn(usize) -> f64,
         time: f64,
     ) -> Result<(), EngineError> {
-        let parts = (&self.scene.bodies[..], &self.scene.connections[..]);
+        let parts = (&self.scene.bodies[..], &self.elastic_connections[..]);
         add_connection_mass(mass, parts, &self.connections, &self.dofs, width, time)
     }
 

@@ -12,7 +12,7 @@ mod store;
 
 pub use store::Store;
 
-use crate::{AnyStructure, BodyModes};
+use crate::{AnyStructure, AttachmentMatrices, BodyModes};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use sha2::{Digest, Sha256};
@@ -72,6 +72,16 @@ impl KeyWriter {
         self.part(b'c', &count.to_le_bytes())
     }
 
+    /// Writes another key.
+    pub fn key(self, key: &Key) -> Self {
+        self.part(b'k', key.bytes())
+    }
+
+    /// Writes bytes.
+    pub fn content(self, bytes: &[u8]) -> Self {
+        self.part(b'b', &(bytes.len() as u64).to_le_bytes()).part(b'v', bytes)
+    }
+
     /// Writes a Boolean.
     pub fn flag(self, flag: bool) -> Self {
         self.part(b'f', &[u8::from(flag)])
@@ -101,6 +111,8 @@ pub enum Operator {
     Structure(AnyStructure),
     /// Modes of a body; `None` if the body has none.
     Modes(Option<Arc<BodyModes>>),
+    /// Matrices of an elastic body on its attachments.
+    Attachments(Arc<AttachmentMatrices>),
 }
 
 impl Operator {
@@ -108,21 +120,29 @@ impl Operator {
         match self {
             Operator::Structure(structure) => structure.bytes(),
             Operator::Modes(modes) => modes.as_ref().map_or(0, |modes| modes.bytes()),
+            Operator::Attachments(matrices) => matrices.bytes(),
         }
     }
 
-    /// Returns the structure; `None` if the entry is of modes.
+    /// Returns the structure; `None` for another entry.
     pub fn structure(self) -> Option<AnyStructure> {
         match self {
             Operator::Structure(structure) => Some(structure),
-            Operator::Modes(_) => None,
+            Operator::Modes(_) | Operator::Attachments(_) => None,
         }
     }
 
     fn modes(self) -> Option<Option<Arc<BodyModes>>> {
         match self {
             Operator::Modes(modes) => Some(modes),
-            Operator::Structure(_) => None,
+            Operator::Structure(_) | Operator::Attachments(_) => None,
+        }
+    }
+
+    fn attachments(self) -> Option<Arc<AttachmentMatrices>> {
+        match self {
+            Operator::Attachments(matrices) => Some(matrices),
+            Operator::Structure(_) | Operator::Modes(_) => None,
         }
     }
 }
@@ -136,6 +156,12 @@ impl From<AnyStructure> for Operator {
 impl From<Option<Arc<BodyModes>>> for Operator {
     fn from(modes: Option<Arc<BodyModes>>) -> Self {
         Operator::Modes(modes)
+    }
+}
+
+impl From<Arc<AttachmentMatrices>> for Operator {
+    fn from(matrices: Arc<AttachmentMatrices>) -> Self {
+        Operator::Attachments(matrices)
     }
 }
 
@@ -232,6 +258,19 @@ impl OperatorCache {
         build: impl FnOnce(Option<&Claim<'_>>) -> Result<Option<Arc<BodyModes>>, EngineError>,
     ) -> Result<Option<Arc<BodyModes>>, EngineError> {
         self.operator(key, interrupt, Operator::modes, build)
+    }
+
+    /// Returns the matrices of this key in the same way.
+    ///
+    /// # Errors
+    /// As for [`OperatorCache::structure`].
+    pub fn attachments(
+        &self,
+        key: Key,
+        interrupt: &Interrupt,
+        build: impl FnOnce(Option<&Claim<'_>>) -> Result<Arc<AttachmentMatrices>, EngineError>,
+    ) -> Result<Arc<AttachmentMatrices>, EngineError> {
+        self.operator(key, interrupt, Operator::attachments, build)
     }
 
     /// Does not return an item stored under the same key with another type.

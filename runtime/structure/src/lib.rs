@@ -10,6 +10,7 @@
 
 pub mod analytic;
 mod any;
+mod attachment_matrices;
 mod bore;
 pub(crate) mod bore_coupling;
 pub(crate) mod bspline;
@@ -35,6 +36,7 @@ mod structure_size;
 pub mod surface;
 
 pub use any::AnyStructure;
+pub use attachment_matrices::AttachmentMatrices;
 pub use bore::BoreSupport;
 pub use deformed::{BodyLoads, DeformedSector, MeshedBody, VisualizationMesh, rotated_tensor};
 pub use elastic::{ElasticStructure, MeshSupport, RingSource, SurfaceSource};

@@ -61,7 +61,7 @@ impl<'a> Equilibrium<'a> {
     /// its bodies have moved apart.
     pub fn connection(self, connection: ConnectionId) -> Option<ConnectionLoad<'a>> {
         let system = self.system;
-        let own = system.scene.connections.get(connection.0)?;
+        let own = system.elastic_connections.get(connection.0)?;
         let state = ConnectionState::at(&system.scene.bodies, own, self.step.time).ok()?;
         let motions = state.motions(&system.dofs, &self.step.motion);
         let push = match system.connections.contains(&connection.0) {

@@ -89,6 +89,37 @@ pub fn component_modes(
     })
 }
 
+/// Condenses stiffness and mass onto attachment nodes by their static shapes (Guyan 1965).
+///
+/// # Errors
+/// As for [`super::static_condensation`].
+pub fn guyan(
+    system: &System<'_>,
+    attachments: &[usize],
+    resources: &Resources,
+) -> Result<CondensedBody, ElasticError> {
+    let attached = Attached::new(system, attachments)?;
+    let mass = system.mass(resources)?;
+    let columns = 4 * (attached.components.len() + attached.helpers.len()) as u64;
+    let bytes = 8 * columns * system.dof_count() as u64;
+    let _room = resources.reserve("the shapes of the attachments", bytes, system.dof_count(), 1.0)?;
+    let fixed = [&system.constrained()[..], &attached.direct, &attached.helpers].concat();
+    let factor = Factor::new(Pencil::stiffness(&system.stiffness), &system.positions, &fixed, resources)?;
+    if !factor.singular.is_empty() {
+        return Err(mechanism_within(system, &factor.singular));
+    }
+    let (shapes, stiffness) = static_shapes(system, &attached, &factor, resources)?;
+    let mass = projected(&mass, shapes.as_ref(), resources)?;
+    Ok(CondensedBody {
+        loads: Mat::zeros(attached.components.len(), 0),
+        components: attached.components,
+        eigenvalues: Vec::new(),
+        stiffness,
+        mass: Some(mass),
+        shapes: Some(shapes),
+    })
+}
+
 /// Returns `X^T A X`.
 fn projected(
     matrix: &SparseColMat<usize, f64>,
@@ -152,6 +183,25 @@ fn fixed_interface(
         0 => Modes::none(&problem),
         _ => modes::iterate(&problem, &operator, request, wanted, resources)?,
     };
+    let (shapes, stiffness) = static_shapes(system, attached, factor, resources)?;
+    let components = attached.components.len();
+    let inertia = images(mass, shapes.as_ref());
+    augment(system, mass, &problem, &operator, inertia, &mut modes, resources)?;
+    let count = components + modes.eigenvalues.len();
+    let shapes = Mat::from_fn(system.dof_count(), count, |dof, column| {
+        if column < components { shapes[(dof, column)] } else { modes.shapes[(dof, column - components)] }
+    });
+    Ok((shapes, modes, Some(stiffness)))
+}
+
+/// Returns the static shapes of the attachments over all unknowns, one per component, and the
+/// condensed stiffness. The retained unknowns of `attached` are fixed in the factor.
+fn static_shapes(
+    system: &System<'_>,
+    attached: &Attached,
+    factor: &Factor,
+    resources: &Resources,
+) -> Result<(Mat<f64>, Mat<f64>), ElasticError> {
     // Static responses to unit displacements of the retained unknowns and unit multipliers.
     let retained: Vec<usize> = attached.direct.iter().chain(&attached.helpers).copied().collect();
     let (count, forms) = (retained.len(), attached.forms.len());
@@ -193,13 +243,7 @@ fn fixed_interface(
             shapes[(dof, component)] = own + by_others[(dof, place)];
         }
     }
-    let inertia = images(mass, shapes.as_ref());
-    augment(system, mass, &problem, &operator, inertia, &mut modes, resources)?;
-    let count = components + modes.eigenvalues.len();
-    let shapes = Mat::from_fn(system.dof_count(), count, |dof, column| {
-        if column < components { shapes[(dof, column)] } else { modes.shapes[(dof, column - components)] }
-    });
-    Ok((shapes, modes, Some(attached.ordered(&relaxed.stiffness))))
+    Ok((shapes, attached.ordered(&relaxed.stiffness)))
 }
 
 /// Adds pseudo-modes to the modes with fixed attachments: the response of the omitted modes to the

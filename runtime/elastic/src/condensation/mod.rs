@@ -9,7 +9,7 @@
 mod component_modes;
 mod interface;
 
-pub use component_modes::{Synthesis, component_modes};
+pub use component_modes::{Synthesis, component_modes, guyan};
 
 use crate::assembly::System;
 use crate::check::{determinate_support, mechanism_within, parts};

@@ -4,6 +4,7 @@ use super::BodyPlan;
 use crate::dof::DOF_NAMES;
 use crate::ids::BodyId;
 use crate::mechanism::Mechanism;
+use crate::prototype::Ignored;
 use calyx_numerics::error::EngineError;
 
 /// Plan of an elastic connection.
@@ -15,27 +16,49 @@ pub struct ConnectionPlan {
     pub reason: &'static str,
     /// True if the connection is not modelled.
     pub left_out: bool,
+    /// True if the mass of an elastic body is computed: an output concerns vibrations.
+    pub with_mass: bool,
 }
 
 /// Plans the elastic connections of a scene with these bodies.
-pub(super) fn plan_connections(scene: &Mechanism, bodies: &[BodyPlan]) -> Vec<ConnectionPlan> {
+pub(super) fn plan_connections(
+    scene: &Mechanism,
+    bodies: &[BodyPlan],
+    (rigid, with_mass): (bool, bool),
+) -> Vec<ConnectionPlan> {
     let plan = |connection: &crate::connection::ElasticConnection| {
         let unwanted = connection.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
         let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
         let idle = connection.attachments.len() < 2 || !connection.bodies().any(moves);
         // The mass of a rigid part with one attachment counts.
-        let massive = connection.mass.iter().any(|&entry| entry != 0.0);
+        let massive =
+            connection.mass.iter().any(|&entry| entry != 0.0) || connection.body.is_some() && with_mass;
         ConnectionPlan {
             name: connection.name.clone(),
             reason: match (unwanted, idle) {
                 (true, _) => "left out: no output depends on the bodies that it connects",
                 (_, true) if !massive => "left out: it connects nothing that moves relative to each other",
-                _ => "a stiffness between the frames of its bodies",
+                _ if connection.body.is_none() => "a stiffness between the frames of its bodies",
+                _ if rigid => "rigid at this fidelity: its attachments move together",
+                _ => "elastic: condensed onto its attachments",
             },
             left_out: unwanted || (idle && !massive),
+            with_mass,
         }
     };
     scene.connections.iter().map(plan).collect()
+}
+
+/// Returns the inputs of the modelled elastic bodies that no analysis takes into account.
+pub(super) fn ignored_inputs(scene: &Mechanism, plans: &[ConnectionPlan]) -> Vec<Ignored> {
+    let modelled = scene.connections.iter().zip(plans).filter(|(_, plan)| !plan.left_out);
+    let of_body = modelled.filter_map(|(connection, _)| Some((&connection.name, connection.body.as_ref()?)));
+    of_body
+        .flat_map(|(name, body)| {
+            let ignored = body.0.ignored().into_iter();
+            ignored.map(move |reason| Ignored { input: name.clone(), reason })
+        })
+        .collect()
 }
 
 /// Returns whether a body belongs to an elastic connection.
@@ -51,6 +74,15 @@ pub(super) fn refuse_bending_in_plane(
 ) -> Result<(), EngineError> {
     let Some(connection) = scene.connections_of(body).next() else { return Ok(()) };
     let Some(dof) = [2, 3, 4].into_iter().find(|&dof| free[dof]) else { return Ok(()) };
+    if connection.body.is_some() {
+        let message = format!(
+            "the elastic body \"{}\" moves along and tilts about all axes, which a two-dimensional model does not have",
+            connection.name
+        );
+        let help =
+            "choose the fidelity \"analytic\", \"rigid\" or a three-dimensional one such as \"medium\"";
+        return Err(EngineError::new("E0611", message, help).blame("free"));
+    }
     let message = format!(
         "\"{}\" bends and moves along its axis ({}), which a two-dimensional model does not have",
         connection.name, DOF_NAMES[dof]

@@ -193,7 +193,7 @@ impl Matrices {
         let scene = system.scene;
         system.add_connection_mass(&mut self.mass, |body| system.width(body), time)?;
         for &index in &system.connections {
-            let connection = &scene.connections[index];
+            let connection = &system.elastic_connections[index];
             if connection.mass.is_empty() {
                 continue;
             }
@@ -316,7 +316,7 @@ impl Matrices {
         };
         let mut wrenches: Vec<[f64; 6]> = self.bodies.iter().enumerate().map(of).collect();
         for (index, state) in &self.connections {
-            let connection = &system.scene.connections[*index];
+            let connection = &system.elastic_connections[*index];
             let forces = connection.inertia_forces(&state.motions(&system.dofs, &acceleration[..m]));
             for body in connection.bodies() {
                 let wrench = state.wrench_on(body, &forces);

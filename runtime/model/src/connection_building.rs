@@ -1,0 +1,99 @@
+//! Condenses the elastic bodies of a planned scene, or takes their matrices from the structure
+//! cache.
+
+use crate::connection::ElasticConnection;
+use crate::elastic_body::ElasticBody;
+use crate::fidelity::{BodyModel, Fidelity};
+use crate::mechanism::Mechanism;
+use crate::plan::Plan;
+use crate::resources::Resources;
+use crate::structure_building::StructureCounts;
+use calyx_numerics::error::EngineError;
+use calyx_structure::AttachmentMatrices;
+use calyx_structure::cache::Claim;
+use std::sync::Arc;
+
+/// Stiffness of a rigid body relative to the typical stiffness of the elastic one.
+const RIGID: f64 = 1e3;
+/// The same in the check of restraints, where it is compared with that of bearings.
+const COMPARABLE: f64 = 1.0;
+
+/// Returns the connections of a planned scene with their matrices, in the order of the scene.
+/// Connections that are left out remain without.
+///
+/// # Errors
+/// Those of [`ElasticBody::condense`] and [`ElasticConnection::check`].
+pub fn build_connections(
+    scene: &Mechanism,
+    plan: &Plan,
+    resources: &Resources,
+) -> Result<(Vec<ElasticConnection>, StructureCounts), EngineError> {
+    let mut counts = StructureCounts::default();
+    let one = |(index, connection): (usize, &ElasticConnection)| {
+        let planned = plan.connections.get(index).filter(|planned| !planned.left_out);
+        let (Some(body), Some(planned)) = (&connection.body, planned) else { return Ok(connection.clone()) };
+        let with_mass = planned.with_mass;
+        if is_rigid(plan.fidelity) {
+            return connection.rigid(&scene.bodies, RIGID);
+        }
+        let named = |error: EngineError| match error.code {
+            "E0991" | "E0992" => {
+                let message = format!("the elastic body \"{}\": {}", connection.name, error.message);
+                EngineError { message, ..error }
+            }
+            _ => error,
+        };
+        let (matrices, anew) = matrices(body.0.as_ref(), with_mass, resources).map_err(named)?;
+        *if anew { &mut counts.built } else { &mut counts.reused } += 1;
+        connection.condensed(&scene.bodies, &matrices)
+    };
+    let connections = scene.connections.iter().enumerate().map(one).collect::<Result<_, _>>()?;
+    Ok((connections, counts))
+}
+
+fn is_rigid(fidelity: Fidelity) -> bool {
+    fidelity.body_model() == BodyModel::Rigid
+}
+
+/// Returns the connections of a scene with all elastic bodies as stiff links, which resist the same
+/// motions as the bodies. Nothing is condensed.
+///
+/// # Errors
+/// Those of [`ElasticConnection::rigid`].
+pub fn connections_as_links(scene: &Mechanism) -> Result<Vec<ElasticConnection>, EngineError> {
+    scene.connections.iter().map(|connection| connection.rigid(&scene.bodies, COMPARABLE)).collect()
+}
+
+/// Returns the matrices of an elastic body, from the cache if possible, and whether they were
+/// computed.
+fn matrices(
+    body: &dyn ElasticBody,
+    with_mass: bool,
+    resources: &Resources,
+) -> Result<(Arc<AttachmentMatrices>, bool), EngineError> {
+    let condense = || resources.install(|| body.condense(with_mass, &resources.interrupt)).map(Arc::new);
+    let (Some(cache), Some(key)) = (resources.cache.as_deref(), body.key()) else {
+        return Ok((condense()?, true));
+    };
+    let key = calyx_structure::cache::Key::of("attachments").key(&key).flag(with_mass).finish();
+    let attachments = body.positions().len() + usize::from(body.is_grounded());
+    let mut anew = false;
+    let matrices = cache.attachments(key, &resources.interrupt, |claim| {
+        let on_disk = claim.and_then(Claim::on_disk);
+        let kept = on_disk.and_then(|(store, key)| {
+            AttachmentMatrices::restored(&store.read(&key)?, attachments, with_mass)
+        });
+        if let Some(kept) = kept {
+            return Ok(Arc::new(kept));
+        }
+        anew = true;
+        let matrices = condense()?;
+        if let Some((store, key)) = on_disk
+            && let Some(content) = matrices.stored()
+        {
+            store.write(&key, &content);
+        }
+        Ok(matrices)
+    })?;
+    Ok((matrices, anew))
+}

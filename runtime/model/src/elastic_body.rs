@@ -1,0 +1,126 @@
+//! Elastic bodies of any shape that take part in a scene: they are condensed onto their attachments
+//! when structures are built, and then act as elastic connections.
+//!
+//! [`FiniteElementBody`] is a finite-element model with attachments, imported or generated;
+//! [`MatrixBody`] is given by its condensed matrices. Another kind of body implements
+//! [`ElasticBody`]. A scene gets the body with
+//! [`ElasticConnection::of_body`](crate::connection::ElasticConnection::of_body) over the bodies of
+//! its attachments.
+//!
+//! See `docs/theory/elastic-bodies.md`.
+
+mod condensation;
+mod finite_elements;
+mod given_matrices;
+mod rigid_links;
+
+pub use condensation::condense_model;
+pub use finite_elements::{BodyAttachment, FiniteElementBody};
+pub use given_matrices::MatrixBody;
+pub use rigid_links::rigid_links;
+
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_structure::AttachmentMatrices;
+use calyx_structure::cache::Key;
+use std::any::Any;
+use std::fmt;
+use std::sync::Arc;
+
+/// Size of an elastic body, for the display of a plan.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElasticBodySize {
+    /// Number of elements.
+    pub elements: usize,
+    /// Number of nodes.
+    pub nodes: usize,
+    /// Number of degrees of freedom, before condensation.
+    pub dofs: usize,
+    /// Number of attachment components, which remain.
+    pub retained: usize,
+    /// Mass, kg; `None` if it is unknown.
+    pub mass: Option<f64>,
+    /// Centre of mass in the coordinates of the body, m.
+    pub centre: [f64; 3],
+}
+
+impl ElasticBodySize {
+    /// Returns the estimated number of multiplications of the condensation: that of a nested
+    /// dissection in three dimensions, and of the retained components.
+    pub fn operations(&self) -> f64 {
+        let (all, retained) = (self.dofs as f64, self.retained as f64);
+        20.0 * all * all + 60.0 * all.powf(4.0 / 3.0) * retained
+    }
+
+    /// Returns the estimated largest memory of the condensation, bytes: stiffness matrix and fronts.
+    pub fn bytes(&self) -> f64 {
+        let all = self.dofs as f64;
+        16.0 * 80.0 * all + 8.0 * 6.0 * all.powf(4.0 / 3.0)
+    }
+}
+
+/// Elastic body that is condensed onto attachments.
+///
+/// The coordinates of the body are those of its placement frame. The motions of each attachment are
+/// three displacements and three rotations along and about these axes.
+pub trait ElasticBody: Any + Send + Sync {
+    /// Returns the positions of the attachments in the coordinates of the body, m.
+    fn positions(&self) -> Vec<[f64; 3]>;
+
+    /// Returns whether the body itself is supported on ground. Ground is then an attachment after
+    /// the others, at the origin of the body's coordinates.
+    fn is_grounded(&self) -> bool {
+        false
+    }
+
+    /// Returns a key of everything that the matrices depend on. Bodies with equal keys share their
+    /// matrices; a body without a key is condensed for each analysis.
+    fn key(&self) -> Option<Key>;
+
+    /// Condenses the body onto its attachments, with ground as the last one if it is grounded, and
+    /// computes the mass if it is requested.
+    ///
+    /// # Errors
+    /// E0992: the body cannot be condensed. Otherwise those of the interrupt.
+    fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError>;
+
+    /// Returns a stiffness of the order of that of the body, N/m, such as Young's modulus times its
+    /// size.
+    fn typical_stiffness(&self) -> f64;
+
+    /// Returns a typical size of the body, m.
+    fn typical_size(&self) -> f64;
+
+    /// Returns the size of the body; `None` if it is unknown before the condensation.
+    fn size(&self) -> Option<ElasticBodySize> {
+        None
+    }
+
+    /// Returns inputs of the body that no analysis takes into account, one sentence each.
+    fn ignored(&self) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// Elastic body that a connection shares with its copies.
+#[derive(Clone)]
+pub struct SharedElasticBody(pub Arc<dyn ElasticBody>);
+
+impl SharedElasticBody {
+    /// Returns the number of attachments, with ground if the body is grounded.
+    pub fn attachments(&self) -> usize {
+        self.0.positions().len() + usize::from(self.0.is_grounded())
+    }
+}
+
+impl PartialEq for SharedElasticBody {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl fmt::Debug for SharedElasticBody {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SharedElasticBody").field("attachments", &self.attachments()).finish()
+    }
+}

@@ -1,0 +1,107 @@
+//! Condensation of a finite-element model onto its attachment nodes.
+
+use super::rigid_links::carried;
+use calyx_elastic::assembly::System;
+use calyx_elastic::condensation::{guyan, static_condensation};
+use calyx_elastic::{ElasticError, ElasticModel, Resources};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_structure::AttachmentMatrices;
+use faer::Mat;
+use nalgebra::DMatrix;
+
+/// Condenses a model onto attachment nodes, exactly for statics, with all six components of each
+/// along the basic axes. The mass follows from the static displacements (Guyan). If `grounded`, the
+/// model has supports of its own, and ground is a further attachment at the origin.
+///
+/// # Errors
+/// E0992: an attachment has no stiffness in a component, the body has a mechanism, or it needs more
+/// memory than the limit. Otherwise those of the interrupt.
+pub fn condense_model(
+    model: &ElasticModel,
+    attachments: &[usize],
+    (grounded, with_mass): (bool, bool),
+    interrupt: &Interrupt,
+) -> Result<AttachmentMatrices, EngineError> {
+    let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
+    let condensed = System::new(model, &resources).and_then(|system| match with_mass {
+        true => guyan(&system, attachments, &resources),
+        false => static_condensation(&system, attachments, &[], &resources),
+    });
+    let condensed = condensed.map_err(engine_error)?;
+    if let Some((node, component)) = (0..6 * attachments.len())
+        .map(|row| (attachments[row / 6], row % 6))
+        .find(|dof| !condensed.components.contains(dof))
+    {
+        return Err(EngineError::new(
+            "E0992",
+            format!(
+                "the attachment node {} has no stiffness in component {}",
+                model.nodes[node].label,
+                component + 1
+            ),
+            "attach a region whose nodes are not on a line",
+        ));
+    }
+    // Row of each component, along the displacement axes of its node.
+    let place = |row: usize| {
+        let dof = (attachments[row / 6], row % 6);
+        condensed.components.iter().position(|other| *other == dof).unwrap_or_default()
+    };
+    let places: Vec<usize> = (0..6 * attachments.len()).map(place).collect();
+    let placed: Vec<_> =
+        attachments.iter().map(|&node| (model.nodes[node].position, model.nodes[node].axes)).collect();
+    let transformed = |matrix: &Mat<f64>| {
+        let ordered =
+            DMatrix::from_fn(places.len(), places.len(), |row, column| matrix[(places[row], places[column])]);
+        on_attachments(&ordered, &placed, grounded)
+    };
+    Ok(AttachmentMatrices {
+        stiffness: transformed(&condensed.stiffness),
+        mass: condensed.mass.as_ref().map_or_else(Vec::new, transformed),
+    })
+}
+
+/// Transforms a matrix along the displacement axes of nodes at these positions (m) to the basic
+/// axes, row-major. If `grounded`, ground at the origin is a further attachment, relative to which
+/// the nodes move.
+pub(super) fn on_attachments(
+    matrix: &DMatrix<f64>,
+    nodes: &[([f64; 3], [[f64; 3]; 3])],
+    grounded: bool,
+) -> Vec<f64> {
+    let rows = 6 * nodes.len();
+    let columns = rows + if grounded { 6 } else { 0 };
+    let mut motions = DMatrix::zeros(rows, columns);
+    for (index, (position, axes)) in nodes.iter().enumerate() {
+        let carried = carried(*position);
+        for component in 0..6 {
+            for (k, part) in axes[component % 3].into_iter().enumerate() {
+                let along = 3 * (component / 3) + k;
+                motions[(6 * index + component, 6 * index + along)] = part;
+                if grounded {
+                    for (of_ground, moved) in carried[along].into_iter().enumerate() {
+                        motions[(6 * index + component, rows + of_ground)] -= part * moved;
+                    }
+                }
+            }
+        }
+    }
+    let product = motions.transpose() * matrix * &motions;
+    let symmetric = |row: usize, column: usize| 0.5 * (product[(row, column)] + product[(column, row)]);
+    (0..columns * columns).map(|k| symmetric(k / columns, k % columns)).collect()
+}
+
+/// Converts an error of an elastic body.
+pub(super) fn engine_error(error: ElasticError) -> EngineError {
+    match error {
+        ElasticError::Interrupted(error) => error,
+        ElasticError::Model(error) => EngineError::new("E0992", error.message, error.help),
+        ElasticError::Mechanism { message, help, .. } | ElasticError::Memory { message, help } => {
+            EngineError::new("E0992", message, help)
+        }
+        ElasticError::Convergence(message) => {
+            EngineError::new("E0992", message, "please report the body: this should not happen")
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! Elastic body as finite elements with attachments.
+
+use super::condensation::condense_model;
+use super::{ElasticBody, ElasticBodySize};
+use calyx_elastic::attachment::{Attachment, Connection, Region, attach};
+use calyx_elastic::import::{MassProperties, mass_properties};
+use calyx_elastic::{Constraint, ElasticModel, ElementError, ElementKind};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::vec3::{Vector, cross, dot, length, minus};
+use calyx_structure::AttachmentMatrices;
+use calyx_structure::cache::{Key, KeyWriter};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Width of a region relative to its length below which its nodes lie on a line.
+const LINE: f64 = 1e-6;
+
+/// Finite-element model with attachments. Copies share the model.
+#[derive(Clone)]
+pub struct FiniteElementBody {
+    model: Arc<ElasticModel>,
+    content: Key,
+    mass: MassProperties,
+    attachments: Vec<BodyAttachment>,
+}
+
+/// Attachment of a body with the nodes of its region.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyAttachment {
+    /// Name.
+    pub name: String,
+    /// Position of the attachment node, m.
+    pub position: Vector,
+    /// Indices of the nodes of the region, ascending. A single node is the attachment node itself.
+    pub nodes: Vec<usize>,
+    /// Connection of the region to the attachment node.
+    pub connection: Connection,
+}
+
+impl FiniteElementBody {
+    /// Creates a body without attachments from a model. Models with equal `content` keys must be
+    /// equal.
+    pub fn new(model: Arc<ElasticModel>, content: Key) -> FiniteElementBody {
+        let mass = mass_properties(&model);
+        FiniteElementBody { model, content, mass, attachments: Vec::new() }
+    }
+
+    /// Returns the model, without attachments.
+    pub fn model(&self) -> &ElasticModel {
+        &self.model
+    }
+
+    /// Returns mass, centre of mass and inertia about the origin of the model.
+    pub fn mass(&self) -> &MassProperties {
+        &self.mass
+    }
+
+    /// Returns the attachments.
+    pub fn attachments(&self) -> &[BodyAttachment] {
+        &self.attachments
+    }
+
+    /// Adds an attachment. Its region is found once; a region of one node is attached at this node.
+    ///
+    /// # Errors
+    /// E0991: the region contains no nodes, its nodes lie on a line or do not resist rotation, or a
+    /// node depends on another constraint already.
+    pub fn attach(&mut self, attachment: &Attachment) -> Result<&BodyAttachment, EngineError> {
+        let found = self.found(attachment).map_err(|error| {
+            let message = format!("attachment \"{}\": {}", attachment.name, error.message);
+            EngineError::new("E0991", message, error.help)
+        })?;
+        self.attachments.push(found);
+        Ok(&self.attachments[self.attachments.len() - 1])
+    }
+
+    fn found(&self, attachment: &Attachment) -> Result<BodyAttachment, ElementError> {
+        let nodes = attachment.region.nodes(&self.model)?;
+        let at = |node: usize| self.model.nodes[node].position;
+        let (connection, name) = (attachment.connection.clone(), attachment.name.clone());
+        if let [node] = nodes[..] {
+            self.check_single(node)?;
+            return Ok(BodyAttachment { name, position: at(node), nodes, connection });
+        }
+        let count = nodes.len() as f64;
+        let mean: Vector =
+            std::array::from_fn(|k| nodes.iter().map(|&node| at(node)[k]).sum::<f64>() / count);
+        let positions: Vec<Vector> = nodes.iter().map(|&node| minus(at(node), mean)).collect();
+        if on_a_line(&positions) {
+            return Err(ElementError::new(
+                format!("its {} nodes lie on a line, about which they do not resist rotation", nodes.len()),
+                "select nodes that span an area, or the reference node of a rigid element of the file",
+            ));
+        }
+        if connection != Connection::Average {
+            self.check_independent(&nodes)?;
+        }
+        // Checks the connection itself, such as the harmonics of a surface.
+        let position = attachment.position.unwrap_or(mean);
+        let found = BodyAttachment { name, position, nodes, connection };
+        if let Connection::Fourier { .. } = found.connection {
+            self.attached(std::slice::from_ref(&found))?;
+        }
+        Ok(found)
+    }
+
+    /// Checks that a single node can be an attachment.
+    fn check_single(&self, node: usize) -> Result<(), ElementError> {
+        let label = self.model.nodes[node].label;
+        if let Some(other) = self.attachments.iter().find(|other| other.nodes == [node]) {
+            return Err(ElementError::new(
+                format!("node {label} is the attachment \"{}\" already", other.name),
+                "use that attachment",
+            ));
+        }
+        if self.fixed_nodes().any(|fixed| fixed == node) {
+            return Err(ElementError::new(
+                format!("node {label} is fixed in the file"),
+                "remove the support from the file: what it is attached to supports it",
+            ));
+        }
+        let rotates = self.model.elements.iter().any(|element| {
+            matches!(element.kind, ElementKind::Shell { .. } | ElementKind::Beam(_))
+                && element.nodes.contains(&node)
+        });
+        let constrained = self.model.constraints.iter().any(|constraint| match constraint {
+            Constraint::Rigid { reference, dependents, .. } => {
+                *reference == node || dependents.iter().any(|(dependent, _)| *dependent == node)
+            }
+            Constraint::WeightedAverage { reference, .. } => *reference == node,
+            Constraint::Equation { .. } => false,
+        });
+        if rotates || constrained {
+            return Ok(());
+        }
+        Err(ElementError::new(
+            format!("it is the single node {label}, which does not resist rotation"),
+            "select several nodes that span an area, or the reference node of a rigid element of the file",
+        ))
+    }
+
+    /// Checks that no constraint or support determines the nodes of a rigid or Fourier attachment.
+    fn check_independent(&self, nodes: &[usize]) -> Result<(), ElementError> {
+        let label = |node: usize| self.model.nodes[node].label;
+        let within = |node: &usize| nodes.binary_search(node).is_ok();
+        for other in self.attachments.iter().filter(|other| other.connection != Connection::Average) {
+            if let Some(&node) = other.nodes.iter().find(|node| within(node)) {
+                let shared = other.nodes.iter().filter(|node| within(node)).count();
+                return Err(ElementError::new(
+                    format!(
+                        "{shared} of its nodes, such as node {}, belong to the attachment \"{}\", which moves them rigidly",
+                        label(node),
+                        other.name
+                    ),
+                    "let the regions have no common nodes, or connect one of them with `how = \"average\"`",
+                ));
+            }
+        }
+        let dependent = self.model.constraints.iter().flat_map(|constraint| match constraint {
+            Constraint::Rigid { dependents, .. } => dependents.iter().map(|(node, _)| *node).collect(),
+            Constraint::WeightedAverage { reference, .. } => vec![*reference],
+            Constraint::Equation { terms, .. } => terms.first().map(|term| term.0).into_iter().collect(),
+        });
+        if let Some(node) = dependent.into_iter().find(within) {
+            return Err(ElementError::new(
+                format!("a constraint of the file determines its node {}", label(node)),
+                "leave the node out of the region, or connect the region with `how = \"average\"`",
+            ));
+        }
+        match self.fixed_nodes().find(within) {
+            Some(node) => Err(ElementError::new(
+                format!("its node {} is fixed in the file", label(node)),
+                "leave the node out of the region, or remove the support from the file",
+            )),
+            None => Ok(()),
+        }
+    }
+
+    fn fixed_nodes(&self) -> impl Iterator<Item = usize> {
+        self.model.fixed.iter().filter(|fixed| fixed.components.contains(&true)).map(|fixed| fixed.node)
+    }
+
+    /// Returns the model with these attachments, and their nodes.
+    fn attached(&self, attachments: &[BodyAttachment]) -> Result<(ElasticModel, Vec<usize>), ElementError> {
+        let mut model = ElasticModel::clone(&self.model);
+        let mut nodes = Vec::new();
+        for attachment in attachments {
+            if let [node] = attachment.nodes[..] {
+                nodes.push(node);
+                continue;
+            }
+            let added = attach(
+                &mut model,
+                &Attachment {
+                    name: attachment.name.clone(),
+                    position: Some(attachment.position),
+                    region: Region::Nodes(attachment.nodes.clone()),
+                    connection: attachment.connection.clone(),
+                },
+            )?;
+            nodes.extend(added.first());
+        }
+        Ok((model, nodes))
+    }
+}
+
+impl ElasticBody for FiniteElementBody {
+    fn positions(&self) -> Vec<Vector> {
+        self.attachments.iter().map(|attachment| attachment.position).collect()
+    }
+
+    fn is_grounded(&self) -> bool {
+        let spring = |kind: &ElementKind| matches!(kind, ElementKind::Spring { .. });
+        self.fixed_nodes().next().is_some()
+            || self.model.elements.iter().any(|element| spring(&element.kind) && element.nodes.len() == 1)
+    }
+
+    fn key(&self) -> Option<Key> {
+        let key = Key::of("elastic body").text(calyx_elastic::SOURCE).text(crate::SOURCE).key(&self.content);
+        Some(self.attachments.iter().fold(key, written).finish())
+    }
+
+    fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError> {
+        let (model, nodes) = self
+            .attached(&self.attachments)
+            .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
+        condense_model(&model, &nodes, (self.is_grounded(), with_mass), interrupt)
+    }
+
+    fn typical_stiffness(&self) -> f64 {
+        let moduli = self.model.materials.iter().map(|material| material.youngs_modulus);
+        // A body of springs alone has no material.
+        let modulus = Some(moduli.fold(0.0, f64::max)).filter(|modulus| *modulus > 0.0).unwrap_or(2e11);
+        modulus * self.typical_size()
+    }
+
+    fn typical_size(&self) -> f64 {
+        extent(self.model.nodes.iter().map(|node| node.position))
+    }
+
+    fn size(&self) -> Option<ElasticBodySize> {
+        let mut stiff: BTreeMap<usize, usize> = BTreeMap::new();
+        for element in &self.model.elements {
+            let components = if let ElementKind::Solid(_) = element.kind { 3 } else { 6 };
+            for &node in &element.nodes {
+                let known = stiff.entry(node).or_default();
+                *known = components.max(*known);
+            }
+        }
+        Some(ElasticBodySize {
+            elements: self.model.elements.len(),
+            nodes: stiff.len(),
+            dofs: stiff.values().sum(),
+            retained: 6 * self.attachments.len(),
+            mass: Some(self.mass.mass),
+            centre: self.mass.centre,
+        })
+    }
+
+    fn ignored(&self) -> Vec<String> {
+        let mut ignored = Vec::new();
+        if !self.model.loads.is_empty() {
+            ignored.push(format!(
+                "the {} loads of the file: loads act on bodies and attachments of the model",
+                self.model.loads.len()
+            ));
+        }
+        if self.model.fixed.iter().any(|fixed| fixed.value != 0.0) {
+            ignored.push("the values of prescribed displacements of the file: its supports are fixed".into());
+        }
+        ignored
+    }
+}
+
+fn written(key: KeyWriter, attachment: &BodyAttachment) -> KeyWriter {
+    let key = key.numbers(&attachment.position).count(attachment.nodes.len() as u64);
+    let key = attachment.nodes.iter().fold(key, |key, &node| key.count(node as u64));
+    match &attachment.connection {
+        Connection::Rigid => key.text("rigid"),
+        Connection::Average => key.text("average"),
+        Connection::Fourier { axis, harmonics } => {
+            let key = key.text("fourier").numbers(axis).count(harmonics.len() as u64);
+            harmonics.iter().fold(key, |key, &harmonic| key.count(u64::from(harmonic)))
+        }
+    }
+}
+
+/// Returns whether all positions, relative to their mean, lie on a line.
+fn on_a_line(positions: &[Vector]) -> bool {
+    let far = positions.iter().copied().reduce(|a, b| if dot(b, b) > dot(a, a) { b } else { a });
+    let Some(far) = far.filter(|far| length(*far) > 0.0) else { return true };
+    let size = length(far);
+    positions.iter().all(|&position| length(cross(far, position)) <= LINE * size * size)
+}
+
+/// Returns the diagonal of the box that contains these positions, m.
+pub(super) fn extent(positions: impl Iterator<Item = Vector>) -> f64 {
+    let mut ends = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for position in positions {
+        for k in 0..3 {
+            ends[0][k] = ends[0][k].min(position[k]);
+            ends[1][k] = ends[1][k].max(position[k]);
+        }
+    }
+    let diagonal = length(minus(ends[1], ends[0]));
+    if diagonal.is_finite() && diagonal > 0.0 { diagonal } else { 0.1 }
+}
