@@ -103,6 +103,11 @@ fn tables_and_own_units_are_read() {
 }
 
 #[test]
+fn elastic_bodies() {
+    hold(include_str!("cli/elastic-bodies.md"));
+}
+
+#[test]
 fn builds_say_what_they_lack() {
     hold(include_str!("cli/build.md"));
 }

@@ -3,6 +3,7 @@
 
 use crate::assembly::add_body;
 use crate::dynamics_externs::lumped;
+use crate::elastic_externs::elastic_frame;
 use crate::externs::{self, entry, host, refusal};
 use crate::host::ModelHost;
 use calyx_abi::externs::{Handle, Symbolic, SymbolicTransform};
@@ -27,6 +28,9 @@ calyx_abi::externs! {
 
     /// `body.frame`
     Pure fn calyx_std_body_frame(context, body: Handle) -> SymbolicTransform {
+        if let Some(frame) = elastic_frame(host(context)?, body) {
+            return Ok(Symbolic(frame));
+        }
         let id = externs::body(context, "body", body)?;
         entry(&host(context)?.body_frames, Handle(id.0 as u64)).cloned().map(Symbolic)
     }

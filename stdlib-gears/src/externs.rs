@@ -3,6 +3,7 @@
 use crate::analyses::{self, Arguments};
 use crate::assembly::{MeshOptions, Misalignment, Pairing};
 use crate::bearing_externs::GROUND;
+use crate::elastic_externs::has_no_motion;
 use crate::error::Severity;
 use crate::general_mesh::{general_mesh, is_general};
 use crate::host::{AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
@@ -373,6 +374,9 @@ pub(crate) fn body(context: &mut Context, argument: &str, body: Handle) -> Resul
     }
     if let Some(shaft) = as_shaft(host(context)?, body) {
         return Ok(host(context)?.shafts[shaft].body);
+    }
+    if let Some(refused) = has_no_motion(host(context)?, argument, body) {
+        return Err(refused);
     }
     entry(&host(context)?.scene.bodies, body)?;
     Ok(BodyId(body.0 as usize))

@@ -2,6 +2,7 @@
 //! restricts the location and records the file.
 
 use crate::externs::host;
+use calyx_abi::description::{stored_bytes, stored_text};
 use calyx_abi::limits::request_memory;
 use calyx_abi::{Context, RuntimeError};
 use std::fs::File;
@@ -11,6 +12,11 @@ use std::sync::Arc;
 
 /// Size limit of a file, bytes. The limit suits tables, not hours of measured data.
 const LARGEST: u64 = 100 << 20;
+
+/// Remedy for a table that is too large.
+const TABLE: &str = "split it, or keep every tenth row";
+/// Remedy for a finite-element model that is too large.
+const BODY: &str = "coarsen the mesh, or condense the body in the other program";
 
 fn unreadable(path: &str, message: &str, help: &str) -> RuntimeError {
     RuntimeError::new("E0730", format!("`{path}` cannot be read: {message}"), help).of_argument("path")
@@ -24,8 +30,47 @@ pub type Unreadable = (String, &'static str);
 pub struct ModelFile {
     /// Path as the model gives it.
     pub name: String,
-    /// Text of the whole file.
+    /// Text of the whole file; [`stored_text`] of a binary one.
     pub text: Arc<str>,
+}
+
+/// Reads a file of a finite-element model, which may be binary, under the rules of [`read`].
+///
+/// # Errors
+/// The file is not accessible: the reason with the help text. E0707 as an error of its own: the
+/// memory limit is reached.
+pub fn read_bytes(context: &mut Context, path: &str) -> Result<Result<Vec<u8>, Unreadable>, RuntimeError> {
+    if let Some(known) = host(context)?.files.iter().find(|known| known.name == path) {
+        return Ok(Ok(stored_bytes(&known.text).into_owned()));
+    }
+    let stored = context.tables.iter().flat_map(|all| all.iter()).find(|file| file.name == path);
+    let text = match stored {
+        Some(file) => {
+            request_memory(context, file.text.len() as u64)?;
+            file.text.clone()
+        }
+        None => {
+            let located = locate_as(context.directory.as_deref(), &context.allowed, path, BODY);
+            let (file, size) = match located {
+                Ok(found) => found,
+                Err((message, help)) if context.tables.is_some() => {
+                    return Ok(Err((format!("it does not travel with the program, and {message}"), help)));
+                }
+                Err(refused) => return Ok(Err(refused)),
+            };
+            // A binary file takes up to twice its size as text.
+            request_memory(context, 3 * size)?;
+            match bytes_up_to(&file, size, "export the file again") {
+                Ok(bytes) => stored_text(bytes),
+                Err(refused) => return Ok(Err(refused)),
+            }
+        }
+    };
+    let text: Arc<str> = text.into();
+    context.kept_tables = context.kept_tables.saturating_add(text.len() as u64);
+    let bytes = stored_bytes(&text).into_owned();
+    host(context)?.files.push(ModelFile { name: path.into(), text });
+    Ok(Ok(bytes))
 }
 
 /// Reads a text file for a function of the library, once in a run: from the files that are stored
@@ -82,18 +127,31 @@ pub fn read_below(
 /// Reads at most this number of bytes plus one, because a file may grow after its size was
 /// determined.
 fn read_up_to(file: &Path, size: u64, text: &'static str) -> Result<String, Unreadable> {
+    String::from_utf8(bytes_up_to(file, size, text)?).map_err(|error| (error.to_string(), text))
+}
+
+fn bytes_up_to(file: &Path, size: u64, help: &'static str) -> Result<Vec<u8>, Unreadable> {
     let mut content = Vec::new();
     let taken = File::open(file).and_then(|file| file.take(size.saturating_add(1)).read_to_end(&mut content));
     match taken {
-        Err(error) => Err((error.to_string(), text)),
+        Err(error) => Err((error.to_string(), help)),
         Ok(read) if read as u64 > size => Err(("it grows while it is read".into(), "read a copy of it")),
-        Ok(_) => String::from_utf8(content).map_err(|error| (error.to_string(), text)),
+        Ok(_) => Ok(content),
     }
 }
 
 /// Resolves a path to its file and the size in bytes. After all links are resolved, the file must
 /// lie below the directory or below one of the allowed paths.
 fn locate(directory: Option<&Path>, allowed: &[PathBuf], path: &str) -> Result<(PathBuf, u64), Unreadable> {
+    locate_as(directory, allowed, path, TABLE)
+}
+
+fn locate_as(
+    directory: Option<&Path>,
+    allowed: &[PathBuf],
+    path: &str,
+    smaller: &'static str,
+) -> Result<(PathBuf, u64), Unreadable> {
     let below = "files are read from the model's directory and those in it; give a path relative to the model, or \
                  allow others with `--allow-path PATH`";
     let leads_out = || ("it leads out of the model's directory".to_owned(), below);
@@ -119,7 +177,7 @@ fn locate(directory: Option<&Path>, allowed: &[PathBuf], path: &str) -> Result<(
         return Err(("it is not a file".into(), below));
     }
     if about.len() > LARGEST {
-        return Err((format!("it is larger than {} MB", LARGEST >> 20), "split it, or keep every tenth row"));
+        return Err((format!("it is larger than {} MB", LARGEST >> 20), smaller));
     }
     Ok((file, about.len()))
 }
@@ -158,6 +216,30 @@ mod tests {
         assert_eq!(read, [("near.csv", "a\n1\n"), ("stored.csv", "b\n2\n3\n")]);
         assert_eq!(context.kept_tables, 4 + 6);
         std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    /// Binary files are recorded as text, and programs that contain them read the same bytes.
+    #[test]
+    fn binary_files_travel_with_a_program() {
+        let folder = std::env::temp_dir().join(format!("calyx-binary-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let content = [0x50, 0x4b, 0x00, 0xff, 0xc3];
+        std::fs::write(folder.join("body.npz"), content).unwrap();
+        let mut context = Context::new(Box::new(ModelHost::default()));
+        context.directory = Some(folder.clone());
+        for _ in 0..2 {
+            assert_eq!(read_bytes(&mut context, "body.npz").unwrap().unwrap(), content);
+        }
+        assert!(read_bytes(&mut context, "none.npz").unwrap().unwrap_err().0.contains("no such file"));
+        let files = host(&mut context).unwrap().files.clone();
+        assert_eq!(files.len(), 1);
+        std::fs::remove_dir_all(&folder).unwrap();
+        let stored =
+            |file: &ModelFile| FileDescription { name: file.name.clone(), text: file.text.to_string() };
+        let mut apart = Context::new(Box::new(ModelHost::default()));
+        apart.tables = Some(files.iter().map(stored).collect());
+        assert_eq!(read_bytes(&mut apart, "body.npz").unwrap().unwrap(), content);
+        assert!(read_bytes(&mut apart, "none.npz").unwrap().unwrap_err().0.contains("does not travel"));
     }
 
     #[test]

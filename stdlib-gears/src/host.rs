@@ -4,6 +4,7 @@
 use crate::basic_rack::StatedRack;
 use crate::blank::Rim;
 use crate::deviation::Deviation;
+use crate::elastic_bodies::{AttachedPart, ModelElasticBody};
 use crate::error::{GeometryError, Refusal, Severity};
 use crate::externs::entry;
 use crate::files::ModelFile;
@@ -21,6 +22,7 @@ use calyx_abi::{RuntimeError, SymbolicValue};
 use calyx_runtime::analyses::Analysis;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
 use calyx_runtime::dynamics::TimeRange;
+use calyx_runtime::elastic::import::GmshPart;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Load;
@@ -155,6 +157,12 @@ pub struct ModelHost {
     pub shaft_segments: Vec<ShaftSegment>,
     /// Shafts.
     pub shafts: Vec<ModelShaft>,
+    /// Elastic bodies of any shape.
+    pub elastic_bodies: Vec<ModelElasticBody>,
+    /// Materials of physical groups of meshes.
+    pub mesh_parts: Vec<GmshPart>,
+    /// Parts of elastic bodies to which attachments refer.
+    pub regions: Vec<AttachedPart>,
     /// Gears.
     pub gears: Vec<GearModel>,
     /// Source locations of the calls that created each gear.

@@ -126,6 +126,8 @@ pub mod derived_quantities;
 pub mod deviation;
 pub mod drawing_externs;
 pub mod dynamics_externs;
+pub mod elastic_bodies;
+pub mod elastic_externs;
 pub mod error;
 pub mod external;
 pub mod externs;

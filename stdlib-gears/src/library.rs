@@ -70,6 +70,7 @@ const TABLES: &[&[Extern]] = &[
     crate::lubrication_externs::EXTERNS,
     crate::lumped_externs::EXTERNS,
     crate::dynamics_externs::EXTERNS,
+    crate::elastic_externs::EXTERNS,
     crate::mesh_externs::EXTERNS,
     crate::modification_externs::EXTERNS,
     crate::observable_externs::EXTERNS,

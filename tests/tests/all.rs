@@ -7,6 +7,7 @@ mod bevel_pair;
 mod data_block;
 mod derived_quantities;
 mod docs;
+mod elastic_bodies;
 mod examples;
 mod face_gear;
 mod flank_charts;

@@ -1,7 +1,8 @@
 //! The plan of an analysis, for display: which parts are modelled or omitted, the reasons, and the
 //! cost.
 
-use crate::shown::{in_unit, rounded};
+use crate::planned_elastic_body::PlannedElasticBody;
+use crate::shown::{grouped, in_unit, of_thousands, rounded};
 use calyx_abi::description::ModelDescription;
 use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_lang::dimension::Dimension;
@@ -33,6 +34,7 @@ pub struct Planned {
     pub meshes: Vec<PlannedMesh>,
     pub bearings: Vec<PlannedBearing>,
     pub shafts: Vec<PlannedShaft>,
+    pub elastic_bodies: Vec<PlannedElasticBody>,
     /// Names of the outputs, which determine what is modelled.
     pub outputs: Vec<String>,
     /// The number of contact problems that each chain of the analysis solves in sequence. Without
@@ -129,7 +131,7 @@ pub struct PlannedBody {
     /// The unconstrained degrees of freedom of its frame, and the load on each.
     pub free: Vec<(&'static str, String)>,
     pub left_out: bool,
-    /// `true` for a section of a shaft without teeth.
+    /// `true` for a section of a shaft without teeth, or an attachment of an elastic body.
     pub section: bool,
     /// The reason for its model, or for omitting it.
     pub reason: &'static str,
@@ -233,7 +235,8 @@ impl PlannedShaft {
                 reason: planned.reason,
             }
         };
-        scene.connections.iter().zip(&plan.connections).map(of).collect()
+        let shafts = scene.connections.iter().zip(&plan.connections);
+        shafts.filter(|(connection, _)| connection.body.is_none()).map(of).collect()
     }
 
     fn line(&self) -> String {
@@ -258,7 +261,9 @@ impl Planned {
                 free: free(body, &description.units),
                 left_out: planned.left_out,
                 section: gear(index).is_none()
-                    && scene.connections_of(BodyId(index)).any(|connection| connection.shaft.is_some()),
+                    && scene
+                        .connections_of(BodyId(index))
+                        .any(|connection| connection.shaft.is_some() || connection.body.is_some()),
                 reason: planned.reason,
                 mesh: PlannedStructure {
                     prototype: body.prototype.clone(),
@@ -312,6 +317,7 @@ impl Planned {
             meshes: meshes.collect(),
             bearings: bearings.collect(),
             shafts: PlannedShaft::all(scene, plan, host.length_unit),
+            elastic_bodies: PlannedElasticBody::all(host, plan),
             outputs: host.outputs.iter().map(|output| output.name.clone()).collect(),
             positions: match host.asked {
                 Some(asked) => vec![asked.problems],
@@ -364,6 +370,8 @@ impl Planned {
         section("Bearings", modelled.map(bearing_line).collect());
         let modelled = self.shafts.iter().filter(|shaft| !shaft.left_out);
         section("Shafts", modelled.map(PlannedShaft::line).collect());
+        let modelled = self.elastic_bodies.iter().filter(|body| !body.left_out);
+        section("Elastic bodies", modelled.flat_map(PlannedElasticBody::lines).collect());
         section("Degrees of freedom", self.freedom_lines());
         section("Outputs", lines_of(&self.outputs));
         let left_out = self.bodies.iter().filter(|body| body.left_out);
@@ -372,6 +380,10 @@ impl Planned {
         let idle = self.bearings.iter().filter(|bearing| bearing.left_out);
         let idle =
             idle.map(|bearing| format!("bearing \"{}\": {}", bearing.name, without_verdict(bearing.reason)));
+        let unused = self.elastic_bodies.iter().filter(|body| body.left_out);
+        let unused =
+            unused.map(|body| format!("elastic body \"{}\": {}", body.name, without_verdict(body.reason)));
+        let idle = idle.chain(unused);
         let not_seen = self.ignored_inputs.iter().map(|(input, reason)| format!("`{input}`: {reason}"));
         let refused = self.refused.iter().map(|(output, needs)| {
             format!(
@@ -493,23 +505,6 @@ impl Planned {
         });
         lines
     }
-}
-
-/// Formats a count with separated thousands.
-fn grouped(count: usize) -> String {
-    let digits = count.to_string();
-    let groups: Vec<&str> =
-        digits.as_bytes().rchunks(3).rev().filter_map(|group| str::from_utf8(group).ok()).collect();
-    groups.join(",")
-}
-
-/// Formats a number with two digits and a power of a thousand; `names` starts with the name for
-/// thousands.
-fn of_thousands(number: f64, names: [&str; 4]) -> String {
-    let power = names.len().min(((number.max(1.0).log10() + 1e-9) / 3.0).floor().max(1.0) as usize);
-    let value = number / 1e3_f64.powi(power as i32);
-    let digits = if value < 9.95 { 1 } else { 0 };
-    format!("{value:.digits$}{}", names[power - 1])
 }
 
 /// Line width for lists of names.

@@ -40,6 +40,23 @@ pub fn in_unit(si: f64, unit: &DisplayUnit) -> String {
     if unit.name.is_empty() { number } else { format!("{number} {}", unit.name) }
 }
 
+/// Formats a count with separated thousands.
+pub fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let groups: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().filter_map(|group| str::from_utf8(group).ok()).collect();
+    groups.join(",")
+}
+
+/// Formats a number with two digits and a power of a thousand; `names` starts with the name for
+/// thousands.
+pub fn of_thousands(number: f64, names: [&str; 4]) -> String {
+    let power = names.len().min(((number.max(1.0).log10() + 1e-9) / 3.0).floor().max(1.0) as usize);
+    let value = number / 1e3_f64.powi(power as i32);
+    let digits = if value < 9.95 { 1 } else { 0 };
+    format!("{value:.digits$}{}", names[power - 1])
+}
+
 /// Formats a number with six significant digits and without trailing zeros.
 pub fn rounded(value: f64) -> String {
     if value == 0.0 {

@@ -7,6 +7,7 @@ use crate::call::{KernelFn, Repr, SlotFn};
 use crate::error::Place;
 use crate::fingerprint::Fingerprint;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -247,10 +248,35 @@ pub struct CaptureDescription {
     pub observable: bool,
 }
 
+/// File of a program, or one that it reads.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FileDescription {
     pub name: String,
+    /// Text; that of a binary file is [`stored_text`].
     pub text: String,
+}
+
+/// Start of the text that stores a binary file. No text file starts with a zero character.
+const BINARY: &str = "\0binary\0";
+
+/// Returns a text that stores the bytes of any file: the text of a text file, or one character for
+/// each byte of a binary one.
+pub fn stored_text(bytes: Vec<u8>) -> String {
+    let binary = |bytes: &[u8]| BINARY.chars().chain(bytes.iter().map(|&byte| char::from(byte))).collect();
+    match String::from_utf8(bytes) {
+        Ok(text) if !text.starts_with('\0') => text,
+        Ok(text) => binary(text.as_bytes()),
+        Err(error) => binary(error.as_bytes()),
+    }
+}
+
+/// Returns the bytes of the file that a text of [`stored_text`] stores.
+pub fn stored_bytes(text: &str) -> Cow<'_, [u8]> {
+    match text.strip_prefix(BINARY) {
+        None => Cow::Borrowed(text.as_bytes()),
+        // Characters of a binary file are below 256.
+        Some(binary) => binary.chars().map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')).collect(),
+    }
 }
 
 /// Serialization of shared slices as lists.
@@ -266,5 +292,21 @@ mod shared {
         deserializer: D,
     ) -> Result<Arc<[T]>, D::Error> {
         Vec::deserialize(deserializer).map(Arc::from)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{stored_bytes, stored_text};
+
+    #[test]
+    fn any_file_is_stored_as_text() {
+        let all: Vec<u8> = (0..=255).collect();
+        let files: [&[u8]; 6] =
+            [b"", b"GRID, 1", "\u{feff}\u{b5}m".as_bytes(), &all, b"\0", b"PK\x03\x04\xff"];
+        for bytes in files {
+            assert_eq!(&*stored_bytes(&stored_text(bytes.to_vec())), bytes);
+        }
+        assert_eq!(stored_text(b"GRID, 1".to_vec()), "GRID, 1");
     }
 }

@@ -16,6 +16,7 @@ mod analysis;
 
 pub use analysis::{AnalysisCost, Meshes, Task};
 
+use calyx_model::elastic_body::ElasticBodySize;
 use calyx_numerics::dense::product;
 use calyx_structure::StructureSize;
 use faer::Mat;
@@ -139,6 +140,12 @@ pub fn structure(size: &StructureSize, three_dimensional: bool, rates: &Rates) -
         time: time / (EFFICIENCY * rates.threads.max(1) as f64),
         memory: bytes * dofs + size.bytes() as f64,
     }
+}
+
+/// Returns the cost of the static condensation of an elastic body of any shape, on all threads.
+pub fn elastic_body(size: &ElasticBodySize, rates: &Rates) -> Cost {
+    let time = size.operations() / rates.products;
+    Cost { time: time / (EFFICIENCY * rates.threads.max(1) as f64), memory: size.bytes() }
 }
 
 /// Time per degree of freedom of a sector of a solid model, in logarithms. Measured: 41 to 56

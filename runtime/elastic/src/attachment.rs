@@ -37,6 +37,13 @@ pub enum Region {
         /// Largest distance, m.
         tolerance: f64,
     },
+    /// Ball: the nodes within a radius (m) of a point.
+    Sphere {
+        /// Centre.
+        centre: [f64; 3],
+        /// Radius, m.
+        radius: f64,
+    },
     /// Box along the basic axes, with its boundary.
     Box {
         /// Smallest coordinates, m.
@@ -88,10 +95,7 @@ impl Region {
     /// # Errors
     /// The region contains no node, or a set or label does not exist.
     pub fn nodes(&self, model: &ElasticModel) -> Result<Vec<usize>, ElementError> {
-        let within = |test: &dyn Fn(Vector3<f64>) -> bool| -> Vec<usize> {
-            let spatial = model.nodes.iter().enumerate().filter(|(_, node)| is_spatial(node));
-            spatial.filter(|(_, node)| test(Vector3::from(node.position))).map(|(index, _)| index).collect()
-        };
+        let spatial = || model.nodes.iter().enumerate().filter(|(_, node)| is_spatial(node));
         let nodes = match self {
             Self::Set(name) => model.sets.get(name).cloned().ok_or_else(|| {
                 let names: Vec<&str> = model.sets.keys().map(String::as_str).collect();
@@ -117,40 +121,79 @@ impl Region {
                 }
                 None => indices.clone(),
             },
-            Self::Cylinder { origin, axis, radius, heights, tolerance } => {
-                let axis = unit(*axis)?;
-                within(&|position| {
-                    let from = position - Vector3::from(*origin);
-                    let height = axis.dot(&from);
-                    ((from - axis * height).norm() - radius).abs() <= *tolerance
-                        && (heights[0] - tolerance..=heights[1] + tolerance).contains(&height)
-                })
-            }
-            Self::Plane { origin, normal, tolerance } => {
-                let normal = unit(*normal)?;
-                within(&|position| normal.dot(&(position - Vector3::from(*origin))).abs() <= *tolerance)
-            }
-            Self::Box { lowest, highest } => {
-                within(&|position| (0..3).all(|k| (lowest[k]..=highest[k]).contains(&position[k])))
-            }
-            Self::Nearest(point) => {
-                let distance = |node: &Node| (Vector3::from(node.position) - Vector3::from(*point)).norm();
-                let spatial = model.nodes.iter().enumerate().filter(|(_, node)| is_spatial(node));
-                let nearest = spatial.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+            Self::Nearest(_) => {
+                let mut nearest: Option<(usize, f64)> = None;
+                for (index, node) in spatial() {
+                    let distance = self.distance(node.position)?;
+                    if nearest.is_none_or(|(_, least)| distance < least) {
+                        nearest = Some((index, distance));
+                    }
+                }
                 nearest.map(|(index, _)| index).into_iter().collect()
+            }
+            Self::Cylinder { .. } | Self::Plane { .. } | Self::Sphere { .. } | Self::Box { .. } => {
+                let mut nodes = Vec::new();
+                let mut nearest: Option<(f64, &Node)> = None;
+                for (index, node) in spatial() {
+                    let distance = self.distance(node.position)?;
+                    if distance <= 0.0 {
+                        nodes.push(index);
+                    }
+                    if nearest.is_none_or(|(least, _)| distance < least) {
+                        nearest = Some((distance, node));
+                    }
+                }
+                if nodes.is_empty()
+                    && let Some((distance, node)) = nearest
+                {
+                    return Err(missed(distance, node));
+                }
+                nodes
             }
         };
         let mut nodes = nodes;
         nodes.sort_unstable();
         nodes.dedup();
         if nodes.is_empty() {
-            return Err(ElementError::new(
-                "the region contains no node",
-                "enlarge the region or its tolerance",
-            ));
+            return Err(ElementError::new("the region contains no node", "name a set with nodes"));
         }
         Ok(nodes)
     }
+
+    /// Returns the distance of a point from a region of geometry, beyond its tolerance, m: not
+    /// positive within the region.
+    fn distance(&self, position: [f64; 3]) -> Result<f64, ElementError> {
+        let from = |point: &[f64; 3]| Vector3::from(position) - Vector3::from(*point);
+        Ok(match self {
+            Self::Cylinder { origin, axis, radius, heights, tolerance } => {
+                let axis = unit(*axis)?;
+                let height = axis.dot(&from(origin));
+                let off = ((from(origin) - axis * height).norm() - radius).abs();
+                off.max(heights[0] - height).max(height - heights[1]) - tolerance
+            }
+            Self::Plane { origin, normal, tolerance } => unit(*normal)?.dot(&from(origin)).abs() - tolerance,
+            Self::Sphere { centre, radius } => from(centre).norm() - radius,
+            Self::Box { lowest, highest } => (0..3)
+                .map(|k| (lowest[k] - position[k]).max(position[k] - highest[k]))
+                .fold(f64::NEG_INFINITY, f64::max),
+            Self::Nearest(point) => from(point).norm(),
+            Self::Set(_) | Self::Labels(_) | Self::Nodes(_) => f64::INFINITY,
+        })
+    }
+}
+
+/// Returns the error for a region without nodes, with the nearest node and its distance (m).
+fn missed(distance: f64, node: &Node) -> ElementError {
+    let mm = |metres: f64| (metres * 1e6).round() / 1e3 + 0.0;
+    let [x, y, z] = node.position.map(mm);
+    ElementError::new(
+        format!(
+            "the region contains no node; the nearest one is node {} at ({x}, {y}, {z}) mm, {} mm away",
+            node.label,
+            mm(distance)
+        ),
+        "correct the region or enlarge its tolerance; positions are those of the file",
+    )
 }
 
 /// Returns true for a node whose components are motions, not amplitudes.

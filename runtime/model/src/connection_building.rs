@@ -4,11 +4,12 @@
 use crate::connection::ElasticConnection;
 use crate::elastic_body::ElasticBody;
 use crate::fidelity::{BodyModel, Fidelity};
+use crate::ids::BodyId;
 use crate::mechanism::Mechanism;
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::structure_building::StructureCounts;
-use calyx_numerics::error::EngineError;
+use calyx_numerics::error::{EngineError, Subject};
 use calyx_structure::AttachmentMatrices;
 use calyx_structure::cache::Claim;
 use std::sync::Arc;
@@ -39,7 +40,11 @@ pub fn build_connections(
         let named = |error: EngineError| match error.code {
             "E0991" | "E0992" => {
                 let message = format!("the elastic body \"{}\": {}", connection.name, error.message);
-                EngineError { message, ..error }
+                let error = EngineError { message, ..error };
+                match connection.bodies().next() {
+                    Some(BodyId(body)) => error.about(Subject::Body(body)),
+                    None => error,
+                }
             }
             _ => error,
         };

@@ -520,8 +520,13 @@ fn impossible_attachments_are_refused() {
     let dependents = (1..5).map(|node| (node, [true, true, true, false, false, false])).collect();
     model.constraints.push(Constraint::Rigid { label: 1, reference: 0, dependents });
     refused(model, &[at("tied", all(), Rigid)], "a constraint of the file determines its node 2");
+    let both = [at("one", all(), Rigid), at("other", all(), Average)];
+    refused(bar(), &both, "all of its nodes belong to the attachment \"one\"");
+    let both = [at("one", all(), Average), at("other", all(), Average)];
+    refused(bar(), &both, "all of its nodes belong to the attachment \"one\"");
     // Averages leave their nodes independent.
+    let half = || Region::Box { lowest: [-1.0; 3], highest: [0.11, 1.0, 1.0] };
     let mut body = FiniteElementBody::new(Arc::new(bar()), content());
-    body.attach(&at("rigid", all(), Rigid)).expect("an attachment");
+    body.attach(&at("rigid", half(), Rigid)).expect("an attachment");
     body.attach(&at("average", all(), Average)).expect("an attachment");
 }

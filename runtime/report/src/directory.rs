@@ -10,7 +10,7 @@ use crate::stress_range::StressRange;
 use crate::vtu::{self, VtuFiles};
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{
-    FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue,
+    FileDescription, ModelDescription, OutputDescription, ParamDescription, ParamValue, stored_bytes,
 };
 use calyx_abi::units::from_si;
 use calyx_runtime::analysis::Position;
@@ -510,9 +510,9 @@ fn source_json(description: &ModelDescription) -> Value {
     json!({ "sha256": description.files.first().map(hash), "files": files, "tables": tables })
 }
 
-/// Returns the hash that `run.json` stores to identify a text.
+/// Returns the hash that `run.json` stores to identify the file that this text stores.
 pub fn text_hash(text: &str) -> String {
-    hex(&Sha256::digest(text.as_bytes()))
+    hex(&Sha256::digest(stored_bytes(text)))
 }
 
 fn hex(bytes: &[u8]) -> String {

@@ -119,6 +119,21 @@ pub fn sample_of_gear_data(parameter: &str) -> Option<String> {
 
 /// Values that do not follow from types, as (function, parameter, value).
 pub const SAMPLES: &[(&str, &str, &str)] = &[
+    ("mesh_part", "group", "\"walls\""),
+    ("node_set", "name", "\"feet\""),
+    ("node", "label", "\"1\""),
+    ("nearest_node", "point", "0 mm * e1"),
+    ("cylinder_region", "center", "0 mm * e1"),
+    ("cylinder_region", "axis", "e3"),
+    ("cylinder_region", "radius", "20 mm"),
+    ("cylinder_region", "from", "0 mm"),
+    ("cylinder_region", "to", "10 mm"),
+    ("plane_region", "point", "0 mm * e1"),
+    ("plane_region", "normal", "e3"),
+    ("box_region", "lowest", "0 mm * e1"),
+    ("box_region", "highest", "1 mm * (e1 + e2 + e3)"),
+    ("sphere_region", "center", "0 mm * e1"),
+    ("sphere_region", "radius", "1 mm"),
     ("shaft_segment", "length", "20 mm"),
     ("shaft_segment", "diameter", "30 mm"),
     ("shaft", "segments", "[gears.shaft_segment(length = 80 mm, diameter = 30 mm)]"),

@@ -1,12 +1,14 @@
 //! Cost of a whole analysis: structures, positions and error estimates.
 
-use super::{Cost, Rates, positions, structure};
+use super::{Cost, Rates, elastic_body, positions, structure};
 use crate::estimate::{Estimates, PerturbedSolve, perturbed_solves_of};
 use crate::scene::Scene;
+use calyx_model::connection::ElasticConnection;
+use calyx_model::elastic_body::ElasticBodySize;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::observed::OutputRequest;
 use calyx_model::pairs::{GearMesh, SurfacePair};
-use calyx_model::plan::Plan;
+use calyx_model::plan::{ConnectionPlan, Plan};
 use calyx_numerics::error::EngineError;
 use calyx_structure::StructureSize;
 
@@ -160,17 +162,20 @@ impl Task<'_> {
                 let planned = if self.in_time { Plan::in_time } else { Plan::new };
                 let plan = planned(self.scene, fidelity, options)?.for_outputs(self.scene, self.outputs)?;
                 let (three_dimensional, sizes) = (plan.three_dimensional, sizes(self.scene, &plan));
-                meshes.0.push(Mesh { fidelity, options, three_dimensional, sizes });
+                let elastic_bodies = elastic_bodies(self.scene, &plan);
+                meshes.0.push(Mesh { fidelity, options, three_dimensional, sizes, elastic_bodies });
                 meshes.0.len() - 1
             }
         };
-        let Mesh { three_dimensional, sizes, .. } = &meshes.0[counted];
+        let Mesh { three_dimensional, sizes, elastic_bodies, .. } = &meshes.0[counted];
         let helical = *three_dimensional && sizes.iter().any(|(_, size)| !size.mirrored);
         let cost = |(names, size): &(Vec<String>, StructureSize)| {
             (names.clone(), structure(size, *three_dimensional, rates))
         };
+        let of_body =
+            |(name, size): &(String, ElasticBodySize)| (vec![name.clone()], elastic_body(size, rates));
         Ok(Part {
-            structures: sizes.iter().map(cost).collect(),
+            structures: sizes.iter().map(cost).chain(elastic_bodies.iter().map(of_body)).collect(),
             helical,
             three_dimensional: *three_dimensional,
         })
@@ -187,6 +192,7 @@ struct Mesh {
     options: StructureOptions,
     three_dimensional: bool,
     sizes: Vec<(Vec<String>, StructureSize)>,
+    elastic_bodies: Vec<(String, ElasticBodySize)>,
 }
 
 struct Part {
@@ -207,6 +213,16 @@ fn sizes(scene: &Scene, plan: &Plan) -> Vec<(Vec<String>, StructureSize)> {
         Some((bodies().map(|body| scene.bodies[body].name.clone()).collect(), largest))
     };
     (0..count).filter_map(of).collect()
+}
+
+/// Returns the elastic bodies that a plan condenses, with their sizes.
+fn elastic_bodies(scene: &Scene, plan: &Plan) -> Vec<(String, ElasticBodySize)> {
+    let condensed = scene.connections.iter().zip(&plan.connections);
+    let condensed = condensed.filter(|(_, planned)| !planned.left_out && plan.fidelity != Fidelity::Rigid);
+    let size = |(connection, _): (&ElasticConnection, &ConnectionPlan)| {
+        Some((connection.name.clone(), connection.body.as_ref()?.0.size()?))
+    };
+    condensed.filter_map(size).collect()
 }
 
 /// Returns the number of contact cells of a position, on the grids of the scene or with half their

@@ -93,11 +93,12 @@ impl FiniteElementBody {
                 "select nodes that span an area, or the reference node of a rigid element of the file",
             ));
         }
+        self.check_averages(&nodes, &connection)?;
         if connection != Connection::Average {
             self.check_independent(&nodes)?;
         }
         // Checks the connection itself, such as the harmonics of a surface.
-        let position = attachment.position.unwrap_or(mean);
+        let position = attachment.position.unwrap_or_else(|| middle(&attachment.region).unwrap_or(mean));
         let found = BodyAttachment { name, position, nodes, connection };
         if let Connection::Fourier { .. } = found.connection {
             self.attached(std::slice::from_ref(&found))?;
@@ -138,6 +139,25 @@ impl FiniteElementBody {
             format!("it is the single node {label}, which does not resist rotation"),
             "select several nodes that span an area, or the reference node of a rigid element of the file",
         ))
+    }
+
+    /// Checks that no average is determined by a rigid attachment, or equal to another average.
+    fn check_averages(&self, nodes: &[usize], connection: &Connection) -> Result<(), ElementError> {
+        let within =
+            |all: &[usize], nodes: &[usize]| nodes.iter().all(|node| all.binary_search(node).is_ok());
+        let average = |connection: &Connection| *connection == Connection::Average;
+        let determined = self.attachments.iter().find(|other| {
+            average(connection) && within(&other.nodes, nodes) && !average(&other.connection)
+                || average(&other.connection) && within(nodes, &other.nodes) && !average(connection)
+                || average(connection) && average(&other.connection) && other.nodes == nodes
+        });
+        match determined {
+            None => Ok(()),
+            Some(other) => Err(ElementError::new(
+                format!("all of its nodes belong to the attachment \"{}\", or the reverse", other.name),
+                "attach each region once, and mount everything on this attachment",
+            )),
+        }
     }
 
     /// Checks that no constraint or support determines the nodes of a rigid or Fourier attachment.
@@ -284,6 +304,14 @@ fn written(key: KeyWriter, attachment: &BodyAttachment) -> KeyWriter {
             harmonics.iter().fold(key, |key, &harmonic| key.count(u64::from(harmonic)))
         }
     }
+}
+
+/// Returns the middle of a cylinder on its axis, which does not depend on the spacing of the nodes;
+/// `None` for other regions.
+fn middle(region: &Region) -> Option<Vector> {
+    let Region::Cylinder { origin, axis, heights: [from, to], .. } = region else { return None };
+    let size = length(*axis);
+    Some(std::array::from_fn(|k| origin[k] + 0.5 * (from + to) * axis[k] / size))
 }
 
 /// Returns whether all positions, relative to their mean, lie on a line.

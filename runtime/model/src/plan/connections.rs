@@ -79,9 +79,7 @@ pub(super) fn refuse_bending_in_plane(
             "the elastic body \"{}\" moves along and tilts about all axes, which a two-dimensional model does not have",
             connection.name
         );
-        let help =
-            "choose the fidelity \"analytic\", \"rigid\" or a three-dimensional one such as \"medium\"";
-        return Err(EngineError::new("E0611", message, help).blame("free"));
+        return Err(EngineError::new("E0611", message, "leave the elastic body out"));
     }
     let message = format!(
         "\"{}\" bends and moves along its axis ({}), which a two-dimensional model does not have",

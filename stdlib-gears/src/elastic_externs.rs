@@ -1,0 +1,382 @@
+//! Elastic bodies for programs: the Rust side of `nastran`, `abaqus`, `gmsh`, `condensed_body`,
+//! `attachment` and the regions in `gears.cx`.
+
+use crate::body_externs::BodyPlacement;
+use crate::elastic_bodies::{AttachedPart, BodySource, ModelElasticBody, RequestedAttachment};
+use crate::externs::{self, entry, host, refusal};
+use crate::files;
+use crate::host::{ModelHost, keep};
+use calyx_abi::externs::{Handle, SymbolicTransform};
+use calyx_abi::limits::request_memory;
+use calyx_abi::{Context, RuntimeError, SymbolicValue};
+use calyx_runtime::cache::{Key, KeyWriter};
+use calyx_runtime::elastic::attachment::{Connection, Region};
+use calyx_runtime::elastic::import::{
+    AbaqusOptions, CondensedOptions, GmshOptions, GmshPart, Import, ImportError, NastranOptions, OpenFile,
+    Units, Unreadable, read_abaqus, read_condensed, read_gmsh, read_nastran,
+};
+use calyx_runtime::elastic::{ElasticModel, Material};
+use calyx_runtime::elastic_body::{FiniteElementBody, MatrixBody};
+use std::sync::Arc;
+
+/// First handle of elastic bodies, beyond those of bodies: to a program they are bodies.
+const ELASTIC_BODIES: u64 = 1 << 61;
+/// Memory of a parsed model relative to its file.
+const PARSED: u64 = 8;
+
+calyx_abi::externs! {
+    Scene fn calyx_gears_nastran(
+        context, name: String, path: String, units: String, subcase: Option<f64>, frame: SymbolicTransform,
+    ) -> Handle {
+        let subcase = subcase.map(|number| whole("subcase", number)).transpose()?;
+        let units = named_units(&units)?;
+        let options = NastranOptions { units, subcase: subcase.map(u64::from) };
+        let key = Key::of("nastran").text(&path).numbers(&of_units(&units)).count(subcase.map_or(0, u64::from));
+        let read = |open: &mut OpenFile<'_>| read_nastran(&path, &options, open);
+        imported(context, (name, frame), key, read)
+    }
+
+    Scene fn calyx_gears_abaqus(
+        context, name: String, path: String, units: String, frame: SymbolicTransform,
+    ) -> Handle {
+        let units = named_units(&units)?;
+        let key = Key::of("abaqus").text(&path).numbers(&of_units(&units));
+        let read = |open: &mut OpenFile<'_>| read_abaqus(&path, &AbaqusOptions { units }, open);
+        imported(context, (name, frame), key, read)
+    }
+
+    Pure fn calyx_gears_mesh_part(context, group: String, material: Handle, thickness: Option<f64>) -> Handle {
+        let host = host(context)?;
+        let part = mesh_part(host, Some(group), material, thickness)?;
+        Ok(keep(&mut host.mesh_parts, part))
+    }
+
+    Scene fn calyx_gears_gmsh(
+        context, name: String, path: String, material: Handle, thickness: Option<f64>, parts: Vec<Handle>,
+        unit: f64, frame: SymbolicTransform,
+    ) -> Handle {
+        let host = host(context)?;
+        let mut all = parts
+            .into_iter()
+            .map(|part| entry(&host.mesh_parts, part).cloned())
+            .collect::<Result<Vec<GmshPart>, _>>()?;
+        all.push(mesh_part(host, None, material, thickness)?);
+        let mut key = Key::of("gmsh").text(&path).number(unit).count(all.len() as u64);
+        for GmshPart { physical, material, thickness } in &all {
+            key = key.text(physical.as_deref().unwrap_or("")).numbers(&[
+                material.youngs_modulus,
+                material.poissons_ratio,
+                material.density,
+                thickness.unwrap_or(0.0),
+            ]);
+        }
+        let options = GmshOptions { length: unit, parts: all };
+        let read = |open: &mut OpenFile<'_>| read_gmsh(&path, &options, open);
+        imported(context, (name, frame), key, read)
+    }
+
+    Scene fn calyx_gears_condensed_body(
+        context, name: String, path: String, units: String, stiffness_matrix: Option<String>,
+        mass_matrix: Option<String>, frame: SymbolicTransform,
+    ) -> Handle {
+        let units = named_units(&units)?;
+        let written = |key: KeyWriter, name: &Option<String>| key.text(name.as_deref().unwrap_or(""));
+        let key = Key::of("condensed body").text(&path).numbers(&of_units(&units));
+        let key = written(written(key, &stiffness_matrix), &mass_matrix);
+        let options = CondensedOptions { units, stiffness: stiffness_matrix, mass: mass_matrix };
+        let read = |open: &mut OpenFile<'_>| read_condensed(&path, &options, open);
+        let (matrices, key) = read_with(context, key, read)?;
+        added(context, (name, frame), BodySource::Matrices(MatrixBody::new(Arc::new(matrices), key)), None)
+    }
+
+    Pure fn calyx_gears_node_set(context, name: String) -> Handle {
+        region(context, AttachedPart::Region(Region::Set(name)))
+    }
+
+    Pure fn calyx_gears_node(context, label: String) -> Handle {
+        region(context, AttachedPart::Node(label))
+    }
+
+    Pure fn calyx_gears_nearest_node(context, point: [f64; 3]) -> Handle {
+        region(context, AttachedPart::Region(Region::Nearest(point)))
+    }
+
+    Pure fn calyx_gears_cylinder_region(
+        context, center: [f64; 3], axis: [f64; 3], radius: f64, from: f64, to: f64, tolerance: Option<f64>,
+    ) -> Handle {
+        direction("axis", axis)?;
+        if from > to {
+            return Err(refusal("E0991", "from", "the cylinder ends before it begins",
+                "give `from` and `to` in ascending order along the axis"));
+        }
+        let tolerance = tolerance.unwrap_or(0.01 * radius);
+        let region = Region::Cylinder { origin: center, axis, radius, heights: [from, to], tolerance };
+        self::region(context, AttachedPart::Region(region))
+    }
+
+    Pure fn calyx_gears_plane_region(context, point: [f64; 3], normal: [f64; 3], tolerance: f64) -> Handle {
+        direction("normal", normal)?;
+        region(context, AttachedPart::Region(Region::Plane { origin: point, normal, tolerance }))
+    }
+
+    Pure fn calyx_gears_box_region(context, lowest: [f64; 3], highest: [f64; 3]) -> Handle {
+        if (0..3).any(|k| lowest[k] > highest[k]) {
+            return Err(refusal("E0991", "lowest", "the box ends before it begins",
+                "give the smaller coordinate of every axis in `lowest`"));
+        }
+        region(context, AttachedPart::Region(Region::Box { lowest, highest }))
+    }
+
+    Pure fn calyx_gears_sphere_region(context, center: [f64; 3], radius: f64) -> Handle {
+        region(context, AttachedPart::Region(Region::Sphere { centre: center, radius }))
+    }
+
+    /// Position of an attachment in the coordinates of its body. Adds nothing to the scene.
+    Scene fn calyx_gears_attachment_position(
+        context, name: String, body: Handle, region: Handle, how: String, harmonics: Vec<f64>, axis: [f64; 3],
+        position: Option<[f64; 3]>,
+    ) -> [f64; 3] {
+        let requested = requested(context, name, region, (how, harmonics, axis), position)?;
+        let index = elastic_body(context, body)?;
+        let mut source = host(context)?.elastic_bodies[index].source.clone();
+        source.attach(&requested).map_err(|error| blamed(externs::engine(error)))
+    }
+
+    Scene fn calyx_gears_attached_body(
+        context, name: String, body: Handle, region: Handle, how: String, harmonics: Vec<f64>, axis: [f64; 3],
+        position: Option<[f64; 3]>, fixed: bool, frame: SymbolicTransform,
+    ) -> Handle {
+        let requested = requested(context, name, region, (how, harmonics, axis), position)?;
+        let index = elastic_body(context, body)?;
+        let expression = frame.0.clone();
+        let motion = BodyPlacement::motion(frame, context.params.clone());
+        let (place, host) = (context.place, host(context)?);
+        let ModelHost { scene, elastic_bodies, .. } = host;
+        let attached = elastic_bodies[index].attach(scene, &requested, (motion, fixed));
+        let id = attached.map_err(|refused| blamed(host.rejected(refused, place)))?;
+        host.body_gears.push(None);
+        host.body_frames.push(expression);
+        // The call of the elastic body is in the model; that of this function is in the library.
+        host.body_places.push(host.elastic_bodies[index].place);
+        Ok(Handle(id.0 as u64))
+    }
+}
+
+/// Blames the region for an impossible attachment.
+fn blamed(error: RuntimeError) -> RuntimeError {
+    if error.code == "E0991" { error.of_argument("region") } else { error }
+}
+
+fn named_units(name: &str) -> Result<Units, RuntimeError> {
+    Units::named(name).ok_or_else(|| {
+        let help = format!("choose from {}", Units::NAMES.join(", "));
+        refusal("E0990", "units", &format!("there is no system of units \"{name}\""), &help)
+    })
+}
+
+fn of_units(units: &Units) -> [f64; 3] {
+    [units.length, units.force, units.time]
+}
+
+fn whole(argument: &str, number: f64) -> Result<u32, RuntimeError> {
+    if number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number) {
+        return Ok(number as u32);
+    }
+    Err(refusal(
+        "E0991",
+        argument,
+        &format!("`{argument}` cannot be {number}"),
+        "give a whole number from 0 on",
+    ))
+}
+
+fn direction(argument: &str, vector: [f64; 3]) -> Result<(), RuntimeError> {
+    if vector.iter().any(|part| *part != 0.0) {
+        return Ok(());
+    }
+    Err(refusal("E0991", argument, &format!("`{argument}` has no direction"), "give a vector such as `e3`"))
+}
+
+fn region(context: &mut Context, part: AttachedPart) -> Result<Handle, RuntimeError> {
+    Ok(keep(&mut host(context)?.regions, part))
+}
+
+fn mesh_part(
+    host: &ModelHost,
+    physical: Option<String>,
+    material: Handle,
+    thickness: Option<f64>,
+) -> Result<GmshPart, RuntimeError> {
+    let known = entry(&host.materials, material)?;
+    let material = Material {
+        youngs_modulus: known.youngs_modulus,
+        poissons_ratio: known.poissons_ratio,
+        shear_modulus: 0.5 * known.youngs_modulus / (1.0 + known.poissons_ratio),
+        density: known.density,
+        structural_damping: 0.0,
+    };
+    Ok(GmshPart { physical, material, thickness })
+}
+
+/// Reads a body with a function of the importer. Returns it with the key of everything that was
+/// read, which `key` begins.
+///
+/// # Errors
+/// E0730: a file cannot be read. E0990: a file is invalid. E0707: the memory limit is reached.
+fn read_with<T>(
+    context: &mut Context,
+    key: KeyWriter,
+    read: impl FnOnce(&mut OpenFile<'_>) -> Result<T, ImportError>,
+) -> Result<(T, Key), RuntimeError> {
+    let (mut key, mut stopped, mut unreadable) = (Some(key), None, false);
+    let result = {
+        let mut open = |path: &str| {
+            let taken = files::read_bytes(context, path).and_then(|found| match found {
+                Ok(bytes) => {
+                    request_memory(context, PARSED * bytes.len() as u64)?;
+                    Ok(Ok(bytes))
+                }
+                Err(refused) => Ok(Err(refused)),
+            });
+            match taken {
+                Ok(Ok(bytes)) => {
+                    key = key.take().map(|key| key.text(path).content(&bytes));
+                    Ok(bytes)
+                }
+                Ok(Err((message, help))) => {
+                    unreadable = true;
+                    Err(Unreadable::new(message, help))
+                }
+                Err(error) => {
+                    let refused = Unreadable::new(error.message.clone(), "");
+                    stopped = Some(error);
+                    Err(refused)
+                }
+            }
+        };
+        read(&mut open)
+    };
+    if let Some(error) = stopped {
+        return Err(error);
+    }
+    let read = result.map_err(|ImportError { file, line, message, help }| match unreadable {
+        true => refusal("E0730", "path", &message, &help),
+        false => refusal("E0990", "path", &format!("{file}, line {line}: {message}"), &help),
+    })?;
+    let key = key.map(KeyWriter::finish).ok_or_else(|| externs::defect("a file has no key"))?;
+    Ok((read, key))
+}
+
+fn imported(
+    context: &mut Context,
+    placed: (String, SymbolicTransform),
+    key: KeyWriter,
+    read: impl FnOnce(&mut OpenFile<'_>) -> Result<Import, ImportError>,
+) -> Result<Handle, RuntimeError> {
+    let (Import { model, report }, key) = read_with(context, key, read)?;
+    check_elements(&model, &report.files)?;
+    let source = BodySource::Elements(FiniteElementBody::new(Arc::new(model), key));
+    added(context, placed, source, Some(report))
+}
+
+fn check_elements(model: &ElasticModel, files: &[String]) -> Result<(), RuntimeError> {
+    if !model.elements.is_empty() {
+        return Ok(());
+    }
+    let file = files.first().map_or("", String::as_str);
+    Err(refusal(
+        "E0990",
+        "path",
+        &format!("{file}: the file has no elements"),
+        "export the mesh with its elements",
+    ))
+}
+
+fn added(
+    context: &mut Context,
+    (name, frame): (String, SymbolicTransform),
+    source: BodySource,
+    report: Option<calyx_runtime::elastic::import::ImportReport>,
+) -> Result<Handle, RuntimeError> {
+    let name = context.name_in_instance(name);
+    let expression = frame.0.clone();
+    let motion = BodyPlacement::motion(frame, context.params.clone());
+    let (place, host) = (context.place, host(context)?);
+    if host.elastic_bodies.iter().any(|other| other.name == name) {
+        let message = format!("there are two elastic bodies called \"{name}\"");
+        return Err(refusal("E0671", "name", &message, "give each body a name of its own"));
+    }
+    let body = ModelElasticBody {
+        name,
+        source,
+        report,
+        motion,
+        frame: expression,
+        place,
+        attached: Vec::new(),
+        connection: None,
+    };
+    let Handle(index) = keep(&mut host.elastic_bodies, body);
+    Ok(Handle(ELASTIC_BODIES + index))
+}
+
+/// Returns the index of an elastic body by its handle; `None` for the handle of another body.
+fn as_elastic_body(host: &ModelHost, handle: Handle) -> Option<usize> {
+    let index = usize::try_from(handle.0.checked_sub(ELASTIC_BODIES)?).ok()?;
+    (index < host.elastic_bodies.len()).then_some(index)
+}
+
+/// Returns the expression of the frame of an elastic body, if the handle is that of one.
+pub(crate) fn elastic_frame(host: &ModelHost, handle: Handle) -> Option<Arc<SymbolicValue>> {
+    as_elastic_body(host, handle).map(|index| host.elastic_bodies[index].frame.clone())
+}
+
+/// Returns the error for an elastic body where a body of the scene is required, if the handle is
+/// that of one.
+pub(crate) fn has_no_motion(host: &ModelHost, argument: &str, handle: Handle) -> Option<RuntimeError> {
+    let body = &host.elastic_bodies[as_elastic_body(host, handle)?];
+    let message = format!("\"{}\" is an elastic body, whose points have different motions", body.name);
+    Some(refusal(
+        "E0991",
+        argument,
+        &message,
+        "give one of its attachments, which `gears.attachment` returns",
+    ))
+}
+
+/// Returns the index of the elastic body that is given as an argument.
+///
+/// # Errors
+/// E0991: the body is no elastic body.
+fn elastic_body(context: &mut Context, handle: Handle) -> Result<usize, RuntimeError> {
+    if let Some(index) = as_elastic_body(host(context)?, handle) {
+        return Ok(index);
+    }
+    Err(refusal(
+        "E0991",
+        "body",
+        "this body has no finite elements to be attached",
+        "give what `gears.nastran`, `gears.abaqus`, `gears.gmsh` or `gears.condensed_body` returned",
+    ))
+}
+
+fn requested(
+    context: &mut Context,
+    name: String,
+    region: Handle,
+    (how, harmonics, axis): (String, Vec<f64>, [f64; 3]),
+    position: Option<[f64; 3]>,
+) -> Result<RequestedAttachment, RuntimeError> {
+    let connection = match how.as_str() {
+        "average" => Connection::Average,
+        "fourier" => {
+            direction("axis", axis)?;
+            let harmonics = harmonics.into_iter().map(|order| whole("harmonics", order));
+            Connection::Fourier { axis, harmonics: harmonics.collect::<Result<_, _>>()? }
+        }
+        _ => Connection::Rigid,
+    };
+    let name = context.name_in_instance(name);
+    let part = entry(&host(context)?.regions, region)?.clone();
+    Ok(RequestedAttachment { name, part, connection, position })
+}

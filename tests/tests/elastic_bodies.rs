@@ -1,0 +1,210 @@
+//! Elastic housings as models describe them: against the whole housing, against bearings on ground,
+//! and in another orientation.
+
+use calyx::{Engine, Module};
+use calyx_runtime::elastic::assembly::System;
+use calyx_runtime::elastic::attachment::{Attachment, Connection, Region, attach};
+use calyx_runtime::elastic::import::{NastranOptions, Units, Unreadable, read_nastran};
+use calyx_runtime::elastic::{FixedComponents, NodalLoad, Resources, statics};
+use std::collections::BTreeMap;
+use std::fs;
+
+fn examples() -> std::path::PathBuf {
+    calyx_tests::root().join("examples")
+}
+
+fn housing_file() -> String {
+    fs::read_to_string(examples().join("housing.bdf")).expect("the housing")
+}
+
+/// Largest and smallest value of each output over the positions, SI, of a model next to a housing.
+fn solved(text: &str, housing: &str) -> BTreeMap<String, [f64; 2]> {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("housing.bdf"), housing).expect("written");
+    let path = folder.path().join("model.cx");
+    fs::write(&path, text).expect("written");
+    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
+    let outputs = text.lines().filter_map(|line| line.trim().strip_prefix("output "));
+    let of = |name: &str| {
+        let summary = results.summary_si(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name.to_owned(), [summary.min, summary.max])
+    };
+    outputs.filter_map(|line| line.split(" :=").next()).map(of).collect()
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A helical pair, whose pinion is on a shaft in two seats of the housing, at one position. `placed`
+/// is a transform of the whole from ground, `axis` the direction of the axes then.
+fn pair_in_housing(placed: &str, axis: &str, how: &str) -> String {
+    let mut text = format!(
+        "import gears;
+units mm_N_s;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
+function blank(in teeth, in hand) {{
+    return gears.external(teeth, normal_module = 2 mm, helix_angle = 15 deg, hand = hand, face_width = 20 mm, material = steel);
+}}
+var a = blank(23, \"right\"), b = blank(38, \"left\");
+var axis = {axis};
+var housing = gears.nastran(\"housing\", \"housing.bdf\", units = \"N-mm-s\", frame := Translate(0 mm * e3){placed});
+var foot_1 = gears.attachment(\"foot 1\", housing, gears.node_set(\"SET1 1\"), fixed = TRUE);
+var foot_2 = gears.attachment(\"foot 2\", housing, gears.node_set(\"SET1 2\"), fixed = TRUE);
+var foot_3 = gears.attachment(\"foot 3\", housing, gears.node_set(\"SET1 3\"), fixed = TRUE);
+var foot_4 = gears.attachment(\"foot 4\", housing, gears.node_set(\"SET1 4\"), fixed = TRUE);
+function seat(in name, in z: Length) {{
+    return gears.attachment(name, housing,
+        gears.cylinder_region(z * e3, e3, radius = 20 mm, from = 0 mm, to = 0 mm), how = \"{how}\", position = z * e3);
+}}
+var front_seat = seat(\"front seat\", -45 mm), back_seat = seat(\"back seat\", 45 mm);
+var shaft = gears.shaft(\"input\", segments = [gears.shaft_segment(length = 140 mm, diameter = 30 mm, bore = 8 mm)],
+    material = steel, frame := Rotate(600 rpm * Time, e3) * Translate(-60 mm * e3){placed});
+var first = gears.mount(\"pinion\", a, on = shaft, at = 60 mm);
+gears.shaft_load(shaft, at = 140 mm, moment = 120 N*m * axis);
+var front = gears.bearing(\"front\", shaft, to = front_seat, at = 15 mm * e3, radial_stiffness = 4e8 N/m, axial_stiffness = 2e8 N/m, tilting_stiffness = 1e4 N*m/rad);
+var back = gears.bearing(\"back\", shaft, to = back_seat, at = 105 mm * e3, radial_stiffness = 3e8 N/m);
+var second = gears.body(\"gear\", b,
+    frame := Rotate(-600 rpm * 23 / 38 * Time, e3) * Translate((gears.center_distance(a, b) + 0.05 mm) * e1){placed});
+var mesh = gears.mesh(first, second);
+output front_radial := gears.bearing_force(front, \"radial\");
+output back_radial := gears.bearing_force(back, \"radial\");
+output front_axial := gears.bearing_force(front, \"axial\");
+output deflection := gears.shaft_displacement(shaft, 60 mm, \"radial\");
+output te := gears.transmission_error(mesh);
+output uneven := gears.face_load_factor(mesh);
+"
+    );
+    for name in ["front", "back"] {
+        for axis in AXES {
+            text += &format!(
+                "output {name}_force_{axis} := gears.bearing_force({name}, \"{axis}\");
+output {name}_moment_{axis} := gears.bearing_moment({name}, \"{axis}\");
+output {name}_shift_{axis} := gears.displacement({name}_seat, \"{axis}\");
+output {name}_turn_{axis} := gears.rotation({name}_seat, \"{axis}\");
+"
+            );
+        }
+    }
+    for foot in 1..=4 {
+        for axis in AXES {
+            text += &format!("output foot_{foot}_{axis} := gears.support_force(foot_{foot}, \"{axis}\");\n");
+        }
+    }
+    text + "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 2), fidelity = \"analytic\");\n"
+}
+
+/// The displacements of the seats and the reactions of the feet are those of the whole housing under
+/// the forces of the bearings, at one position.
+#[test]
+fn seats_and_feet_are_those_of_the_whole_housing() {
+    for how in ["rigid", "average"] {
+        let text = pair_in_housing("", "e3", how)
+            .replace("gears.mesh_cycle(mesh, 2)", "gears.times(to = 0 s, count = 1)");
+        let found = solved(&text, &housing_file());
+        let value = |name: String| {
+            let [least, most] = found[&name];
+            assert_eq!(least, most, "{name}");
+            most
+        };
+        let mut open = |path: &str| match path {
+            "housing.bdf" => Ok(housing_file().into_bytes()),
+            _ => Err(Unreadable::new("no such file", "")),
+        };
+        let options = NastranOptions { units: Units::N_MM_S, subcase: None };
+        let mut model = read_nastran("housing.bdf", &options, &mut open).expect("a housing").model;
+        let seat = |name: &str, z: f64| Attachment {
+            name: name.into(),
+            position: Some([0.0, 0.0, z]),
+            region: Region::Cylinder {
+                origin: [0.0, 0.0, z],
+                axis: [0.0, 0.0, 1.0],
+                radius: 0.02,
+                heights: [0.0, 0.0],
+                tolerance: 2e-4,
+            },
+            connection: if how == "rigid" { Connection::Rigid } else { Connection::Average },
+        };
+        let mut feet = Vec::new();
+        for foot in 1..=4 {
+            let region = Region::Set(format!("SET1 {foot}"));
+            let connection = Connection::Rigid;
+            let foot = Attachment { name: format!("foot {foot}"), position: None, region, connection };
+            feet.push(attach(&mut model, &foot).expect("a foot")[0]);
+        }
+        let seats = [("front", -0.045), ("back", 0.045)]
+            .map(|(name, z)| attach(&mut model, &seat(name, z)).expect("a seat")[0]);
+        model.fixed.extend(feet.iter().map(|&node| FixedComponents {
+            node,
+            components: [true; 6],
+            value: 0.0,
+        }));
+        // The bearings push the housing with the opposite of their forces on the shaft.
+        let load = |(&node, name): (&usize, &str)| NodalLoad {
+            node,
+            load: std::array::from_fn(|k| {
+                let kind = if k < 3 { "force" } else { "moment" };
+                -value(format!("{name}_{kind}_{}", AXES[k % 3]))
+            }),
+        };
+        let case = seats.iter().zip(["front", "back"]).map(load).collect();
+        let resources = Resources::default();
+        let system = System::new(&model, &resources).expect("valid");
+        let solution = &statics::solve(&system, &[case], &resources).expect("supported")[0];
+        for (kind, from) in [("shift", 0), ("turn", 3)] {
+            let pairs = seats.iter().zip(["front", "back"]).flat_map(|(&node, name)| {
+                (0..3).map(move |k| (format!("{name}_{kind}_{}", AXES[k]), (node, from + k)))
+            });
+            let pairs: Vec<_> =
+                pairs.map(|(name, (node, k))| (value(name), solution.displacements[node][k])).collect();
+            let scale = pairs.iter().fold(0.0_f64, |scale, pair| scale.max(pair.1.abs()));
+            for (found, expected) in pairs {
+                assert!((found - expected).abs() < 1e-9 * scale, "{how} {kind}: {found} {expected}");
+            }
+        }
+        let largest = solution.reactions.iter().fold(0.0_f64, |most, reaction| most.max(reaction.2.abs()));
+        for (node, foot) in feet.iter().zip(1..) {
+            for (k, axis) in AXES.iter().enumerate() {
+                let of = |reaction: &&(usize, usize, f64)| reaction.0 == *node && reaction.1 == k;
+                let expected = solution.reactions.iter().find(of).expect("a reaction").2;
+                let found = value(format!("foot_{foot}_{axis}"));
+                assert!((found - expected).abs() < 1e-8 * largest, "{how} {foot} {axis}: {found} {expected}");
+            }
+        }
+    }
+}
+
+/// A housing that is 10⁵ times stiffer has the results of bearings on ground, and so has a rigid one
+/// by definition.
+#[test]
+fn a_stiff_housing_is_ground() {
+    let text = fs::read_to_string(examples().join("housing.cx")).expect("the example");
+    let stiff = housing_file().replace("MAT1,1,1.73+5", "MAT1,1,1.73+10");
+    assert_ne!(stiff, housing_file());
+    let grounded = text.replace("param elastic_housing = TRUE", "param elastic_housing = FALSE");
+    let expected = solved(&grounded, &housing_file());
+    let found = solved(&text, &stiff);
+    let elastic = solved(&text, &housing_file());
+    for (name, expected) in &expected {
+        let scale = expected[0].abs().max(expected[1].abs());
+        for (found, expected) in found[name].iter().zip(expected) {
+            assert!((found - expected).abs() < 2e-4 * scale, "{name}: {found} instead of {expected}");
+        }
+    }
+    // The housing itself matters.
+    assert!(elastic["transmission_error"][1] > 1.1 * expected["transmission_error"][1]);
+}
+
+/// The model in another orientation has the same results.
+#[test]
+fn the_orientation_of_a_housing_does_not_matter() {
+    let upright = solved(&pair_in_housing("", "e3", "rigid"), &housing_file());
+    let placed = " * Rotate(90 deg, e2) * Translate(3 mm * e1 - 2 mm * e2 + 5 mm * e3)";
+    let tilted = solved(&pair_in_housing(placed, "e1", "rigid"), &housing_file());
+    for name in ["front_radial", "back_radial", "front_axial", "deflection", "te", "uneven"] {
+        let (found, expected) = (tilted[name], upright[name]);
+        let scale = expected[0].abs().max(expected[1].abs());
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-7 * scale, "{name}: {found} instead of {expected}");
+        }
+    }
+}
