@@ -72,7 +72,7 @@
 //! |---|---|
 //! | [`scene`] | bodies ([`scene::Body`]), surface pairs ([`scene::SurfacePair`]) and observables; [`scene::Prototype`] defines how a body is modelled |
 //! | [`mechanism`], [`body`], [`pairs`], [`bearing`], [`dof`], [`ids`] | the simulated parts of a scene, independent of its observables |
-//! | [`connection`], [`shaft`], [`elastic_body`] | linear elastic parts between bodies: shafts, bodies of any shape |
+//! | [`connection`], [`shaft`], [`elastic_body`] | linear elastic parts between bodies |
 //! | [`motion`], [`load`], [`material`], [`inertia`] | prescribed motions of frames, loads, materials, masses |
 //! | [`lubrication`] | friction, flash temperature and film thickness at a point of contact |
 //! | [`disc`] | cylinders and platens; gears are in the crate `calyx-gears` |

@@ -35,8 +35,8 @@ fn solved(text: &str, housing: &str) -> BTreeMap<String, [f64; 2]> {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A helical pair, whose pinion is on a shaft in two seats of the housing, at one position. `placed`
-/// is a transform of the whole from ground, `axis` the direction of the axes then.
+/// A helical pair, whose pinion is on a shaft in two seats of the housing. `placed` is a transform
+/// of the whole from ground, `axis` the direction of the axes then.
 fn pair_in_housing(placed: &str, axis: &str, how: &str) -> String {
     let mut text = format!(
         "import gears;
@@ -93,8 +93,8 @@ output {name}_turn_{axis} := gears.rotation({name}_seat, \"{axis}\");
     text + "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 2), fidelity = \"analytic\");\n"
 }
 
-/// The displacements of the seats and the reactions of the feet are those of the whole housing under
-/// the forces of the bearings, at one position.
+/// The displacements of the seats and the reactions of the feet are those of the whole housing
+/// under the forces of the bearings, at one position.
 #[test]
 fn seats_and_feet_are_those_of_the_whole_housing() {
     for how in ["rigid", "average"] {
@@ -173,8 +173,7 @@ fn seats_and_feet_are_those_of_the_whole_housing() {
     }
 }
 
-/// A housing that is 10⁵ times stiffer has the results of bearings on ground, and so has a rigid one
-/// by definition.
+/// A housing that is 10⁵ times stiffer has the results of bearings on ground.
 #[test]
 fn a_stiff_housing_is_ground() {
     let text = fs::read_to_string(examples().join("housing.cx")).expect("the example");

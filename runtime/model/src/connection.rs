@@ -78,9 +78,9 @@ pub struct CondensedShaft {
 const ROUNDING: f64 = 1e-6;
 
 impl ElasticConnection {
-    /// Creates the connection of an elastic body between the bodies of its attachments, whose frames
-    /// have their origins at the attachments and the axes of the body's coordinates. `origin` is
-    /// that of the body's coordinates from ground, m, where a grounded body is attached to ground.
+    /// Creates the connection of an elastic body between the bodies of its attachments. The frames
+    /// of these bodies have their origins at the attachments and the axes of the elastic body.
+    /// `origin` is the origin of its coordinates in those of ground, m.
     pub fn of_body(
         name: String,
         body: Arc<dyn ElasticBody>,

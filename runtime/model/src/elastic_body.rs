@@ -52,7 +52,8 @@ impl ElasticBodySize {
         20.0 * all * all + 60.0 * all.powf(4.0 / 3.0) * retained
     }
 
-    /// Returns the estimated largest memory of the condensation, bytes: stiffness matrix and fronts.
+    /// Returns the estimated largest memory of the condensation, bytes: stiffness matrix and
+    /// fronts.
     pub fn bytes(&self) -> f64 {
         let all = self.dofs as f64;
         16.0 * 80.0 * all + 8.0 * 6.0 * all.powf(4.0 / 3.0)

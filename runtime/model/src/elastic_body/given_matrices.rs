@@ -43,12 +43,12 @@ impl MatrixBody {
         &self.matrices
     }
 
-    /// Adds an attachment at the node of this label. `position` (m) is that of a node whose position
-    /// the source does not state.
+    /// Adds an attachment at the node of this label. `position` (m) applies if the source does not
+    /// state that of the node.
     ///
     /// # Errors
-    /// E0991: the body has no such node, it is attached already, it has not all six components, or its
-    /// position is unknown.
+    /// E0991: the body has no such node, the node is attached already, it lacks one of the six
+    /// components, or its position is unknown.
     pub fn attach(
         &mut self,
         name: &str,
