@@ -207,3 +207,29 @@ fn the_orientation_of_a_housing_does_not_matter() {
         }
     }
 }
+
+/// The mass of the housing lowers the lowest natural frequency of the pair, and a housing without
+/// attachments on its walls has its mass at the seats.
+#[test]
+fn a_housing_takes_part_in_vibrations() {
+    let text = fs::read_to_string(examples().join("housing.cx")).expect("the example");
+    let one = "over = gears.times(to = 0 s, count = 1), fidelity";
+    let outputs =
+        "output first := gears.natural_frequency(1);\noutput tenth := gears.natural_frequency(10);\n";
+    let text = text
+        .replace("over = gears.mesh_cycle(mesh, steps), fidelity", one)
+        .replace("analyze(", &format!("{outputs}analyze("));
+    let heavy = housing_file().replace(",0.275,7.1-9", ",0.275,7.1-8");
+    assert_ne!(heavy, housing_file());
+    let grounded = text.replace("param elastic_housing = TRUE", "param elastic_housing = FALSE");
+    let [grounded, light, heavy] =
+        [solved(&grounded, &housing_file()), solved(&text, &housing_file()), solved(&text, &heavy)]
+            .map(|outputs| ["first", "tenth"].map(|name| outputs[name][0]));
+    for mode in 0..2 {
+        assert!(light[mode] > 0.0 && light[mode].is_finite(), "{light:?}");
+        assert!(
+            light[mode] < grounded[mode] && heavy[mode] < light[mode],
+            "{grounded:?} {light:?} {heavy:?}"
+        );
+    }
+}

@@ -85,6 +85,11 @@ pub trait ElasticBody: Any + Send + Sync {
     /// E0992: the body cannot be condensed. Otherwise those of the interrupt.
     fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError>;
 
+    /// Returns whether the body has mass.
+    fn has_mass(&self) -> bool {
+        true
+    }
+
     /// Returns a stiffness of the order of that of the body, N/m, such as Young's modulus times its
     /// size.
     fn typical_stiffness(&self) -> f64;

@@ -248,6 +248,10 @@ impl ElasticBody for FiniteElementBody {
         condense_model(&model, &nodes, (self.is_grounded(), with_mass), interrupt)
     }
 
+    fn has_mass(&self) -> bool {
+        self.mass.mass > 0.0
+    }
+
     fn typical_stiffness(&self) -> f64 {
         let moduli = self.model.materials.iter().map(|material| material.youngs_modulus);
         // A body of springs alone has no material.

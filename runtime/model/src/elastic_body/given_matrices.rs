@@ -156,6 +156,10 @@ impl ElasticBody for MatrixBody {
         })
     }
 
+    fn has_mass(&self) -> bool {
+        self.matrices.mass.as_ref().is_some_and(|mass| mass.diagonal().iter().any(|entry| *entry > 0.0))
+    }
+
     fn typical_stiffness(&self) -> f64 {
         let own = |(row, (_, component)): (usize, &(usize, usize))| {
             if *component < 3 { self.matrices.stiffness[(row, row)] } else { 0.0 }

@@ -43,6 +43,7 @@ use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{Support, damping};
 use calyx_model::connection::ConnectionState;
 use calyx_model::dof::Dof;
+use calyx_model::elastic_body::SharedElasticBody;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::frames::pose;
 use calyx_model::ids::BodyId;
@@ -458,6 +459,10 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
 /// Returns whether an elastic connection has inertia along a DOF.
 fn connection_resists(scene: &Mechanism, dof: &Dof) -> bool {
     scene.connections_of(BodyId(dof.body)).any(|connection| {
+        // The mass of an elastic body is condensed later, onto all components of its attachments.
+        if let Some(SharedElasticBody(body)) = &connection.body {
+            return body.has_mass();
+        }
         let size = connection.size();
         let own = connection.attachments.iter().enumerate();
         own.filter(|(_, attachment)| attachment.to == Support::Body(BodyId(dof.body))).any(|(index, _)| {
