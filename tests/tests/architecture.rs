@@ -16,6 +16,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("calyx-numerics", "runtime/numerics", &[]),
     ("calyx-fe", "runtime/fe", &["calyx-numerics"]),
     ("calyx-elastic", "runtime/elastic", &["calyx-fe", "calyx-numerics"]),
+    ("calyx-rolling", "runtime/rolling", &["calyx-numerics"]),
     ("calyx-structure", "runtime/structure", &["calyx-fe", "calyx-numerics"]),
     ("calyx-contact", "runtime/contact", &["calyx-numerics", "calyx-structure"]),
     (
@@ -75,6 +76,7 @@ const NUMERICAL: &[&str] = &[
     "calyx-numerics",
     "calyx-fe",
     "calyx-elastic",
+    "calyx-rolling",
     "calyx-structure",
     "calyx-contact",
     "calyx-model",

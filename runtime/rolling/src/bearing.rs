@@ -1,0 +1,364 @@
+//! Rolling bearings as sets of rows between rigid rings.
+
+use crate::ball::{BallRow, BallState, Motion};
+use crate::element::{Local, Response};
+use crate::error::{RollingError, finite};
+use crate::roller::{RollerRow, RollerState};
+use libm::{cos, sin};
+use std::f64::consts::TAU;
+
+/// Displacement of the inner ring relative to the outer ring at the reference point of the bearing:
+/// translations along x, y and z, m, and rotations about x and y, rad.
+///
+/// Kinematics are linear: a point at radius R and axial position z moves radially by
+/// `ux cos ψ + uy sin ψ + z τ` and axially by `uz - R τ`, with `τ = θy cos ψ - θx sin ψ`.
+pub type Displacement = [f64; 5];
+
+/// Forces along x, y and z, N, and moments about x and y, N m, conjugate to [`Displacement`].
+pub type Load = [f64; 5];
+
+/// Rolling elements of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Elements {
+    /// Balls.
+    Balls(BallRow),
+    /// Rollers.
+    Rollers(Box<RollerRow>),
+}
+
+impl From<BallRow> for Elements {
+    fn from(row: BallRow) -> Self {
+        Self::Balls(row)
+    }
+}
+
+impl From<RollerRow> for Elements {
+    fn from(row: RollerRow) -> Self {
+        Self::Rollers(Box::new(row))
+    }
+}
+
+/// A row of rolling elements at its position in a bearing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Rolling elements.
+    pub elements: Elements,
+    /// Axial position of the element centres from the reference point, m.
+    pub position: f64,
+    /// The row is mirrored: a displacement of the inner ring to -z loads its contact angle.
+    pub mirrored: bool,
+    /// Axial displacement of the inner ring in the loading direction of the row, m, at zero
+    /// displacement of the bearing: preload if positive, axial clearance if negative.
+    pub offset: f64,
+    /// Azimuth of the first element relative to that of the bearing, rad.
+    pub azimuth: f64,
+}
+
+/// Arrangement of two equal rows with contact angles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrangement {
+    /// O or back-to-back: the contact lines meet the axis outside of the rows.
+    BackToBack,
+    /// X or face-to-face: the contact lines meet the axis between the rows.
+    FaceToFace,
+    /// Both rows carry axial load to +z.
+    Tandem,
+}
+
+/// A rolling bearing with rigid rings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RollingBearing {
+    rows: Vec<Row>,
+    elements: usize,
+    stiffness: f64,
+    radius: f64,
+}
+
+/// Load on the inner ring that balances the elements, and its derivatives.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Evaluation {
+    /// Load on the inner ring.
+    pub load: Load,
+    /// Derivatives of the load with respect to the displacement, at elements in equilibrium.
+    pub stiffness: [[f64; 5]; 5],
+    /// Sum of the magnitudes of the loads of all elements on the inner ring, N.
+    pub scale: f64,
+    /// Number of elements without converged equilibrium.
+    pub unconverged: usize,
+}
+
+/// Positions of the elements at a displacement, from which the next evaluation starts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Start {
+    rollers: Vec<Option<[f64; 3]>>,
+}
+
+/// State of a rolling element.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElementState {
+    /// Index of the row.
+    pub row: usize,
+    /// Azimuth from +x to +y, rad.
+    pub azimuth: f64,
+    /// Contacts.
+    pub contacts: Contacts,
+}
+
+/// Contacts of a rolling element.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Contacts {
+    /// Contacts of a ball.
+    Ball(BallState),
+    /// Contacts of a roller.
+    Roller(RollerState),
+}
+
+impl Row {
+    /// A row at the reference point of its bearing.
+    pub fn new(elements: impl Into<Elements>) -> Self {
+        Self { elements: elements.into(), position: 0.0, mirrored: false, offset: 0.0, azimuth: 0.0 }
+    }
+
+    /// Returns the number of elements.
+    pub fn count(&self) -> usize {
+        match &self.elements {
+            Elements::Balls(row) => row.geometry.count,
+            Elements::Rollers(row) => row.geometry.count,
+        }
+    }
+
+    /// Returns the pitch diameter, m.
+    pub fn pitch_diameter(&self) -> f64 {
+        match &self.elements {
+            Elements::Balls(row) => row.geometry.pitch_diameter,
+            Elements::Rollers(row) => row.geometry.pitch_diameter,
+        }
+    }
+
+    /// Returns the derivative of the displacement in the plane of an element with respect to that of
+    /// the bearing.
+    fn projection(&self, [cosine, sine]: [f64; 2]) -> [[f64; 5]; 3] {
+        let side = if self.mirrored { -1.0 } else { 1.0 };
+        let z = self.position;
+        [
+            [cosine, sine, 0.0, -z * sine, z * cosine],
+            [0.0, 0.0, side, 0.0, 0.0],
+            [0.0, 0.0, 0.0, -side * sine, side * cosine],
+        ]
+    }
+
+    /// Returns the azimuths of the elements.
+    fn azimuths(&self, motion: &Motion) -> impl Iterator<Item = f64> + use<> {
+        let (count, first) = (self.count(), self.azimuth + motion.azimuth);
+        (0..count).map(move |k| first + TAU * k as f64 / count as f64)
+    }
+
+    /// Returns the stiffness of all elements in their contact direction at an approach of 1e-4 of
+    /// their diameter.
+    fn typical_stiffness(&self) -> f64 {
+        self.count() as f64
+            * match &self.elements {
+                Elements::Balls(row) => {
+                    let contact = row.contact(&row.grooves[0], 1.0);
+                    contact.stiffness * (1e-4 * row.geometry.ball_diameter).sqrt()
+                }
+                Elements::Rollers(row) => {
+                    let approach = 1e-4 * row.geometry.roller_diameter;
+                    row.coefficient * row.geometry.laminae as f64 * crate::hertz::line::ninth_root(approach)
+                }
+            }
+    }
+}
+
+impl RollingBearing {
+    /// Creates a bearing from its rows.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] without rows, or if a position or offset is not finite.
+    pub fn new(rows: Vec<Row>) -> Result<Self, RollingError> {
+        if rows.is_empty() {
+            return Err(RollingError::input("the rolling bearing has no row", "give at least one row"));
+        }
+        for row in &rows {
+            finite("axial position of a row", row.position)?;
+            finite("axial offset of a row", row.offset)?;
+            finite("azimuth of a row", row.azimuth)?;
+        }
+        let elements = rows.iter().map(Row::count).sum();
+        let stiffness = rows.iter().map(Row::typical_stiffness).sum();
+        let extent = |row: &Row| 0.5 * row.pitch_diameter() + row.position.abs();
+        let radius = rows.iter().map(extent).fold(0.0, f64::max);
+        Ok(Self { rows, elements, stiffness, radius })
+    }
+
+    /// Creates a bearing of one row at its reference point.
+    pub fn single(elements: impl Into<Elements>) -> Self {
+        let row = Row::new(elements);
+        let (elements, stiffness) = (row.count(), row.typical_stiffness());
+        let radius = 0.5 * row.pitch_diameter();
+        Self { rows: vec![row], elements, stiffness, radius }
+    }
+
+    /// Creates a bearing of two equal rows at a distance, m. Both have the same axial offset: preload if
+    /// positive. The reference point is midway.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] if the distance is not positive or an input is not finite.
+    pub fn pair(
+        elements: impl Into<Elements>,
+        arrangement: Arrangement,
+        distance: f64,
+        offset: f64,
+    ) -> Result<Self, RollingError> {
+        crate::error::positive("distance of the rows", distance)?;
+        let elements = elements.into();
+        let rows = [-1.0, 1.0].map(|side| Row {
+            position: 0.5 * side * distance,
+            mirrored: match arrangement {
+                Arrangement::BackToBack => side > 0.0,
+                Arrangement::FaceToFace => side < 0.0,
+                Arrangement::Tandem => false,
+            },
+            offset,
+            ..Row::new(elements.clone())
+        });
+        Self::new(rows.to_vec())
+    }
+
+    /// Returns the rows.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// Returns a stiffness typical of the bearing under load, N/m.
+    pub(crate) fn typical_stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// Returns the distance of the elements from the reference point, m.
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Computes load and stiffness at a displacement of the inner ring. `start` has the positions of the
+    /// elements at a near displacement, or none, and receives those found.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] if the displacement is not finite.
+    pub fn evaluate(
+        &self,
+        displacement: &Displacement,
+        motion: &Motion,
+        start: &mut Start,
+    ) -> Result<Evaluation, RollingError> {
+        check(displacement, motion)?;
+        start.rollers.resize(self.elements, None);
+        let mut evaluation = Evaluation::default();
+        let mut element = 0;
+        for row in &self.rows {
+            let force = match &row.elements {
+                Elements::Balls(_) => 0.0,
+                Elements::Rollers(rollers) => rollers.centrifugal_force(motion),
+            };
+            for azimuth in row.azimuths(motion) {
+                let projection = row.projection([cos(azimuth), sin(azimuth)]);
+                let ring = local(&projection, displacement, row.offset);
+                let response = match &row.elements {
+                    Elements::Balls(balls) => balls.response(&ring, motion),
+                    Elements::Rollers(rollers) => rollers.response(&ring, force, &mut start.rollers[element]),
+                };
+                evaluation.add(&projection, &response);
+                element += 1;
+            }
+        }
+        Ok(evaluation)
+    }
+
+    /// Computes the state of each element at a displacement of the inner ring, row by row.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] if the displacement is not finite.
+    pub fn elements(
+        &self,
+        displacement: &Displacement,
+        motion: &Motion,
+    ) -> Result<Vec<ElementState>, RollingError> {
+        check(displacement, motion)?;
+        let mut states = Vec::with_capacity(self.elements);
+        for (index, row) in self.rows.iter().enumerate() {
+            for azimuth in row.azimuths(motion) {
+                let projection = row.projection([cos(azimuth), sin(azimuth)]);
+                let ring = local(&projection, displacement, row.offset);
+                let contacts = match &row.elements {
+                    Elements::Balls(balls) => Contacts::Ball(balls.state(&ring, motion)),
+                    Elements::Rollers(rollers) => {
+                        Contacts::Roller(rollers.state(&ring, rollers.centrifugal_force(motion)))
+                    }
+                };
+                states.push(ElementState { row: index, azimuth, contacts });
+            }
+        }
+        Ok(states)
+    }
+}
+
+impl Evaluation {
+    fn add(&mut self, projection: &[[f64; 5]; 3], response: &Response) {
+        self.unconverged += usize::from(response.unconverged);
+        self.scale += libm::hypot(response.force[0], response.force[1]);
+        for i in 0..5 {
+            for k in 0..3 {
+                self.load[i] += projection[k][i] * response.force[k];
+            }
+            for j in 0..5 {
+                for k in 0..3 {
+                    for l in 0..3 {
+                        self.stiffness[i][j] +=
+                            projection[k][i] * response.stiffness[k][l] * projection[l][j];
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl ElementState {
+    /// Returns the larger of the loads on the inner and on the outer raceway, N.
+    pub fn load(&self) -> f64 {
+        match &self.contacts {
+            Contacts::Ball(ball) => {
+                ball.inner.iter().chain(&ball.outer).fold(0.0, |load, contact| contact.load.max(load))
+            }
+            Contacts::Roller(roller) => roller.inner.load.max(roller.outer.load),
+        }
+    }
+
+    /// Returns the largest contact pressure, Pa.
+    pub fn pressure(&self) -> f64 {
+        match &self.contacts {
+            Contacts::Ball(ball) => ball
+                .inner
+                .iter()
+                .chain(&ball.outer)
+                .fold(0.0, |largest, contact| contact.pressure.max(largest)),
+            Contacts::Roller(roller) => roller.inner.pressure.max(roller.outer.pressure),
+        }
+    }
+}
+
+/// Returns the displacement in the plane of an element.
+fn local(projection: &[[f64; 5]; 3], displacement: &Displacement, offset: f64) -> Local {
+    let [radial, axial, tilt] = [0, 1, 2].map(|k| crate::linear::dot(&projection[k], displacement));
+    [radial, axial + offset, tilt]
+}
+
+/// Checks that displacement and speeds are finite.
+fn check(displacement: &Displacement, motion: &Motion) -> Result<(), RollingError> {
+    for &value in displacement {
+        finite("displacement", value)?;
+    }
+    finite("speed", motion.inner_speed)?;
+    finite("speed", motion.outer_speed)?;
+    finite("azimuth", motion.azimuth)?;
+    finite("centrifugal force", motion.roller_force.unwrap_or(0.0))
+}
