@@ -1,5 +1,5 @@
-//! Time to evaluate load and stiffness of a pair of tapered roller bearings, as a ratio to the time of
-//! the powers δ^{10/9} that one pass over all laminae takes, in the same run.
+//! Time to evaluate load and stiffness of a pair of tapered roller bearings, as a ratio to the time
+//! of the powers δ^{10/9} that one pass over all laminae takes, in the same run.
 //!
 //! `cargo bench -p calyx-rolling`
 
@@ -9,8 +9,8 @@ use calyx_rolling::{
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Bound of the ratio for an equilibrium of the pair under a load, with some ten evaluations of some
-/// eight passes over the laminae each.
+/// Bound of the ratio for an equilibrium of the pair under a load, with some ten evaluations of
+/// some eight passes over the laminae each.
 const BOUND: f64 = 200.0;
 
 fn main() {

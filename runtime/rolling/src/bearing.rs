@@ -135,8 +135,8 @@ impl Row {
         }
     }
 
-    /// Returns the derivative of the displacement in the plane of an element with respect to that of
-    /// the bearing.
+    /// Returns the derivative of the displacement in the plane of an element with respect to that
+    /// of the bearing.
     fn projection(&self, [cosine, sine]: [f64; 2]) -> [[f64; 5]; 3] {
         let side = if self.mirrored { -1.0 } else { 1.0 };
         let z = self.position;
@@ -199,8 +199,8 @@ impl RollingBearing {
         Self { rows: vec![row], elements, stiffness, radius }
     }
 
-    /// Creates a bearing of two equal rows at a distance, m. Both have the same axial offset: preload if
-    /// positive. The reference point is midway.
+    /// Creates a bearing of two equal rows at a distance, m. Both have the same axial offset:
+    /// preload if positive. The reference point is midway.
     ///
     /// # Errors
     /// [`RollingError::Input`] if the distance is not positive or an input is not finite.
@@ -240,8 +240,8 @@ impl RollingBearing {
         self.radius
     }
 
-    /// Computes load and stiffness at a displacement of the inner ring. `start` has the positions of the
-    /// elements at a near displacement, or none, and receives those found.
+    /// Computes load and stiffness at a displacement of the inner ring. `start` has the positions
+    /// of the elements at a near displacement, or none, and receives those found.
     ///
     /// # Errors
     /// [`RollingError::Input`] if the displacement is not finite.
@@ -330,6 +330,22 @@ impl ElementState {
                 ball.inner.iter().chain(&ball.outer).fold(0.0, |load, contact| contact.load.max(load))
             }
             Contacts::Roller(roller) => roller.inner.load.max(roller.outer.load),
+        }
+    }
+
+    /// Returns the state of a ball.
+    pub fn ball(&self) -> Option<&BallState> {
+        match &self.contacts {
+            Contacts::Ball(ball) => Some(ball),
+            Contacts::Roller(_) => None,
+        }
+    }
+
+    /// Returns the state of a roller.
+    pub fn roller(&self) -> Option<&RollerState> {
+        match &self.contacts {
+            Contacts::Roller(roller) => Some(roller),
+            Contacts::Ball(_) => None,
         }
     }
 

@@ -30,8 +30,8 @@ pub struct Conditions {
     pub load: Load,
     /// Components of the displacement that keep their value in `start`.
     pub prescribed: [bool; 5],
-    /// First displacement. Where the load leaves the ring free, as within a clearance, the result is
-    /// near it.
+    /// First displacement. Where the load leaves the ring free, as within a clearance, the result
+    /// is near it.
     pub start: Displacement,
 }
 
@@ -53,13 +53,13 @@ impl RollingBearing {
 
     /// Computes the displacement of the inner ring under a load with prescribed components.
     ///
-    /// Newton's method with a line search for the zero of the residual's component along the step. The
-    /// potential energy is convex (nearly so for balls, whose stiffness depends on the contact angle),
-    /// so that the search finds each opening or closing clearance.
+    /// Newton's method with a line search for the zero of the residual's component along the step.
+    /// The potential energy is convex (nearly so for balls, whose stiffness depends on the contact
+    /// angle), so that the search finds each opening or closing clearance.
     ///
     /// # Errors
-    /// [`RollingError::Input`] if a value is not finite; [`RollingError::Equilibrium`] if the bearing
-    /// cannot carry the load.
+    /// [`RollingError::Input`] if a value is not finite; [`RollingError::Equilibrium`] if the
+    /// bearing cannot carry the load.
     pub fn equilibrium(&self, conditions: &Conditions, motion: &Motion) -> Result<Equilibrium, RollingError> {
         for value in conditions.load {
             finite("load", value)?;
@@ -148,8 +148,8 @@ impl RollingBearing {
     }
 }
 
-/// Finds a fraction of a step at which the residual's component along the step is small, and the forces
-/// there.
+/// Finds a fraction of a step at which the residual's component along the step is small, and the
+/// forces there.
 fn line_search(
     point: &Point,
     step: &[f64; 5],

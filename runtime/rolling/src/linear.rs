@@ -1,7 +1,7 @@
 //! Linear equations of a few unknowns.
 
-/// Solves A X = B in place of B for a small matrix by elimination with partial pivoting, and returns
-/// whether the matrix is regular.
+/// Solves A X = B in place of B for a small matrix by elimination with partial pivoting, and
+/// returns whether the matrix is regular.
 pub(crate) fn solve<const N: usize, const M: usize>(mut a: [[f64; N]; N], b: &mut [[f64; M]; N]) -> bool {
     let scale = a.iter().flatten().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
     if !(scale > 0.0 && scale.is_finite()) {

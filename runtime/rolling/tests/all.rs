@@ -4,6 +4,7 @@ mod balls;
 mod equilibrium;
 mod hertz;
 mod inputs;
+mod ratings;
 mod reference;
 mod rollers;
 mod sample;

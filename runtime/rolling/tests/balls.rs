@@ -36,8 +36,8 @@ fn stiffness_is_the_derivative_of_the_load() {
     }
 }
 
-/// The potential energy of the balls at rest depends on the contact angle through the curvature, which
-/// leaves an asymmetry of its order.
+/// The potential energy of the balls at rest depends on the contact angle through the curvature,
+/// which leaves an asymmetry of its order.
 #[test]
 fn stiffness_is_nearly_symmetric() {
     for geometry in [deep_groove(), angular_contact(), four_point()] {
@@ -99,7 +99,8 @@ fn balls_at_speed_are_in_equilibrium() {
     }
 }
 
-/// A ball without load on the inner ring is pressed against the outer ring by its centrifugal force.
+/// A ball without load on the inner ring is pressed against the outer ring by its centrifugal
+/// force.
 #[test]
 fn unloaded_balls_at_speed_touch_the_outer_ring() {
     let bearing = balls(deep_groove());
@@ -115,8 +116,8 @@ fn unloaded_balls_at_speed_touch_the_outer_ring() {
     assert_eq!((evaluation.load, evaluation.stiffness), ([0.0; 5], [[0.0; 5]; 5]));
 }
 
-/// At the contact angle, a four-point bearing without clearance is an angular contact bearing as soon as
-/// one pair of arcs has no contact.
+/// At the contact angle, a four-point bearing without clearance is an angular contact bearing as
+/// soon as one pair of arcs has no contact.
 #[test]
 fn axial_load_leaves_two_contacts_of_a_four_point_bearing() {
     let mut geometry = four_point();

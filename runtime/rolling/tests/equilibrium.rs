@@ -142,7 +142,8 @@ fn no_load_has_no_displacement() {
     }
 }
 
-/// One ball carries a load along its direction alone, with the stiffness of its two contacts in series.
+/// One ball carries a load along its direction alone, with the stiffness of its two contacts in
+/// series.
 #[test]
 fn one_element_carries_its_load() {
     let mut geometry = deep_groove();
@@ -153,7 +154,8 @@ fn one_element_carries_its_load() {
     let load = [500.0, 0.0, 0.0, 0.0, 0.0];
     let conditions = Conditions { load, prescribed, start: [0.0; 5] };
     let solution = bearing.equilibrium(&conditions, &Motion::REST).expect("solved");
-    // Stiffness of both contacts from the reference table, N/mm^1.5 scaled from the approach at 100 N.
+    // Stiffness of both contacts from the reference table, N/mm^1.5 scaled from the approach at 100
+    // N.
     let approach = (0.0021814254315395618 + 0.002100719528297654) * 1e-3 * 5f64.powf(2.0 / 3.0);
     close(solution.displacement[0], approach, approach, 1e-9, "approach");
 }

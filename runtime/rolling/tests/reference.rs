@@ -1,5 +1,6 @@
-//! Comparison with independent computations: ball bearings with Hertz contacts, cylindrical and tapered
-//! roller bearings with 41 laminae per contact, all with rigid rings. Lengths of the tables are in mm.
+//! Comparison with independent computations: ball bearings with Hertz contacts, cylindrical and
+//! tapered roller bearings with 41 laminae per contact, all with rigid rings. Lengths of the tables
+//! are in mm.
 
 use crate::sample::{angular_contact, balls, close, cylindrical, deep_groove, evaluate, rollers, tapered};
 use calyx_rolling::bearing::Contacts;

@@ -1,5 +1,5 @@
-//! Rollers: stiffness against differences, equilibrium of a roller, convergence with laminae, spherical
-//! rollers that align themselves.
+//! Rollers: stiffness against differences, equilibrium of a roller, convergence with laminae,
+//! spherical rollers that align themselves.
 
 use crate::sample::{check_stiffness, close, cylindrical, evaluate, rollers, spherical, tapered};
 use calyx_rolling::bearing::Contacts;
@@ -66,7 +66,8 @@ fn tapered_rollers_are_in_equilibrium() {
         close(fi * inner.cos() - fo * outer.cos() + rib * normal[0] + 16.5, 0.0, scale, 1e-12, "radial");
         close(fi * inner.sin() - fo * outer.sin() + rib * normal[1], 0.0, scale, 1e-12, "axial");
         // Moments about the roller centre from radial to axial: the contact lines pass at the same
-        // distance, and the line of action of the rib force passes the axis at the centre of the sphere.
+        // distance, and the line of action of the rib force passes the axis at the centre of the
+        // sphere.
         let arm = (0.12 - 6.5e-3) * sine;
         let moment = roller.inner.moment - roller.outer.moment;
         let sum = moment - rib * arm;
@@ -90,7 +91,8 @@ fn laminae_converge() {
     }
 }
 
-/// The outer raceway is a sphere: the inner ring tilts with its rollers about the centre of the sphere.
+/// The outer raceway is a sphere: the inner ring tilts with its rollers about the centre of the
+/// sphere.
 #[test]
 fn spherical_rollers_align_themselves() {
     let geometry = spherical();

@@ -61,7 +61,8 @@ impl BallRow {
         let normal = 1.5 * result.stiffness * compression.sqrt();
         result.frozen = central_stiffness(unit, normal, result.load / distance);
         result.exact = result.frozen;
-        // The cosine of the contact angle is direction·e_r, and the direction turns with 1/distance.
+        // The cosine of the contact angle is direction·e_r, and the direction turns with
+        // 1/distance.
         let turn = [1.0 - unit[0] * unit[0], -unit[0] * unit[1]];
         for i in 0..2 {
             for j in 0..2 {
@@ -71,8 +72,9 @@ impl BallRow {
         result
     }
 
-    /// Computes the force between the two grooves of a ball without inertia: both contacts are on the
-    /// line of the groove centres and carry the same load. `v` leads from the outer to the inner centre.
+    /// Computes the force between the two grooves of a ball without inertia: both contacts are on
+    /// the line of the groove centres and carry the same load. `v` leads from the outer to the
+    /// inner centre.
     pub(super) fn series_force(&self, v: [f64; 2]) -> GrooveForce {
         let (inner, outer) = (&self.grooves[0], &self.grooves[1]);
         let distance = libm::hypot(v[0], v[1]);

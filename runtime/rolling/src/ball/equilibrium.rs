@@ -188,9 +188,10 @@ impl BallRow {
 
     /// Finds the position of the ball where its forces balance.
     ///
-    /// Newton's method on all forces converges quadratically. Where it does not reduce the residual,
-    /// the stiffness k of the contacts and inertia are kept at their last values: the ball then has a
-    /// convex potential energy, which Newton's method with a line search minimizes from anywhere.
+    /// Newton's method on all forces converges quadratically. Where it does not reduce the
+    /// residual, the stiffness k of the contacts and inertia are kept at their last values: the
+    /// ball then has a convex potential energy, which Newton's method with a line search minimizes
+    /// from anywhere.
     fn settle(&self, centers: &[[f64; 2]; 4], motion: &Motion) -> ([f64; 2], Balance, bool) {
         let inertia = self.inertia(motion, self.free_angle, self.free_angle).map(|force| force.value);
         let mut ball = self.start(centers, inertia);

@@ -20,8 +20,8 @@ pub enum BallKind {
         /// Contact angle, rad.
         angle: f64,
     },
-    /// Two arcs per ring. At zero clearance, the balls of the centred bearing touch all four arcs at
-    /// the contact angle.
+    /// Two arcs per ring. At zero clearance, the balls of the centred bearing touch all four arcs
+    /// at the contact angle.
     FourPoint {
         /// Contact angle, rad.
         angle: f64,
@@ -74,16 +74,17 @@ pub struct BallRow {
     pub(crate) free_angle: f64,
 }
 
-/// Pressure of ISO 76 at which a ball contact has a permanent deformation of 1e-4 of the diameter, Pa.
+/// Pressure of ISO 76 at which a ball contact has a permanent deformation of 1e-4 of the diameter,
+/// Pa.
 pub(crate) const STATIC_PRESSURE: f64 = 4.2e9;
 
 impl BallRow {
     /// Checks the dimensions and derives the grooves.
     ///
     /// # Errors
-    /// [`RollingError::Input`] if the balls do not fit on the pitch circle, if a groove is not wider
-    /// than the ball, if the clearance leaves no contact, or if the interference would indent the
-    /// raceways.
+    /// [`RollingError::Input`] if the balls do not fit on the pitch circle, if a groove is not
+    /// wider than the ball, if the clearance leaves no contact, or if the interference would indent
+    /// the raceways.
     pub fn new(geometry: BallGeometry) -> Result<Self, RollingError> {
         let g = &geometry;
         positive("ball diameter", g.ball_diameter)?;
@@ -156,8 +157,8 @@ impl BallRow {
         if clearance >= 0.0 {
             return Ok(());
         }
-        // Each side of the ring presses the ball by half of the interference, times the cosine of the
-        // angle of the contacts; the inner contact has the larger pressure.
+        // Each side of the ring presses the ball by half of the interference, times the cosine of
+        // the angle of the contacts; the inner contact has the larger pressure.
         let angle = self.geometry.kind.angle_and_clearance().0;
         let inner = self.contact(&self.grooves[0], cos(angle));
         let outer = self.contact(&self.grooves[self.grooves.len() / 2], cos(angle));

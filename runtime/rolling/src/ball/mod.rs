@@ -6,6 +6,6 @@ mod geometry;
 mod motion;
 
 pub use equilibrium::{BallContact, BallState};
-pub(crate) use geometry::check_circle;
 pub use geometry::{BallGeometry, BallKind, BallRow};
+pub(crate) use geometry::{STATIC_PRESSURE, check_circle};
 pub use motion::{CageSpeed, Motion};

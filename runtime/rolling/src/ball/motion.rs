@@ -49,8 +49,8 @@ impl Motion {
         self.inner_speed != 0.0 || self.outer_speed != 0.0
     }
 
-    /// Returns the orbital speed, rad/s, from its ratio to the speed of the inner ring at a fixed outer
-    /// ring.
+    /// Returns the orbital speed, rad/s, from its ratio to the speed of the inner ring at a fixed
+    /// outer ring.
     pub(crate) fn orbital_speed(&self, ratio: f64) -> f64 {
         self.outer_speed + ratio * (self.inner_speed - self.outer_speed)
     }
@@ -120,12 +120,12 @@ impl Div for ByAngles {
 }
 
 impl BallRow {
-    /// Computes the radial and axial force of inertia and of the friction that balances the gyroscopic
-    /// moment, N, from the contact angles, rad.
+    /// Computes the radial and axial force of inertia and of the friction that balances the
+    /// gyroscopic moment, N, from the contact angles, rad.
     ///
-    /// The orbital radius is that of the pitch circle. Source: Harris and Kotzalas, Advanced Concepts of
-    /// Bearing Technology (2007), chapter 3. The pitch angle of the ball's axis is that of outer race
-    /// control.
+    /// The orbital radius is that of the pitch circle. Source: Harris and Kotzalas, Advanced
+    /// Concepts of Bearing Technology (2007), chapter 3. The pitch angle of the ball's axis is that
+    /// of outer race control.
     pub(super) fn inertia(&self, motion: &Motion, inner: f64, outer: f64) -> [ByAngles; 2] {
         let zero = ByAngles::constant(0.0);
         if !motion.has_inertia() {

@@ -16,8 +16,8 @@ pub struct Elliptic {
 impl Elliptic {
     /// Computes the integrals of the complementary modulus k' = √(1-m) with 0 < k' <= 1.
     ///
-    /// Source: Abramowitz and Stegun (1964), section 17.6. The sum of 2ⁿ⁻¹cₙ² is divided by m term by
-    /// term, so that the difference of K and E has no cancellation.
+    /// Source: Abramowitz and Stegun (1964), section 17.6. The sum of 2ⁿ⁻¹cₙ² is divided by m term
+    /// by term, so that the difference of K and E has no cancellation.
     pub fn of_complementary_modulus(modulus: f64) -> Self {
         let (mut arithmetic, mut geometric) = (1.0, modulus);
         // c₀²/m = 1, c₁²/m = (1-k') / (4(1+k')), cₙ₊₁ = cₙ² / (4aₙ₊₁).

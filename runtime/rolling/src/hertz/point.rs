@@ -29,11 +29,12 @@ pub struct Ellipse {
 }
 
 impl PointContact {
-    /// Solves the contact of positive curvature coefficients A and B, 1/m, and composite modulus E*, Pa.
+    /// Solves the contact of positive curvature coefficients A and B, 1/m, and composite modulus
+    /// E*, Pa.
     ///
-    /// Source: Johnson, Contact Mechanics (1985), section 4.2(b). The ratio of the semi-axes k' solves
-    /// A/B = k'² D/(K-D) for A <= B, with the complete elliptic integrals of the complementary modulus
-    /// k'. The relative error is about 1e-14.
+    /// Source: Johnson, Contact Mechanics (1985), section 4.2(b). The ratio of the semi-axes k'
+    /// solves A/B = k'² D/(K-D) for A <= B, with the complete elliptic integrals of the
+    /// complementary modulus k'. The relative error is about 1e-14.
     pub fn new(a: f64, b: f64, modulus: f64) -> Self {
         if a > b {
             let other = Self::new(b, a, modulus);
@@ -78,8 +79,8 @@ impl PointContact {
     }
 }
 
-/// Returns the ratio of the short to the long semi-axis, with its elliptic integrals, from the ratio
-/// A/B <= 1.
+/// Returns the ratio of the short to the long semi-axis, with its elliptic integrals, from the
+/// ratio A/B <= 1.
 fn axis_ratio(curvatures: f64) -> (f64, Elliptic) {
     let target = log(curvatures);
     // The exponent 2/3 is exact near the circle; Newton's method on the logarithms corrects it.

@@ -17,8 +17,8 @@ pub struct LineContact {
     pub load: f64,
     /// Moment of the load about the middle of the contact line, N m.
     pub moment: f64,
-    /// Positions of the laminae from the middle of the contact line, m; away from the apex of tapered
-    /// rollers, and towards -z for cylindrical ones.
+    /// Positions of the laminae from the middle of the contact line, m; away from the apex of
+    /// tapered rollers, and towards -z for cylindrical ones.
     pub positions: Vec<f64>,
     /// Loads per length of the laminae, N/m.
     pub loads: Vec<f64>,
@@ -41,7 +41,8 @@ pub struct RollerState {
     pub displacement: [f64; 3],
 }
 
-/// Potential energy of a roller with its derivatives with respect to the displacement of the roller.
+/// Potential energy of a roller with its derivatives with respect to the displacement of the
+/// roller.
 struct Energy {
     energy: f64,
     gradient: [f64; 3],
@@ -51,8 +52,8 @@ struct Energy {
 }
 
 impl RollerRow {
-    /// Computes the response of a roller with a centrifugal force, N. `start` has the displacement of
-    /// the roller at a near displacement of the ring, if any, and receives the one found.
+    /// Computes the response of a roller with a centrifugal force, N. `start` has the displacement
+    /// of the roller at a near displacement of the ring, if any, and receives the one found.
     pub(crate) fn response(&self, ring: &Local, force: f64, start: &mut Option<[f64; 3]>) -> Response {
         let approaches = self.approaches(ring);
         let (roller, converged) = self.settle(&approaches, force, *start);
@@ -140,8 +141,8 @@ impl RollerRow {
         (slope * approach, EXPONENT * slope)
     }
 
-    /// Calls a function for each loaded contact with its `ring` and `roller`, its load, stiffness and
-    /// potential energy.
+    /// Calls a function for each loaded contact with its `ring` and `roller`, its load, stiffness
+    /// and potential energy.
     #[inline]
     fn for_each_contact(
         &self,

@@ -15,16 +15,16 @@ pub enum RollerKind {
         /// Diametral clearance, m; interference is negative.
         clearance: f64,
     },
-    /// Tapered rollers whose large end is supported by a rib of the inner ring. The apex of the cones is
-    /// on +z, so that a displacement of the inner ring to +z loads the bearing.
+    /// Tapered rollers whose large end is supported by a rib of the inner ring. The apex of the
+    /// cones is on +z, so that a displacement of the inner ring to +z loads the bearing.
     Tapered {
         /// Contact angle of the outer raceway, rad.
         outer_angle: f64,
         /// Rib of the inner ring.
         rib: Rib,
     },
-    /// One row of barrel-shaped rollers in a spherical outer raceway, whose centre is on the axis at
-    /// `z = -pitch_diameter/2 tan(angle)` from the roller centres.
+    /// One row of barrel-shaped rollers in a spherical outer raceway, whose centre is on the axis
+    /// at `z = -pitch_diameter/2 tan(angle)` from the roller centres.
     Spherical {
         /// Contact angle, rad.
         angle: f64,
@@ -37,8 +37,8 @@ pub enum RollerKind {
     },
 }
 
-/// Rib at the large end of tapered rollers: the spherical end of the roller touches a surface that is
-/// locally flat. Friction is neglected.
+/// Rib at the large end of tapered rollers: the spherical end of the roller touches a surface that
+/// is locally flat. Friction is neglected.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rib {
     /// Radius of the spherical end of the roller, m.
@@ -70,8 +70,8 @@ pub struct RollerGeometry {
     pub rollers: Material,
 }
 
-/// One lamina of a contact line. Its approach is `ring·u - relief + roller·w`, with the displacements u
-/// of the ring and w of the roller; zero `ring` for contacts with the outer ring.
+/// One lamina of a contact line. Its approach is `ring·u - relief + roller·w`, with the
+/// displacements u of the ring and w of the roller; zero `ring` for contacts with the outer ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lamina {
     pub ring: [f64; 3],
@@ -113,15 +113,16 @@ pub struct RollerRow {
     pub(crate) start: [[f64; 3]; 3],
 }
 
-/// Pressure of ISO 76 at which a line contact has a permanent deformation of 1e-4 of the diameter, Pa.
+/// Pressure of ISO 76 at which a line contact has a permanent deformation of 1e-4 of the diameter,
+/// Pa.
 pub(crate) const STATIC_PRESSURE: f64 = 4e9;
 
 impl RollerRow {
     /// Checks the dimensions and derives the contacts.
     ///
     /// # Errors
-    /// [`RollingError::Input`] if the rollers do not fit on the pitch circle, if the cones or ribs are
-    /// impossible, or if the interference would indent the raceways.
+    /// [`RollingError::Input`] if the rollers do not fit on the pitch circle, if the cones or ribs
+    /// are impossible, or if the interference would indent the raceways.
     pub fn new(geometry: RollerGeometry) -> Result<Self, RollingError> {
         let g = &geometry;
         positive("roller diameter", g.roller_diameter)?;

@@ -3,8 +3,8 @@
 use crate::error::{RollingError, positive};
 use libm::log;
 
-/// Relief of the roller profile along a contact line: the gap at distance x from mid-length when the
-/// contact just touches there.
+/// Relief of the roller profile along a contact line: the gap at distance x from mid-length when
+/// the contact just touches there.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
     /// Straight contact line.

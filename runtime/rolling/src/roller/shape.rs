@@ -39,8 +39,8 @@ impl RollerGeometry {
         }
     }
 
-    /// Collects the laminae of both contacts; `spot` gives the contact point at a position of the inner
-    /// or outer contact.
+    /// Collects the laminae of both contacts; `spot` gives the contact point at a position of the
+    /// inner or outer contact.
     fn laminae(&self, spot: impl Fn(f64, bool) -> Spot) -> Vec<Lamina> {
         let count = self.laminae;
         let mut laminae = Vec::with_capacity(2 * count);
@@ -57,8 +57,8 @@ impl RollerGeometry {
         laminae
     }
 
-    /// Returns the motion of a point of the roller along a normal for radial and axial displacement and
-    /// for rotation from radial to axial.
+    /// Returns the motion of a point of the roller along a normal for radial and axial displacement
+    /// and for rotation from radial to axial.
     fn roller_approach(&self, point: [f64; 2], normal: [f64; 2]) -> [f64; 3] {
         let arm = [point[0] - 0.5 * self.pitch_diameter, point[1]];
         [normal[0], normal[1], arm[0] * normal[1] - arm[1] * normal[0]]
@@ -90,8 +90,8 @@ impl RollerGeometry {
         }
     }
 
-    /// Cones of both raceways and of the rollers with a common apex on the bearing axis, at distance l
-    /// from the roller centre.
+    /// Cones of both raceways and of the rollers with a common apex on the bearing axis, at
+    /// distance l from the roller centre.
     fn tapered(&self, outer_angle: f64, rib: Rib) -> Result<Shape, RollingError> {
         check_angle(outer_angle, false)?;
         positive("radius of the roller end", rib.end_radius)?;
@@ -217,7 +217,8 @@ impl RollerGeometry {
         let tangent = [sin(angle), -cos(angle)];
         let ring_radius = (pitch - radius * cos(angle)) / cos(angle);
         let laminae = self.laminae(|position, inner| {
-            // Both contact lines are arcs; the normal of the inner one points to the centre of the arc.
+            // Both contact lines are arcs; the normal of the inner one points to the centre of the
+            // arc.
             let (arc, bend, offset) = if inner { (race, -1.0, -radius) } else { (sphere, 1.0, radius) };
             let (sine, cosine) = (sin(position / arc), cos(position / arc));
             let sag = -bend * arc * (1.0 - cosine);

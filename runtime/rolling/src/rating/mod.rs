@@ -1,0 +1,9 @@
+//! Load ratings, rating life, static safety and friction.
+
+mod capacity;
+mod friction;
+mod life;
+
+pub use capacity::{Capacity, capacity};
+pub use friction::{Friction, FrictionCoefficients, friction};
+pub use life::{Life, LifeConditions, LoadDirection, life_modification, rating_life, static_safety};
