@@ -11,7 +11,8 @@
 //! ```
 //! use calyx_rolling::rating::{LifeConditions, rating_life, static_safety};
 //! use calyx_rolling::{
-//!     Arrangement, Material, Motion, Profile, Rib, RollerGeometry, RollerKind, RollerRow, RollingBearing,
+//!     Arrangement, Material, Motion, Profile, Rib, RollerGeometry, RollerKind, RollerRow,
+//!     RollingBearing,
 //! };
 //!
 //! let row = RollerRow::new(RollerGeometry {
