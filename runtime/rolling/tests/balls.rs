@@ -1,8 +1,9 @@
 //! Balls: stiffness against differences, equilibrium at speed, four-point contact.
 
 use crate::sample::{angular_contact, balls, check_stiffness, close, deep_groove, evaluate, four_point};
-use calyx_rolling::ball::BallState;
+use calyx_rolling::ball::{BallContact, BallGeometry, BallState};
 use calyx_rolling::bearing::Contacts;
+use calyx_rolling::hertz::point::PointContact;
 use calyx_rolling::{BallRow, CageSpeed, Motion, RollingBearing};
 
 const LOADED: [f64; 5] = [15e-6, -6e-6, 20e-6, 3e-4, -2e-4];
@@ -64,7 +65,8 @@ fn balls_at_speed_are_in_equilibrium() {
         (CageSpeed::InnerRaceControl, true),
         (CageSpeed::OuterRaceControl, true),
     ] {
-        for ball in states(&bearing, &LOADED, &at_speed(speed, cage, gyroscopic)) {
+        let balls = states(&bearing, &LOADED, &at_speed(speed, cage, gyroscopic));
+        for (index, ball) in balls.iter().enumerate() {
             let (inner, outer) = (ball.inner[0], ball.outer[0]);
             let (ai, ao) = (inner.angle, outer.angle);
             if inner.load == 0.0 {
@@ -94,8 +96,36 @@ fn balls_at_speed_are_in_equilibrium() {
             let axial = inner.load * ai.sin() - outer.load * ao.sin() + friction * ao.cos();
             close(radial, 0.0, outer.load, 1e-12, "radial balance");
             close(axial, 0.0, outer.load, 1e-12, "axial balance");
+            check_approaches(geometry, std::f64::consts::TAU * index as f64 / 14.0, [inner, outer]);
             assert!(ai > ao, "centrifugal force makes the outer contact angle smaller");
         }
+    }
+}
+
+/// Both contacts lead from the outer to the inner groove centre: the approaches of their loads,
+/// with the curvature at their own contact angles, agree with the displacement of the ring.
+fn check_approaches(geometry: BallGeometry, azimuth: f64, contacts: [BallContact; 2]) {
+    let (diameter, free) = (geometry.ball_diameter, 40f64.to_radians());
+    let reach = (geometry.inner_conformity - 0.5) * diameter;
+    let [ux, uy, uz, about_x, about_y] = LOADED;
+    let (radial, tilt) =
+        (ux * azimuth.cos() + uy * azimuth.sin(), about_y * azimuth.cos() - about_x * azimuth.sin());
+    let (radius, axial) = (0.5 * geometry.pitch_diameter + reach * free.cos(), reach * free.sin());
+    let moved =
+        [2.0 * reach * free.cos() + radial + axial * tilt, 2.0 * reach * free.sin() + uz - radius * tilt];
+    let mut sum = [0.0; 2];
+    for (contact, side) in contacts.iter().zip([-1.0, 1.0]) {
+        let ratio = diameter * contact.angle.cos() / geometry.pitch_diameter;
+        let (a, b) =
+            ((1.0 - 0.5 / geometry.inner_conformity) / diameter, 1.0 / (diameter * (1.0 + side * ratio)));
+        let modulus = 206e9 / (2.0 * 0.91);
+        let hertz = PointContact::new(a, b, modulus);
+        let length = reach + (contact.load / hertz.stiffness).powf(2.0 / 3.0);
+        sum[0] += length * contact.angle.cos();
+        sum[1] += length * contact.angle.sin();
+    }
+    for k in 0..2 {
+        close(sum[k], moved[k], 1e-5, 1e-9, "distance of the groove centres");
     }
 }
 

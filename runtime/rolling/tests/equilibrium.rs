@@ -187,3 +187,31 @@ fn impossible_loads_are_reported() {
     assert!(single.displacement(&[0.0, 0.0, -100.0, 0.0, 0.0], &Motion::REST).is_err());
     assert!(single.displacement(&[f64::NAN, 0.0, 0.0, 0.0, 0.0], &Motion::REST).is_err());
 }
+
+/// Loads of any direction and size that the bearing can carry have an equilibrium, at rest and at
+/// speed.
+#[test]
+fn random_loads_have_an_equilibrium() {
+    let mut random = 0x1234_5678_9abc_def1u64;
+    let mut next = || {
+        random ^= random << 13;
+        random ^= random >> 7;
+        random ^= random << 17;
+        (random >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+    };
+    let speeds = [0.0, 700.0, 1500.0];
+    let mut most = 0;
+    for (index, bearing) in bearings().iter().enumerate() {
+        for case in 0..60 {
+            let size = 10f64.powf(2.0 * next() + 2.0);
+            let unit = [1.0, 1.0, 1.0, 20e-3, 20e-3];
+            let load = unit.map(|unit| size * unit * next());
+            let motion = Motion { inner_speed: speeds[case % 3], azimuth: next(), ..Motion::REST };
+            let solution = bearing.displacement(&load, &motion);
+            let solution =
+                solution.unwrap_or_else(|error| panic!("bearing {index}, {load:?}, {motion:?}: {error}"));
+            most = most.max(solution.evaluations);
+        }
+    }
+    assert!(most < 400, "{most} evaluations");
+}
