@@ -10,7 +10,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{
     ComputeEigenvectors, SelfAdjointEvdParams, self_adjoint_evd, self_adjoint_evd_scratch,
 };
-use faer::{Mat, MatMut, MatRef, Par, Spec};
+use faer::{Mat, MatMut, MatRef, Par, Spec, c64};
 use std::convert::Infallible;
 
 /// Number of multiplications of a piece that is not divided further: about a millisecond.
@@ -249,7 +249,8 @@ pub fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
 /// triangle. `None` if an entry is not finite.
 pub fn symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let size = matrix.nrows();
-    let params: Spec<SelfAdjointEvdParams, f64> = Spec::default();
+    let mut params: Spec<SelfAdjointEvdParams, f64> = Spec::default();
+    params.config.recursion_threshold = usize::MAX;
     let scratch = self_adjoint_evd_scratch::<f64>(size, ComputeEigenvectors::Yes, Par::Seq, params);
     let mut memory = MemBuffer::new(scratch);
     let (mut values, mut vectors) = (Diag::<f64>::zeros(size), Mat::zeros(size, size));
@@ -259,11 +260,112 @@ pub fn symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> 
     values.iter().all(|value| value.is_finite()).then_some((values, vectors))
 }
 
+/// Returns the eigenvalues `w` of `i A` for a real skew-symmetric matrix `A`, ascending, and unit
+/// eigenvectors from its lower triangle: `A v = -i w v`. The values are pairs of opposite sign, and
+/// a zero for an odd size. `None` if an entry is not finite.
+pub fn skew_symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<c64>)> {
+    let size = matrix.nrows();
+    let hermitian = Mat::from_fn(size, size, |i, j| c64::new(0.0, matrix[(i, j)]));
+    let mut params: Spec<SelfAdjointEvdParams, c64> = Spec::default();
+    // Divide and conquer loses digits for eigenvalues in pairs of opposite sign over several decades;
+    // the QR algorithm does not.
+    params.config.recursion_threshold = usize::MAX;
+    let scratch = self_adjoint_evd_scratch::<c64>(size, ComputeEigenvectors::Yes, Par::Seq, params);
+    let mut memory = MemBuffer::new(scratch);
+    let (mut values, mut vectors) = (Diag::<c64>::zeros(size), Mat::zeros(size, size));
+    let stack = MemStack::new(&mut memory);
+    self_adjoint_evd(hermitian.as_ref(), values.as_mut(), Some(vectors.as_mut()), Par::Seq, stack, params)
+        .ok()?;
+    let values: Vec<f64> = values.column_vector().iter().map(|value| value.re).collect();
+    values.iter().all(|value| value.is_finite()).then_some((values, vectors))
+}
+
 /// Copies the lower triangle of a matrix that is symmetric up to rounding onto the upper one.
 pub fn mirror_lower(matrix: &mut Mat<f64>) {
     for j in 0..matrix.ncols() {
         for i in 0..j {
             matrix[(i, j)] = matrix[(j, i)];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// State matrix of springs and a skew-symmetric coupling, with frequencies over many decades and
+    /// in pairs, as those of a rotor.
+    fn state_matrix(count: usize) -> Mat<f64> {
+        let frequency = |k: usize| 1e3 * 1.1_f64.powi((k / 2) as i32 % 90);
+        let coupling = |i: usize, j: usize| {
+            let pair = 300.0 / (1.0 + (i as f64 - j as f64).powi(2));
+            if i / 2 == j / 2 { pair } else { 0.01 * pair }
+        };
+        Mat::from_fn(2 * count, 2 * count, |i, j| match (i < count, j < count) {
+            (true, true) if i < j => coupling(i, j),
+            (true, true) if i > j => -coupling(i, j),
+            (true, false) if i + count == j => frequency(i),
+            (false, true) if i == j + count => -frequency(j),
+            _ => 0.0,
+        })
+    }
+
+    /// Stiffness of a clamped chain of points with rotations, scaled to unit mass, as that of a beam with
+    /// short elements: eigenvalues over many decades.
+    fn beam(count: usize) -> Mat<f64> {
+        let length = 1.0 / count as f64;
+        let own = [12.0, 6.0 * length, 4.0 * length * length, 2.0 * length * length].map(|k| k / length.powi(3));
+        let mut whole = Mat::<f64>::zeros(2 * count + 2, 2 * count + 2);
+        for element in 0..count {
+            let block = [
+                [own[0], own[1], -own[0], own[1]],
+                [own[1], own[2], -own[1], own[3]],
+                [-own[0], -own[1], own[0], -own[1]],
+                [own[1], own[3], -own[1], own[2]],
+            ];
+            for (i, row) in block.iter().enumerate() {
+                for (j, entry) in row.iter().enumerate() {
+                    whole[(2 * element + i, 2 * element + j)] += entry;
+                }
+            }
+        }
+        let mass = |k: usize| if k % 2 == 0 { length } else { length.powi(3) / 12.0 };
+        Mat::from_fn(2 * count, 2 * count, |i, j| whole[(i + 2, j + 2)] / (mass(i) * mass(j)).sqrt())
+    }
+
+    #[test]
+    fn small_eigenvalues_of_a_symmetric_matrix_are_accurate_to_rounding_of_the_largest() {
+        for count in [20, 65, 130, 200] {
+            let matrix = beam(count);
+            let (values, vectors) = symmetric_eigen(matrix.as_ref()).expect("finite");
+            let largest = values[values.len() - 1];
+            for (k, value) in values.iter().enumerate() {
+                for i in 0..2 * count {
+                    let product: f64 = (0..2 * count).map(|j| matrix[(i, j)] * vectors[(j, k)]).sum();
+                    let residual = (product - value * vectors[(i, k)]).abs();
+                    assert!(residual < 1e-12 * largest, "{count} {k}: {:e} {:e}", residual / largest, largest / values[0]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_skew_symmetric_matrix_has_pairs_of_eigenvalues() {
+        for count in [1, 7, 60, 133, 261] {
+            let matrix = state_matrix(count);
+            let (values, vectors) = skew_symmetric_eigen(matrix.as_ref()).expect("finite");
+            let largest = values[values.len() - 1];
+            for (value, opposite) in values.iter().zip(values.iter().rev()) {
+                assert!((value + opposite).abs() < 1e-13 * largest, "{count}: {value} {opposite}");
+            }
+            for (k, value) in values.iter().enumerate() {
+                for i in 0..2 * count {
+                    let product: c64 = (0..2 * count).map(|j| vectors[(j, k)] * matrix[(i, j)]).sum();
+                    // A v = -i w v.
+                    let residual = product + c64::new(0.0, *value) * vectors[(i, k)];
+                    assert!(residual.norm() < 1e-12 * largest, "{count} {k}: {residual}");
+                }
+            }
         }
     }
 }
