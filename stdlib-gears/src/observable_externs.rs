@@ -6,13 +6,15 @@ use crate::mesh_externs::on_parallel_axes;
 use crate::shaft_externs::{observe_reaction, observe_shaft};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::motion::angular_velocity;
 use calyx_runtime::observables::{
-    Coordinate, Displacement, DynamicFactor, FaceLoadFactor, HighestContact, LoadShare, LoadedFace,
-    LocalQuantity, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad, MaxRootCompression,
-    MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce, MeshStiffness,
-    ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad, PairsInContact,
-    PlanetSet, RootFaceLoadFactor, Rotation, SecantStiffness, SlidingVelocity, SplineToothLoad, SupportForce,
-    SupportMoment, ToothLoad, TransmissionError, TransverseLoadFactor, UnloadedTransmissionError,
+    CampbellRequest, Coordinate, Displacement, DynamicFactor, FaceLoadFactor, HighestContact, LoadShare,
+    LoadedFace, LocalQuantity, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad,
+    MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce,
+    MeshStiffness, ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad,
+    PairsInContact, PlanetSet, RootFaceLoadFactor, Rotation, SecantStiffness, SlidingVelocity,
+    SplineToothLoad, SupportForce, SupportMoment, ToothLoad, TransmissionError, TransverseLoadFactor,
+    UnloadedTransmissionError, WhirlFrequency, WhirlSense,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -55,6 +57,37 @@ calyx_abi::externs! {
     Scene fn calyx_gears_natural_frequency(context, mode: f64) -> Handle {
         let mode = mode_number(mode)?;
         observe(context, NaturalFrequency(mode))
+    }
+
+    Scene fn calyx_gears_whirl_frequency(context, mode: f64) -> Handle {
+        let mode = mode_number(mode)?;
+        observe(context, WhirlFrequency(mode))
+    }
+
+    Scene fn calyx_gears_whirl_sense(context, mode: f64) -> Handle {
+        let mode = mode_number(mode)?;
+        observe(context, WhirlSense(mode))
+    }
+
+    Scene fn calyx_gears_campbell_diagram(
+        context, body: Handle, highest_speed: f64, speeds: f64, modes: Option<f64>,
+    ) -> () {
+        let id = externs::body(context, "body", body)?;
+        let modes = mode_count(modes)?;
+        if speeds.fract() != 0.0 || speeds < 2.0 {
+            let message = format!("a Campbell diagram cannot have {speeds} speeds");
+            return Err(refusal("E0773", "speeds", &message, "give a whole number of at least two"));
+        }
+        let scene = &mut host(context)?.scene;
+        let own = &scene.bodies[id.0];
+        if angular_velocity(own.motion.as_ref(), 0.0) == [0.0; 3] {
+            let message = format!("the body \"{}\" does not rotate", own.name);
+            let help = "give a body whose frame rotates at time 0: all speeds are proportional to its speed";
+            return Err(refusal("E0773", "body", &message, help));
+        }
+        scene.campbell_diagram =
+            Some(CampbellRequest { body: id, highest_speed, speeds: speeds as usize, modes });
+        Ok(())
     }
 
     Scene fn calyx_gears_modal_energy_share(context, body: Handle, mode: f64, motion: String) -> Handle {
@@ -100,15 +133,11 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_modes_table(context, modes: Option<f64>, central: Handle, planets: Vec<Handle>) -> () {
-        if let Some(modes) = modes.filter(|modes| modes.fract() != 0.0 || *modes < 1.0) {
-            let help = "give a whole number, or leave it out for all";
-            return Err(refusal("E0770", "modes", &format!("there are no {modes} modes"), help));
-        }
+        let count = mode_count(modes)?;
         let set = match planets.is_empty() {
             true => None,
             false => Some(planet_set(context, central, planets)?),
         };
-        let count = modes.map(|modes| modes as usize);
         host(context)?.scene.modes_table = Some(ModesRequest { count, set });
         Ok(())
     }
@@ -312,6 +341,18 @@ fn planet_set(
         ));
     }
     Ok(PlanetSet { around, planets })
+}
+
+/// Returns the number of modes of a table, if any.
+///
+/// # Errors
+/// E0770: the number is not a positive whole number.
+fn mode_count(modes: Option<f64>) -> Result<Option<usize>, RuntimeError> {
+    if let Some(modes) = modes.filter(|modes| modes.fract() != 0.0 || *modes < 1.0) {
+        let help = "give a whole number, or leave it out for all";
+        return Err(refusal("E0770", "modes", &format!("there are no {modes} modes"), help));
+    }
+    Ok(modes.map(|modes| modes as usize))
 }
 
 /// Mode number, counted from 1.

@@ -27,3 +27,4 @@ mod shafts;
 mod theory;
 mod tooth_contact;
 mod tribology;
+mod whirl;

@@ -6,7 +6,7 @@
 use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
 use crate::method::QuasiStatic;
 use crate::observables::Observe;
-use crate::observables::{Equilibrium, Fields, MeshedBodies, ModesTable};
+use crate::observables::{CampbellDiagram, Equilibrium, Fields, MeshedBodies, ModesTable};
 pub use crate::options::AnalysisOptions;
 use crate::results::SearchProgress;
 use crate::results::{AnalysisResult, Timing};
@@ -20,6 +20,7 @@ use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::plan::Plan;
 pub use calyx_model::position::{Position, mesh_cycle};
 use calyx_model::resources::Resources;
+use calyx_model::target::Examined;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_solve::step::StepResult;
 use calyx_solve::system::System;
@@ -206,7 +207,7 @@ impl<'s> Steps<'s> {
         }
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
-        let modes = self.first_modes()?;
+        let (modes, campbell) = self.first_modes()?;
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
         let mut summaries = summarize(&rows, self.outputs, &self.scene.observables);
         self.timing.add("positions", self.solving);
@@ -234,19 +235,23 @@ impl<'s> Steps<'s> {
             summaries,
             certificate,
             modes,
+            campbell,
             timing: self.timing,
             tolerance_search: None,
         })
     }
 
-    /// Computes the table of modes about the first position. It solves this position again, because
-    /// a resumed run has not solved it.
-    fn first_modes(&self) -> Result<Option<ModesTable>, EngineError> {
-        let (Some(request), Some(first)) = (&self.scene.modes_table, self.positions.first()) else {
-            return Ok(None);
-        };
-        let step = self.system.solve(first.time)?;
-        Ok(Equilibrium::new(&self.system, &step).modes_table(request))
+    /// Computes the table of modes and the Campbell diagram about the first position. It solves this
+    /// position again, because a resumed run has not solved it.
+    fn first_modes(&self) -> Result<(Option<ModesTable>, Option<CampbellDiagram>), EngineError> {
+        match self.positions.first() {
+            Some(first) if self.scene.examines_modes() => {
+                let step = self.system.solve(first.time)?;
+                Ok(Equilibrium::new(&self.system, &step)
+                    .requested_modes(self.scene.modes_table.as_ref(), self.scene.campbell_diagram.as_ref()))
+            }
+            _ => Ok((None, None)),
+        }
     }
 
     fn solve(&mut self, position: &Position) -> Result<Solved, EngineError> {

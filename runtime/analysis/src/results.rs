@@ -11,7 +11,7 @@ pub use error_estimate::{ErrorEstimate, Part, Statistics};
 pub use tolerance_outcome::{Attempt, SearchProgress, Setting, ToleranceOutcome};
 pub(crate) use tolerance_outcome::{EXHAUSTED, LARGER, percent};
 
-use crate::observables::ModesTable;
+use crate::observables::{CampbellDiagram, ModesTable};
 use calyx_contact::problem::Certificate;
 use calyx_model::plan::Plan;
 use std::time::{Duration, Instant};
@@ -82,6 +82,8 @@ pub struct AnalysisResult {
     pub certificate: Certificate,
     /// Modes about the first position, if the scene requests them.
     pub modes: Option<ModesTable>,
+    /// Campbell diagram about the first position, if the scene requests it.
+    pub campbell: Option<CampbellDiagram>,
     /// Timings.
     pub timing: Timing,
     /// Outcome of the tolerance search, if a tolerance was given.

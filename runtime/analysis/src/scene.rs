@@ -8,7 +8,7 @@ pub use calyx_model::mechanism::Mechanism;
 pub use calyx_model::pairs::{CharacteristicPoint, FirstContact, GearMesh, GridOptions, SurfacePair};
 pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks, ToothMeridian};
 
-use crate::observables::{ModesRequest, Observable};
+use crate::observables::{CampbellRequest, ModesRequest, Observable};
 use calyx_model::target::{Examined, Target};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -24,6 +24,8 @@ pub struct Scene {
     pub observables: Vec<Arc<dyn Observable>>,
     /// Request for a table of the modes at the first position.
     pub modes_table: Option<ModesRequest>,
+    /// Request for a Campbell diagram about the first position.
+    pub campbell_diagram: Option<CampbellRequest>,
 }
 
 impl Scene {
@@ -62,6 +64,6 @@ impl Examined for Scene {
     }
 
     fn examines_modes(&self) -> bool {
-        self.modes_table.is_some()
+        self.modes_table.is_some() || self.campbell_diagram.is_some()
     }
 }

@@ -14,6 +14,7 @@ use calyx_model::frames::number_dofs;
 use calyx_model::motion::axle;
 use calyx_model::observed::OutputRequest;
 use calyx_model::plan::{Plan, UnsupportedOutput};
+use calyx_model::target::Examined;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_solve::integration::{check_in_section, check_inertia};
@@ -107,7 +108,7 @@ impl<'a> Request<'a> {
         if method.has_inertia() {
             check_in_section(&plan)?;
         }
-        if method.has_inertia() || modes || scene.modes_table.is_some() {
+        if method.has_inertia() || modes || scene.examines_modes() {
             self.check_vibrations(&plan)?;
         }
         Ok(plan)

@@ -18,9 +18,13 @@
 //! See `docs/theory/shafts.md`.
 
 mod connection_state;
+mod gyroscopic;
 mod terms;
 
 pub use connection_state::ConnectionState;
+pub use gyroscopic::{
+    add_connection_gyroscopic, add_connection_whirl_form, gyroscopic_moment, quarter_turn_momentum,
+};
 pub use terms::{add_connection_mass, add_connection_stiffness};
 
 use crate::bearing::Support;

@@ -152,14 +152,34 @@ impl Shaft {
 
     /// Returns the mass matrix of the shaft on the same stations, with rotary inertia.
     pub fn mass(&self, stations: &[f64]) -> Vec<f64> {
+        let product =
+            |one: &Six, inertia: &Six, other: &Six| (0..6).map(|k| one[k] * inertia[k] * other[k]).sum();
+        let mut matrix = self.inertia_matrix(stations, product);
+        symmetric(&mut matrix, 6 * stations.len());
+        matrix
+    }
+
+    /// Returns the gyroscopic matrix of the shaft on the same stations per angular velocity (rad/s)
+    /// about +z, kg m²: skew-symmetric, from the same displacements as the mass matrix. Its product
+    /// with the velocities of the stations is the inertia force, as with the mass matrix.
+    pub fn gyroscopic(&self, stations: &[f64]) -> Vec<f64> {
+        // A section of the polar inertia J has the spin momentum J e3, which follows its rotation.
+        // The rate of change of this momentum is J (theta' x e3).
+        self.inertia_matrix(stations, |one, inertia, other| {
+            inertia[5] * (one[3] * other[4] - one[4] * other[3])
+        })
+    }
+
+    /// Integrates a bilinear form of the motions of sections and of their inertia along the shaft,
+    /// in the displacements between the stations.
+    fn inertia_matrix(&self, stations: &[f64], form: impl Fn(&Six, &Six, &Six) -> f64) -> Vec<f64> {
         let size = 6 * stations.len();
         let mut matrix = vec![0.0; size * size];
         let (Some(&low), Some(&high)) = (stations.first(), stations.last()) else { return matrix };
         let mut add = |first: usize, shapes: &[[Six; 6]], inertia: &Six, weight: f64| {
             for (i, one) in shapes.iter().flatten().enumerate() {
                 for (j, other) in shapes.iter().flatten().enumerate() {
-                    let entry: f64 = (0..6).map(|k| one[k] * inertia[k] * other[k]).sum();
-                    matrix[(6 * first + i) * size + 6 * first + j] += weight * entry;
+                    matrix[(6 * first + i) * size + 6 * first + j] += weight * form(one, inertia, other);
                 }
             }
         };
@@ -182,7 +202,6 @@ impl Shaft {
                 add(first, &shapes, &self.section(z, false).inertia(&self.material), weight);
             }
         }
-        symmetric(&mut matrix, size);
         matrix
     }
 

@@ -388,3 +388,38 @@ fn a_stepped_shaft_with_discs_has_the_natural_frequencies_of_a_continuous_beam()
         close(square.sqrt(), exact, 1e-4);
     }
 }
+
+/// The gyroscopic matrix is skew-symmetric to the bit. Rotations of the whole shaft give its polar
+/// moment of inertia, from which displacements and rotations about the axis are free.
+#[test]
+fn the_gyroscopic_matrix_has_the_polar_inertia_of_the_shaft() {
+    let shaft = shaft(&[
+        cylinder(0.1, 0.04, 0.01),
+        ShaftSegment { length: 0.15, diameter: [0.05, 0.03], bore: [0.01, 0.02], stiffness_diameter: None },
+        cylinder(0.05, 0.03, 0.02),
+    ]);
+    let stations = [0.02, 0.1, 0.17, 0.28];
+    let size = 6 * stations.len();
+    let matrix = DMatrix::from_row_slice(size, size, &shaft.gyroscopic(&stations));
+    assert_eq!(&matrix + matrix.transpose(), DMatrix::zeros(size, size));
+    let polar = shaft.inertia().about[2][2];
+    let rigid = DMatrix::from_fn(size, 6, |row, motion| {
+        let (z, component) = (stations[row / 6], row % 6);
+        match (motion, component) {
+            (3, 1) => -z,
+            (4, 0) => z,
+            _ => f64::from(motion == component),
+        }
+    });
+    let whole = rigid.transpose() * matrix * rigid;
+    for row in 0..6 {
+        for column in 0..6 {
+            let expected = match (row, column) {
+                (3, 4) => polar,
+                (4, 3) => -polar,
+                _ => 0.0,
+            };
+            assert!((whole[(row, column)] - expected).abs() < 1e-12 * polar, "{row} {column} {whole}");
+        }
+    }
+}

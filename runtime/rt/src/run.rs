@@ -19,7 +19,7 @@ use calyx_report::directory::{
 };
 use calyx_report::journal::FoundJournal;
 use calyx_report::{
-    contact_pattern, field_tables, flank_tables, journal, modes_table, page, signals, stress_range,
+    campbell, contact_pattern, field_tables, flank_tables, journal, modes_table, page, signals, stress_range,
     summary_table, vtu,
 };
 use calyx_runtime::error::EngineError;
@@ -234,6 +234,10 @@ fn write_results(
     if let Some(modes) = result.and_then(|result| result.modes.as_ref()) {
         directory.claim(modes_table::NAME)?;
         modes_table::write(path, modes)?;
+    }
+    if let Some(diagram) = result.and_then(|result| result.campbell.as_ref()) {
+        directory.claim(campbell::NAME)?;
+        campbell::write(path, diagram)?;
     }
     results.flank_tables().write(path)?;
     directory.claim_all(signals::files(results.signals()))?;

@@ -121,7 +121,7 @@ impl Kind {
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-const FILES_OF_A_RUN: [&str; 26] = [
+const FILES_OF_A_RUN: [&str; 27] = [
     "run.json",
     "journal.jsonl",
     "run.json.part",
@@ -145,6 +145,7 @@ const FILES_OF_A_RUN: [&str; 26] = [
     "unloaded_contact.csv.part",
     "ease_off.csv",
     "ease_off.csv.part",
+    "campbell.csv",
     "modes.csv",
     REPORT,
     "report.html.part",

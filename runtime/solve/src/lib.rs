@@ -4,6 +4,7 @@
 #![warn(missing_docs)]
 
 pub mod derived;
+pub mod gyroscopic;
 pub mod integration;
 pub mod modal;
 pub mod restraint_check;

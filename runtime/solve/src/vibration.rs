@@ -6,7 +6,8 @@
 //! contact. A is their compliance minus that of the modes, `sum phi phi' / omega²`, so that both
 //! together have the static compliance. The mass matrix contains the inertia of the bodies, with
 //! `phi' M r` between modes and frames. The frequencies are those at one position: stiffness and
-//! frequencies change as teeth enter and leave contact. Gyroscopic terms and damping are neglected.
+//! frequencies change as teeth enter and leave contact. These are the frequencies without rotation
+//! and without damping; those with gyroscopic terms follow from them, see [`crate::gyroscopic`].
 //!
 //! See `docs/theory/modes.md`.
 
@@ -23,7 +24,7 @@ use calyx_numerics::vec3::{cross, dot};
 use calyx_structure::Chart;
 use faer::Mat;
 use nalgebra::DMatrix;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 impl System<'_> {
     /// Returns the mass matrix of the DOFs at a time (s): rigid bodies about their axes of
@@ -36,12 +37,10 @@ impl System<'_> {
             if own.is_empty() {
                 continue;
             }
-            let inertia = self.inertias()[index];
-            let turned = self.inertia_on_ground(index, time, &inertia);
-            let axes = self.axes(index, time);
+            let of_body = self.body_mass(index, time);
             for &i in &own {
                 for &j in &own {
-                    mass[(i, j)] = entry(&turned, &axes, dofs[i].component, dofs[j].component);
+                    mass[(i, j)] = of_body[6 * dofs[i].component + dofs[j].component];
                 }
             }
         }
@@ -52,8 +51,15 @@ impl System<'_> {
         mass + DMatrix::from_row_slice(dofs.len(), dofs.len(), &connected)
     }
 
+    /// Returns the mass matrix of all six components of a body, by row.
+    pub(crate) fn body_mass(&self, body: usize, time: f64) -> Vec<f64> {
+        let turned = self.inertia_on_ground(body, time, &self.inertias()[body]);
+        let axes = self.axes(body, time);
+        (0..36).map(|k| entry(&turned, &axes, k / 6, k % 6)).collect()
+    }
+
     /// Rotates an inertia from a body's axes to those of the ground.
-    fn inertia_on_ground(&self, body: usize, time: f64, inertia: &Inertia) -> Inertia {
+    pub(crate) fn inertia_on_ground(&self, body: usize, time: f64, inertia: &Inertia) -> Inertia {
         let Ok(pose) = solid_pose(self.scene, body, time) else {
             return Inertia { mass: f64::NAN, ..*inertia };
         };
@@ -200,11 +206,16 @@ impl System<'_> {
         // The decomposition is one operation without checkpoints.
         let (squares, vectors) = symmetric_eigen(whole.as_ref())?;
         let vectors = dense.solve_upper(lower.as_ref(), vectors).ok()?;
+        // Modal coordinates have no gyroscopic terms.
+        let padded = |matrix: DMatrix<f64>| matrix.resize(size, size, 0.0);
         Some(Vibrations {
             frequencies: squares.iter().map(|square| square.max(0.0).sqrt()).collect(),
             shapes: DMatrix::from_fn(size, size, |i, mode| scale[i] * vectors[(i, mode)]),
             mass: DMatrix::from_fn(size, size, |i, j| mass[(i, j)]),
             stiffness: DMatrix::from_fn(size, size, |i, j| stiffness[(i, j)]),
+            gyroscopic: padded(self.gyroscopic_matrix(step.time)),
+            whirl_form: padded(self.whirl_form(step.time)),
+            whirl: OnceLock::new(),
         })
     }
 }

@@ -6,7 +6,7 @@ use crate::analysis::{ERRORS, Event, Observer, check_solved, refuse_nan, request
 use crate::dynamic_options::{DynamicOptions, Start};
 use crate::estimate::{self, Estimates};
 use crate::observables::Observe;
-use crate::observables::{Equilibrium, ModesTable};
+use crate::observables::{CampbellDiagram, Equilibrium, ModesTable};
 use crate::options::AnalysisOptions;
 use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
@@ -20,6 +20,7 @@ use calyx_model::observed::OutputRequest;
 use calyx_model::plan::Plan;
 use calyx_model::position::Position;
 use calyx_model::resources::Resources;
+use calyx_model::target::Examined;
 use calyx_numerics::error::EngineError;
 use calyx_solve::integration::{EffectiveMatrix, Forces, Matrices, State, Step, kept_positions, steps};
 use calyx_solve::modal::{ModalElimination, Modes};
@@ -377,12 +378,14 @@ impl<'s> History<'s> {
         all
     }
 
-    /// Computes the table of modes about the start. It computes the start again, because a resumed
-    /// run has not solved it.
-    fn first_modes(&mut self) -> Option<ModesTable> {
-        let request = self.scene.modes_table.as_ref()?;
-        let first = self.begin().ok()?;
-        Equilibrium::new(&self.system, &first).modes_table(request)
+    /// Computes the table of modes and the Campbell diagram about the start. It computes the start
+    /// again, because a resumed run has not solved it.
+    fn first_modes(&mut self) -> (Option<ModesTable>, Option<CampbellDiagram>) {
+        let first = if self.scene.examines_modes() { self.begin().ok() } else { None };
+        first.map_or((None, None), |first| {
+            Equilibrium::new(&self.system, &first)
+                .requested_modes(self.scene.modes_table.as_ref(), self.scene.campbell_diagram.as_ref())
+        })
     }
 
     /// Computes the summaries, and estimates errors if requested.
@@ -392,7 +395,7 @@ impl<'s> History<'s> {
     pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
-        let modes = self.first_modes();
+        let (modes, campbell) = self.first_modes();
         let solved = std::mem::take(&mut self.solved);
         let rows: Vec<StepRow> = solved.into_iter().map(|solved| solved.row).collect();
         let mut summaries = summarize(&rows, self.outputs, &self.scene.observables);
@@ -411,6 +414,7 @@ impl<'s> History<'s> {
             summaries,
             certificate,
             modes,
+            campbell,
             timing: self.timing,
             tolerance_search: None,
         })

@@ -26,6 +26,7 @@ mod spline_teeth;
 mod stress;
 mod tribology;
 mod vibration;
+mod whirl;
 
 pub use bearings::{BearingDeflection, BearingForce, BearingLoad, BearingMoment, BearingTilt, Direction};
 pub use bodies::{
@@ -58,6 +59,7 @@ pub use tribology::{
     EntrainmentVelocity, LocalQuantity, LubricatedEfficiency, LubricatedExtreme, LubricatedLoss,
 };
 pub use vibration::{ModeShare, NaturalFrequency};
+pub use whirl::{CampbellDiagram, CampbellPoint, CampbellRequest, WhirlFrequency, WhirlSense};
 
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::{BearingId, BodyId, PairId};

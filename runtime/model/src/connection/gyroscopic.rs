@@ -1,0 +1,149 @@
+//! Gyroscopic terms of elastic connections: those of rotating shafts.
+
+use super::connection_state::Six;
+use super::{ConnectionState, ElasticConnection};
+use crate::bearing::Support;
+use crate::body::Body;
+use crate::dof::Dof;
+use crate::motion::angular_velocity;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::vec3::{Vector, dot};
+
+/// Rotation of a connection about its third reference axis.
+struct Rotation<'c> {
+    connection: &'c ElasticConnection,
+    state: ConnectionState,
+    /// Angular velocity about the axis, rad/s.
+    speed: f64,
+}
+
+impl<'c> Rotation<'c> {
+    fn at(
+        bodies: &[Body],
+        connection: &'c ElasticConnection,
+        time: f64,
+    ) -> Result<Rotation<'c>, EngineError> {
+        let state = ConnectionState::at(bodies, connection, time)?;
+        let speed = match connection.attachments.first().map(|attachment| attachment.to) {
+            Some(Support::Body(id)) => bodies
+                .get(id.0)
+                .map_or(0.0, |body| dot(state.axes[2], angular_velocity(body.motion.as_ref(), time))),
+            _ => 0.0,
+        };
+        Ok(Rotation { connection, state, speed })
+    }
+
+    /// Adds a skew-symmetric matrix of the attachments to one of the DOFs. Each entry is computed
+    /// once, so that the sum is exactly skew-symmetric.
+    fn add(&self, target: &mut [f64], dofs: &[Dof], matrix: &[f64]) {
+        let (m, size) = (dofs.len(), self.connection.size());
+        let moved: Vec<Vec<(usize, Six)>> = dofs.iter().map(|dof| self.state.moved(dof)).collect();
+        for (k, one) in moved.iter().enumerate().filter(|(_, one)| !one.is_empty()) {
+            for (l, other) in moved.iter().enumerate().skip(k + 1) {
+                let mut entry = 0.0;
+                for ((a, x), (b, y)) in one.iter().flat_map(|x| other.iter().map(move |y| (x, y))) {
+                    for (i, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {
+                        let row = (6 * a + i) * size + 6 * b;
+                        entry += x * y.iter().enumerate().map(|(j, y)| matrix[row + j] * y).sum::<f64>();
+                    }
+                }
+                target[k * m + l] += entry;
+                target[l * m + k] -= entry;
+            }
+        }
+    }
+}
+
+/// Adds the gyroscopic matrix of the planned connections of a three-dimensional scene at a time (s)
+/// to a matrix of these DOFs, row-major, kg m²/s. Elastic shafts have gyroscopic terms; other
+/// connections have none.
+///
+/// # Errors
+/// Those of [`ConnectionState::at`].
+pub fn add_connection_gyroscopic(
+    target: &mut [f64],
+    (bodies, connections): (&[Body], &[ElasticConnection]),
+    planned: &[usize],
+    dofs: &[Dof],
+    time: f64,
+) -> Result<(), EngineError> {
+    for connection in planned.iter().filter_map(|&connection| connections.get(connection)) {
+        let Some(shaft) = connection.shaft.as_ref().filter(|shaft| !shaft.rigid) else { continue };
+        let rotation = Rotation::at(bodies, connection, time)?;
+        if rotation.speed != 0.0 {
+            let matrix = shaft.shaft.gyroscopic(&shaft.stations);
+            let matrix: Vec<f64> = matrix.into_iter().map(|entry| rotation.speed * entry).collect();
+            rotation.add(target, dofs, &matrix);
+        }
+    }
+    Ok(())
+}
+
+/// Adds the product of mass matrix and rotation by a right angle in the sense of the prescribed
+/// rotation, for the connections that rotate: see [`quarter_turn_momentum`].
+///
+/// # Errors
+/// Those of [`ConnectionState::at`].
+pub fn add_connection_whirl_form(
+    target: &mut [f64],
+    (bodies, connections): (&[Body], &[ElasticConnection]),
+    planned: &[usize],
+    dofs: &[Dof],
+    time: f64,
+) -> Result<(), EngineError> {
+    for connection in planned.iter().filter_map(|&connection| connections.get(connection)) {
+        if connection.mass.is_empty() {
+            continue;
+        }
+        let rotation = Rotation::at(bodies, connection, time)?;
+        if rotation.speed != 0.0 {
+            let matrix = quarter_turn_momentum(&connection.mass, connection.size(), rotation.speed.signum());
+            rotation.add(target, dofs, &matrix);
+        }
+    }
+    Ok(())
+}
+
+/// Returns the skew-symmetric part of `sign M P` for a mass matrix of six rows a point, where `P`
+/// rotates displacements and rotations by a right angle about the third axis. It is `M P` for a mass
+/// matrix that is symmetric about this axis.
+///
+/// A point on a circle that moves with `Re(x exp(i w t))` in the sense of the rotation has
+/// `P x = i x`. So `x* M P x / i` is twice the kinetic energy per `w²` of a forward whirl, and minus
+/// that of a backward whirl.
+pub fn quarter_turn_momentum(mass: &[f64], size: usize, sign: f64) -> Vec<f64> {
+    // P maps the components x to y and y to -x. So the columns of M P are columns of M.
+    let product = |row: usize, column: usize| match column % 3 {
+        0 => mass[row * size + column + 1],
+        1 => -mass[row * size + column - 1],
+        _ => 0.0,
+    };
+    let mut matrix = vec![0.0; size * size];
+    for row in 0..size {
+        for column in 0..row {
+            let entry = 0.5 * sign * (product(row, column) - product(column, row));
+            matrix[row * size + column] = entry;
+            matrix[column * size + row] = -entry;
+        }
+    }
+    matrix
+}
+
+/// Gyroscopic moment on a body: returns the skew-symmetric matrix between rotations about three axes
+/// for the spin momentum `momentum` (kg m²/s) along `axis`, by row.
+pub fn gyroscopic_moment(axes: &[Vector; 3], axis: Vector, momentum: f64) -> [[f64; 3]; 3] {
+    let triple = |i: usize, j: usize| {
+        let [a, b] = [axes[i], axes[j]];
+        let cross = calyx_numerics::vec3::cross(b, axis);
+        momentum * dot(a, cross)
+    };
+    let mut matrix = [[0.0; 3]; 3];
+    for row in 0..3 {
+        for column in 0..row {
+            let entry = triple(row, column);
+            matrix[row][column] = entry;
+            matrix[column][row] = -entry;
+        }
+    }
+    matrix
+}
