@@ -9,6 +9,7 @@
 pub mod assembly;
 pub mod attachment;
 pub mod beam;
+pub mod carrier;
 pub mod check;
 pub mod condensation;
 pub mod constraint;

@@ -2,6 +2,7 @@
 
 mod attachments;
 mod beams;
+mod carriers;
 mod condensation;
 mod constraints;
 mod decks;
