@@ -120,6 +120,7 @@ pub mod bevel_externs;
 pub mod blank;
 pub mod body_externs;
 pub mod calculation;
+pub mod carrier_externs;
 pub mod cutting_externs;
 pub mod data_block;
 pub mod derived_quantities;

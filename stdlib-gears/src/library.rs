@@ -74,6 +74,7 @@ const TABLES: &[&[Extern]] = &[
     crate::mesh_externs::EXTERNS,
     crate::modification_externs::EXTERNS,
     crate::observable_externs::EXTERNS,
+    crate::carrier_externs::EXTERNS,
     crate::shaft_externs::EXTERNS,
     crate::signal_externs::EXTERNS,
     crate::stated_geometry::EXTERNS,

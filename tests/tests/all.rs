@@ -4,6 +4,7 @@
 mod architecture;
 mod bevel_analytic;
 mod bevel_pair;
+mod carriers;
 mod data_block;
 mod derived_quantities;
 mod docs;
