@@ -18,8 +18,8 @@ use std::sync::Arc;
 const ACROSS: f64 = 14.0;
 
 calyx_abi::externs! {
-    /// Joins the bodies of hub and pins by the elastic carrier; without pins it checks the dimensions
-    /// only.
+    /// Joins the bodies of hub and pins by the elastic carrier; without pins it checks the
+    /// dimensions only.
     Scene fn calyx_gears_carrier_body(
         context, name: String, hub: Handle, pins: Vec<Handle>, planets: f64, material: Handle,
         pin_circle_diameter: f64, pin_diameter: f64, pin_bore: f64, outside_diameter: f64,

@@ -188,7 +188,7 @@ fn pins_tilt_by_the_wind_up_of_the_carrier() {
     }
 }
 
-/// What a run would reject, a check rejects.
+/// A check rejects what a run would reject.
 #[test]
 fn checks_reject_impossible_carriers() {
     let codes = |text: String| -> Vec<String> {

@@ -24,9 +24,9 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     assert!(difference <= tolerance * expected.abs(), "{what}: {found} instead of {expected}");
 }
 
-/// Start of a model: an analysis needs a mesh, so it has a gear pair far from the rotor. One gear is
-/// free to rotate and so heavy that its mode is the lowest. An output of the rotor makes it a part of
-/// the modelled system.
+/// Start of a model: an analysis needs a mesh, so it has a gear pair far from the rotor. One gear
+/// is free to rotate and so heavy that its mode is the lowest. An output of the rotor makes it a
+/// part of the modelled system.
 const PAIR: &str = "import gears;
 units SI;
 var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);

@@ -241,8 +241,8 @@ impl<'s> Steps<'s> {
         })
     }
 
-    /// Computes the table of modes and the Campbell diagram about the first position. It solves this
-    /// position again, because a resumed run has not solved it.
+    /// Computes the table of modes and the Campbell diagram about the first position. It solves
+    /// this position again, because a resumed run has not solved it.
     fn first_modes(&self) -> Result<(Option<ModesTable>, Option<CampbellDiagram>), EngineError> {
         match self.positions.first() {
             Some(first) if self.scene.examines_modes() => {

@@ -97,7 +97,8 @@ fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance * expected.abs(), "{what}: {found} instead of {expected}");
 }
 
-/// Circles are approximated by parabolas, so the volume converges with the fourth power of the size.
+/// Circles are approximated by parabolas, so the volume converges with the fourth power of the
+/// size.
 #[test]
 fn a_carrier_has_the_mass_of_its_parts() {
     let shape = shape();
@@ -202,9 +203,9 @@ fn rigid_motions_cause_no_forces_and_sectors_are_equal() {
     }
 }
 
-/// Stiff plates: webs and pins are beams that connect both plates, and each plate carries half of the
-/// load on a pin. The end of a web, where its section cannot contract, makes it stiffer than a beam;
-/// this difference decreases with its slenderness.
+/// Stiff plates: webs and pins are beams that connect both plates, and each plate carries half of
+/// the load on a pin. The end of a web, where its section cannot contract, makes it stiffer than a
+/// beam; this difference decreases with its slenderness.
 #[test]
 fn the_wind_up_is_that_of_beams_between_rigid_plates() {
     let error = |gap: f64| {

@@ -267,8 +267,8 @@ pub fn skew_symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<c6
     let size = matrix.nrows();
     let hermitian = Mat::from_fn(size, size, |i, j| c64::new(0.0, matrix[(i, j)]));
     let mut params: Spec<SelfAdjointEvdParams, c64> = Spec::default();
-    // Divide and conquer loses digits for eigenvalues in pairs of opposite sign over several decades;
-    // the QR algorithm does not.
+    // Divide and conquer loses digits for eigenvalues in pairs of opposite sign over several
+    // decades; the QR algorithm does not.
     params.config.recursion_threshold = usize::MAX;
     let scratch = self_adjoint_evd_scratch::<c64>(size, ComputeEigenvectors::Yes, Par::Seq, params);
     let mut memory = MemBuffer::new(scratch);
@@ -293,8 +293,8 @@ pub fn mirror_lower(matrix: &mut Mat<f64>) {
 mod tests {
     use super::*;
 
-    /// State matrix of springs and a skew-symmetric coupling, with frequencies over many decades and
-    /// in pairs, as those of a rotor.
+    /// State matrix of springs and a skew-symmetric coupling, with frequencies over many decades
+    /// and in pairs, as those of a rotor.
     fn state_matrix(count: usize) -> Mat<f64> {
         let frequency = |k: usize| 1e3 * 1.1_f64.powi((k / 2) as i32 % 90);
         let coupling = |i: usize, j: usize| {
@@ -310,8 +310,8 @@ mod tests {
         })
     }
 
-    /// Stiffness of a clamped chain of points with rotations, scaled to unit mass, as that of a beam with
-    /// short elements: eigenvalues over many decades.
+    /// Stiffness of a clamped chain of points with rotations, scaled to unit mass, as that of a
+    /// beam with short elements: eigenvalues over many decades.
     fn beam(count: usize) -> Mat<f64> {
         let length = 1.0 / count as f64;
         let own = [12.0, 6.0 * length, 4.0 * length * length, 2.0 * length * length].map(|k| k / length.powi(3));

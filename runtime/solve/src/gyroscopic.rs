@@ -1,10 +1,10 @@
 //! Gyroscopic terms of rotating bodies and shafts, in axes that do not rotate.
 //!
-//! A body that rotates at the angular velocity W about its axis a has the spin momentum `J W a` with
-//! its polar moment of inertia J. The momentum follows the axis: `J W theta x a` for a small rotation
-//! theta. The rate of change `J W theta' x a` is a force `G theta'` with a skew-symmetric matrix G. A
-//! shaft has this term in every section. Deviations of the inertia from symmetry about the axis are
-//! zero in the mean over a revolution, and are neglected.
+//! A body that rotates at the angular velocity W about its axis a has the spin momentum `J W a`
+//! with its polar moment of inertia J. The momentum follows the axis: `J W theta x a` for a small
+//! rotation theta. The rate of change `J W theta' x a` is a force `G theta'` with a skew-symmetric
+//! matrix G. A shaft has this term in every section. Deviations of the inertia from symmetry about
+//! the axis are zero in the mean over a revolution, and are neglected.
 //!
 //! See `docs/theory/modes.md`.
 

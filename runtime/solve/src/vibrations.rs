@@ -29,15 +29,15 @@ pub struct Vibrations {
     pub whirl: OnceLock<Option<Arc<WhirlModes>>>,
 }
 
-/// Modes of a rotating system, `(K - w² M + i w G) x = 0`, by ascending frequency. There are as many
-/// as coordinates.
+/// Modes of a rotating system, `(K - w² M + i w G) x = 0`, by ascending frequency. There are as
+/// many as coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WhirlModes {
     /// Frequencies w, rad/s.
     pub frequencies: Vec<f64>,
-    /// Sense of whirl from -1 to 1: 1 if all moving parts whirl on circles in the sense of their own
-    /// rotation (forward), -1 if against it (backward), 0 for motions along lines, for axial and for
-    /// torsional modes. Parts count by their kinetic energy.
+    /// Sense of whirl from -1 to 1: 1 if all moving parts whirl on circles in the sense of their
+    /// own rotation (forward), -1 if against it (backward), 0 for motions along lines, for axial
+    /// and for torsional modes. Parts count by their kinetic energy.
     pub senses: Vec<f64>,
 }
 
@@ -92,8 +92,8 @@ const EQUAL: f64 = 1e-9;
 /// velocities by column in coordinates of unit mass, and `form` is the form of the sense of whirl.
 ///
 /// Any combination of modes of equal frequency is a mode. The modes with stationary senses are
-/// those that diagonalize the form, so that translations of a rotor on equal springs are a forward and
-/// a backward whirl.
+/// those that diagonalize the form, so that translations of a rotor on equal springs are a forward
+/// and a backward whirl.
 fn senses(frequencies: &[f64], velocities: &DMatrix<Complex<f64>>, form: &DMatrix<f64>) -> Vec<f64> {
     let imaginary = form.map(|entry| Complex::new(0.0, -entry));
     let resolution = EQUAL * frequencies.last().copied().unwrap_or_default();

@@ -3,9 +3,10 @@
 //!
 //! A plate is an annulus with a circular seat for each pin. Webs are sectors of a ring between two
 //! plates, in the middle between neighbouring planets. Plates and webs share one conforming mesh of
-//! hexahedra of 20 nodes: the plane mesh of a plate, extruded ([`plane_mesh`]). Pins are beams between the
-//! inner faces of the plates; each end moves rigidly with its seat. All planets are alike and equally
-//! spaced, and the mesh of one sector is repeated, so that the body is cyclically symmetric.
+//! hexahedra of 20 nodes: the plane mesh of a plate, extruded ([`plane_mesh`]). Pins are beams
+//! between the inner faces of the plates; each end moves rigidly with its seat. All planets are
+//! alike and equally spaced, and the mesh of one sector is repeated, so that the body is cyclically
+//! symmetric.
 //!
 //! The coordinates of the body have their origin in the middle of the planets on the axis of the
 //! carrier, the z axis along it, and the first planet on the x axis.

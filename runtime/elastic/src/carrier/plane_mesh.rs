@@ -2,8 +2,8 @@
 //!
 //! Circles and radii divide a sector into cells. Around the seat of a pin, rings of cells between a
 //! block of this grid and the circle of the seat replace the cells of the block. The nodes of the
-//! block's boundary and those of the seat are on common rays from the centre of the seat. Nodes have
-//! whole-number keys, so sectors join without comparing positions.
+//! block's boundary and those of the seat are on common rays from the centre of the seat. Nodes
+//! have whole-number keys, so sectors join without comparing positions.
 
 use super::shape::{CarrierShape, count};
 use std::collections::BTreeMap;

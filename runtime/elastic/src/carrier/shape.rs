@@ -106,7 +106,7 @@ impl CarrierShape {
     /// Checks the dimensions.
     ///
     /// # Errors
-    /// A dimension is not positive, or parts do not fit beside each other.
+    /// A dimension is not positive, or parts overlap.
     pub fn check(&self) -> Result<(), ElementError> {
         let refused = |message: String, help: &str| Err(ElementError::new(message, help));
         let mm = |metres: f64| (metres * 1e9).round() / 1e6;

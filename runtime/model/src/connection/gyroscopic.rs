@@ -105,12 +105,12 @@ pub fn add_connection_whirl_form(
 }
 
 /// Returns the skew-symmetric part of `sign M P` for a mass matrix of six rows a point, where `P`
-/// rotates displacements and rotations by a right angle about the third axis. It is `M P` for a mass
-/// matrix that is symmetric about this axis.
+/// rotates displacements and rotations by a right angle about the third axis. It is `M P` for a
+/// mass matrix that is symmetric about this axis.
 ///
-/// A point on a circle that moves with `Re(x exp(i w t))` in the sense of the rotation has
-/// `P x = i x`. So `x* M P x / i` is twice the kinetic energy per `w²` of a forward whirl, and minus
-/// that of a backward whirl.
+/// A point on a circle that moves with `Re(x exp(i w t))` in the sense of the rotation has `P x = i
+/// x`. So `x* M P x / i` is twice the kinetic energy per `w²` of a forward whirl, and minus that of
+/// a backward whirl.
 pub fn quarter_turn_momentum(mass: &[f64], size: usize, sign: f64) -> Vec<f64> {
     // P maps the components x to y and y to -x. So the columns of M P are columns of M.
     let product = |row: usize, column: usize| match column % 3 {
@@ -129,8 +129,8 @@ pub fn quarter_turn_momentum(mass: &[f64], size: usize, sign: f64) -> Vec<f64> {
     matrix
 }
 
-/// Gyroscopic moment on a body: returns the skew-symmetric matrix between rotations about three axes
-/// for the spin momentum `momentum` (kg m²/s) along `axis`, by row.
+/// Gyroscopic moment on a body: returns the skew-symmetric matrix between rotations about three
+/// axes for the spin momentum `momentum` (kg m²/s) along `axis`, by row.
 pub fn gyroscopic_moment(axes: &[Vector; 3], axis: Vector, momentum: f64) -> [[f64; 3]; 3] {
     let triple = |i: usize, j: usize| {
         let [a, b] = [axes[i], axes[j]];
