@@ -125,14 +125,16 @@ fn pin_loads(found: &BTreeMap<String, f64>) -> DVector<f64> {
     loads
 }
 
-/// A carrier of a stiff material is the rigid carrier on which planets are mounted without it.
+/// The limit of a stiff material, by extrapolation of two stiff ones, is the rigid carrier, on which
+/// planets are mounted without it.
 #[test]
 fn a_stiff_carrier_is_a_rigid_one() {
     let error = ", pin_position_errors = [10 um]";
-    let stiff = solved(&set(error, 206e5));
+    let [one, twice] = [5e5, 1e6].map(|modulus| solved(&set(error, modulus)));
     let rigid = solved(&set(&format!("{error}, elastic = FALSE"), 206.0));
     for name in ["load0", "load1", "load2", "wind_up"] {
-        close(name, stiff[name], rigid[name], 1e-5);
+        close(name, twice[name], rigid[name], 1e-3);
+        close(name, 2.0 * twice[name] - one[name], rigid[name], 1e-6);
     }
     let largest = rigid["load1"].max(rigid["load2"]);
     assert!(rigid["load0"] < 0.9 * largest || rigid["load0"] > 1.1 * largest, "{rigid:?}");
