@@ -8,7 +8,7 @@
 //! See `docs/theory/gear-geometry.md`.
 
 use calyx_runtime::contact::solid::Pose;
-use calyx_runtime::surface::Surface;
+use calyx_runtime::surface::{Surface, SurfacePoint};
 use calyx_runtime::vec3::{cross, dot, length, minus};
 use std::f64::consts::TAU;
 
@@ -133,9 +133,9 @@ impl<'a> Mate<'a> {
         distances.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(place, _)| place)
     }
 
-    /// Returns the coordinates of the point with this radius and axial position; `None` if the
+    /// Returns the point with this radius and axial position and its coordinates; `None` if the
     /// flank ends before.
-    fn partner(&self, target: [f64; 2], guess: Option<[f64; 2]>) -> Option<[f64; 2]> {
+    fn partner(&self, target: [f64; 2], guess: Option<[f64; 2]>) -> Option<([f64; 2], SurfacePoint)> {
         let mut place = match guess {
             Some(guess) => guess,
             None => self.nearest_sample(target)?,
@@ -163,7 +163,7 @@ impl<'a> Mate<'a> {
                     let margin = ROUNDING * spans[k];
                     (self.range[k][0] - margin..=self.range[k][1] + margin).contains(&place[k])
                 };
-                return (inside(0) && inside(1)).then_some(place);
+                return (inside(0) && inside(1)).then_some((place, point));
             }
             // The surface continues slightly beyond its ends.
             let next = [0, 1].map(|k: usize| {
@@ -185,8 +185,7 @@ impl<'a> Mate<'a> {
         let own = driver.surface.at(place[0], place[1]);
         let (point, normal) = (driver.pose.point(own.position), driver.pose.direction(own.normal));
         let [x, y, z] = point;
-        let mate = self.partner([x.hypot(y), z], guess)?;
-        let other = self.surface.at(mate[0], mate[1]);
+        let (mate, other) = self.partner([x.hypot(y), z], guess)?;
         let [ox, oy, _] = other.position;
         // The angle between the two radii, to rounding also where it is small.
         let rotation = (ox * y - oy * x).atan2(ox * x + oy * y);

@@ -31,6 +31,8 @@ const STEPS_PER_PITCH: f64 = 16.0;
 const PITCHES: f64 = 4.0;
 /// Bisections of the ends of contact.
 const BISECTIONS: usize = 30;
+/// Steps by which an end of contact is too early. Searches from different places agree to less.
+const TOO_EARLY: f64 = 1e-6;
 /// Largest deviation, in pitches, of the rotation for one tooth from that for another: beyond it,
 /// flanks are far from contact.
 const IN_MESH: f64 = 0.25;
@@ -127,11 +129,17 @@ impl Bodies {
     fn path(&self, surfaces: [usize; 2], angle: f64, sense: f64, start: &ToothContact) -> Path {
         let mate = Mate::new(self.flanks[1].surfaces[surfaces[1]].as_ref());
         let surface = self.flanks[0].surfaces[surfaces[0]].as_ref();
+        let at = |rolled: f64| Driver { surface, pose: self.tooth_pose(start.tooth, angle + sense * rolled) };
         let touches = |rolled: f64, place: [f64; 2]| -> Option<[f64; 2]> {
-            let driver = Driver { surface, pose: self.tooth_pose(start.tooth, angle + sense * rolled) };
+            let driver = at(rolled);
             let found = mate.contact_near(&driver, place).filter(|contact| contact.inside || contact.at_end);
             let found = found.or_else(|| mate.contact(&driver))?;
             found.inside.then_some(found.place)
+        };
+        let touches_near = |rolled: f64, place: [f64; 2]| {
+            mate.contact_near(&at(rolled), place)
+                .filter(|contact| contact.inside)
+                .map(|contact| contact.place)
         };
         let step = self.pitches[0] / STEPS_PER_PITCH;
         let most = (PITCHES * STEPS_PER_PITCH) as i32;
@@ -146,15 +154,13 @@ impl Bodies {
             for _ in 0..most {
                 let next = inside + towards * step;
                 let Some(there) = touches(next, place) else {
-                    let mut outside = next;
-                    for _ in 0..BISECTIONS {
-                        let middle = 0.5 * (inside + outside);
-                        match touches(middle, place) {
-                            Some(there) => (inside, place) = (middle, there),
-                            None => outside = middle,
-                        }
-                    }
-                    break;
+                    // A search on the whole flank finds no contact beyond the end, at the cost of
+                    // many searches near the last one. It is needed only where these end too early.
+                    let [end, _] = bisected([inside, next], place, touches_near);
+                    return match touches(end + towards * TOO_EARLY * step, place) {
+                        Some(_) => bisected([inside, next], place, touches)[0],
+                        None => end,
+                    };
                 };
                 (inside, place) = (next, there);
             }
@@ -162,6 +168,23 @@ impl Bodies {
         };
         Path { ends: Some([end(-1.0), end(1.0)]) }
     }
+}
+
+/// Returns rotations before and beyond the end of contact, rad, from such rotations and the place
+/// of the contact at the first one.
+fn bisected(
+    [mut inside, mut outside]: [f64; 2],
+    mut place: [f64; 2],
+    touches: impl Fn(f64, [f64; 2]) -> Option<[f64; 2]>,
+) -> [f64; 2] {
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (inside + outside);
+        match touches(middle, place) {
+            Some(there) => (inside, place) = (middle, there),
+            None => outside = middle,
+        }
+    }
+    [inside, outside]
 }
 
 /// Puts two toothed bodies on general axes in mesh, as [`crate::assembly::mesh`] does on parallel

@@ -16,9 +16,18 @@ pub struct Basis {
     degree: usize,
     nodes: Vec<f64>,
     knots: Vec<f64>,
-    /// Inverse lengths `1 / (knots[j + order] - knots[j])` of each order from 1 to the degree, with
-    /// `j` at the index `(order - 1) * knots.len() + j`; divisions would dominate an evaluation.
-    inverse_lengths: Vec<f64>,
+    spans: Vec<Span>,
+}
+
+/// Data of the interval between two knots, in the order of an evaluation. Divisions would dominate
+/// it.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    /// Knots before the interval, the nearest first, and those after it.
+    before: [f64; MOST_DEGREE],
+    after: [f64; MOST_DEGREE],
+    /// Inverse lengths of the supports of the splines of each order from 1 to the degree.
+    inverse_lengths: [f64; MOST_DEGREE * (MOST_DEGREE + 1) / 2],
 }
 
 /// Splines that are not zero at a point: index of the first, values, and first derivatives.
@@ -39,12 +48,26 @@ impl Basis {
         let mut knots = vec![nodes[0]; degree + 1];
         knots.extend((1..count - degree).map(|j| nodes[j..j + degree].iter().sum::<f64>() / degree as f64));
         knots.extend(vec![nodes[count - 1]; degree + 1]);
-        let length = |order: usize, j: usize| knots.get(j + order).map_or(0.0, |end| end - knots[j]);
-        let inverse_lengths = (1..=degree)
-            .flat_map(|order| (0..knots.len()).map(move |j| (order, j)))
-            .map(|(order, j)| length(order, j).recip())
-            .collect();
-        Self { degree, nodes, knots, inverse_lengths }
+        let span = |span: usize| {
+            let mut own = Span {
+                before: [0.0; MOST_DEGREE],
+                after: [0.0; MOST_DEGREE],
+                inverse_lengths: [0.0; MOST_DEGREE * (MOST_DEGREE + 1) / 2],
+            };
+            let mut place = 0;
+            for order in 1..=degree {
+                (own.before[order - 1], own.after[order - 1]) =
+                    (knots[span + 1 - order], knots[span + order]);
+                for r in 0..order {
+                    let first = span + r + 1 - order;
+                    own.inverse_lengths[place] = (knots[first + order] - knots[first]).recip();
+                    place += 1;
+                }
+            }
+            own
+        };
+        let spans = (degree..count).map(span).collect();
+        Self { degree, nodes, knots, spans }
     }
 
     /// Nodes, ascending.
@@ -88,36 +111,49 @@ impl Basis {
         weights
     }
 
-    /// De Boor's recursion between the first and the last knot.
     fn inner_weights(&self, at: f64) -> Weights {
-        let (degree, knots) = (self.degree, &self.knots);
-        let last = knots.len() - degree - 2;
-        let span = (knots.partition_point(|&knot| knot <= at).max(degree + 1) - 1).min(last);
+        match self.degree {
+            1 => self.weights_of_degree::<1>(at),
+            2 => self.weights_of_degree::<2>(at),
+            3 => self.weights_of_degree::<3>(at),
+            4 => self.weights_of_degree::<4>(at),
+            _ => self.weights_of_degree::<MOST_DEGREE>(at),
+        }
+    }
+
+    /// De Boor's recursion between the first and the last knot. The degree is a constant, so that
+    /// the compiler unrolls the loops.
+    fn weights_of_degree<const DEGREE: usize>(&self, at: f64) -> Weights {
+        let last = self.spans.len() - 1;
+        let inner = &self.knots[DEGREE + 1..=DEGREE + last];
+        let span = inner.partition_point(|&knot| knot <= at);
+        let Span { before, after, inverse_lengths } = &self.spans[span];
         let mut values = [0.0; MOST_SPLINES];
         let mut slopes = [0.0; MOST_SPLINES];
         values[0] = 1.0;
-        for order in 1..=degree {
+        let mut place = 0;
+        for order in 1..=DEGREE {
             let mut carried = 0.0;
             let mut slope_carried = 0.0;
-            let inverse = &self.inverse_lengths[(order - 1) * knots.len()..];
             for r in 0..order {
-                let (right, left) = (knots[span + r + 1], knots[span + r + 1 - order]);
-                let share = values[r] * inverse[span + r + 1 - order];
+                let (right, left) = (after[r], before[order - 1 - r]);
+                let share = values[r] * inverse_lengths[place];
+                place += 1;
                 values[r] = carried + (right - at) * share;
                 carried = (at - left) * share;
-                if order == degree {
+                if order == DEGREE {
                     // Derivative from the splines of one degree less.
-                    let rate = degree as f64 * share;
+                    let rate = DEGREE as f64 * share;
                     slopes[r] = slope_carried - rate;
                     slope_carried = rate;
                 }
             }
             values[order] = carried;
-            if order == degree {
+            if order == DEGREE {
                 slopes[order] = slope_carried;
             }
         }
-        Weights { first: span - degree, count: degree + 1, values, slopes }
+        Weights { first: span, count: DEGREE + 1, values, slopes }
     }
 }
 
