@@ -4,7 +4,8 @@ use crate::cutting_externs::bore_support;
 use crate::error::{GeometryError, sentence};
 use crate::externs::{entry, host, refusal};
 use crate::host::{GearModel, keep};
-use crate::tabulated::prototype::{BoreShape, TabulatedGear, TabulatedGearData};
+use crate::tabulated::known_gears::gear_of;
+use crate::tabulated::prototype::{BoreShape, TabulatedGearData};
 use crate::tabulated::table::{PointGrid, ToothTable};
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
@@ -31,7 +32,7 @@ calyx_abi::externs! {
             support,
             pitch_errors,
         };
-        let gear = TabulatedGear::new(data).map_err(|refusal| host.rejected(refusal, place))?;
+        let gear = gear_of(data).map_err(|refusal| host.rejected(refusal, place))?;
         host.gear_places.push(place);
         Ok(keep(&mut host.gears, GearModel::Tabulated(gear)))
     }

@@ -1,17 +1,27 @@
-//! Benchmarks elaboration and its cancellation, on the gear pair of the report and on a model with
-//! many gears, and the formatting of a symbolic definition. Run it with `cargo bench -p
-//! calyx-elaborate`.
+//! Benchmarks checks after edits, elaboration and its cancellation, on the gear pair of the report,
+//! a spiral bevel pair and a model with many gears, and the formatting of a symbolic definition. Run
+//! it with `cargo bench -p calyx-elaborate`.
 
 use calyx_elaborate::binding::{binding, definition_in};
 use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
+use calyx_lang::db::Database;
 use calyx_lang::ir::Program;
 use std::thread;
 use std::time::{Duration, Instant};
+
+const SPIRAL_BEVEL: &str = include_str!("../../../examples/spiral_bevel.cx");
+
+/// Number of edits, of which the fastest counts.
+const EDITS: usize = 6;
 
 /// Number of cancellation times per model.
 const CANCELLED: u32 = 200;
 
 fn main() {
+    edited("spur pair", include_str!("../../../examples/spur_pair.cx"), ["import gears;", "import gears; "]);
+    edited("spiral bevel pair, a comment", SPIRAL_BEVEL, ["gear lags", "gear  lags"]);
+    edited("spiral bevel pair, a torque", SPIRAL_BEVEL, ["2613.33", "2613.34"]);
+    edited("spiral bevel pair, a machine setting", SPIRAL_BEVEL, ["2.947802", "2.947803"]);
     measure("spur pair", &program(include_str!("../../../examples/spur_pair.cx")));
     measure("train of 60 gears", &program(&train(60)));
     tell("a frame of the pair", include_str!("../../../examples/spur_pair.cx"), "frame := Rotate(-speed");
@@ -54,6 +64,32 @@ fn train(gears: usize) -> String {
         }
     }
     text
+}
+
+/// Prints the time of the first check of a model, and that of a check after an edit that replaces
+/// one text by the other, as editors make them: with the database of the first check.
+fn edited(name: &str, text: &str, [old, new]: [&str; 2]) {
+    let loader = ModelLoader::default();
+    let mut database = Database::new(&loader);
+    let mut check = |text: &str| {
+        let began = Instant::now();
+        database.set_model("model.cx", text);
+        database.load_imports("model.cx", &loader);
+        let checked = database.check("model.cx").expect("the model is there");
+        let language = began.elapsed();
+        let program = checked.program.as_ref().unwrap_or_else(|| panic!("{:?}", checked.diagnostics));
+        elaborate(program, Params::Defaults, &Cancel::default()).expect("nobody cancels");
+        [language, began.elapsed()]
+    };
+    let [_, first] = check(text);
+    let other = text.replace(old, new);
+    assert_ne!(text, other, "the edit changes the model");
+    let edits = (0..EDITS).map(|edit| check(if edit % 2 == 0 { &other } else { text }));
+    let [language, all] = edits.min_by_key(|[_, all]| *all).unwrap_or_default();
+    println!(
+        "{name}: first check in {first:.1?}, after an edit in {all:.1?} ({:.2} of the first; language {language:.1?})",
+        all.as_secs_f64() / first.as_secs_f64()
+    );
 }
 
 fn measure(name: &str, program: &Program) {

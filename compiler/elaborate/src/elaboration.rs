@@ -2,7 +2,8 @@
 
 use crate::diagnostics::{diagnostic, finding_diagnostic, place};
 use crate::geometry::Geometry;
-use crate::interpreted::{Interpreted, kernel, no_kernel};
+use crate::interpreted::{Interpreted, no_kernel};
+use crate::known_kernels::kernel_of;
 use crate::nan::{explain, note, of_default};
 use crate::plan::Planned;
 use crate::printed::Printed;
@@ -19,7 +20,6 @@ use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
-use calyx_lower::kernels::lower_site;
 use calyx_rt::{Error, InvalidParam, NanLog, ParamAssignment, Program as _, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
@@ -157,8 +157,8 @@ fn lowered(program: &Program, cancel: &Cancel) -> Result<Result<Lowered, Box<Ela
         let mut kernels = Vec::with_capacity(sites.len());
         for site in sites {
             ensure_running(cancel)?;
-            match lower_site(program, *site) {
-                Ok(tape) => kernels.push(kernel(tape)),
+            match kernel_of(program, *site) {
+                Ok(kernel) => kernels.push(kernel),
                 Err(error) => return Ok(Err(Box::new(unrunnable(no_kernel(&error))))),
             }
         }

@@ -33,6 +33,7 @@ mod elaboration;
 pub mod geometry;
 mod infix;
 mod interpreted;
+mod known_kernels;
 mod loader;
 pub mod nan;
 pub mod plan;

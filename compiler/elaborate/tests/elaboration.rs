@@ -128,3 +128,34 @@ fn values_are_those_at_the_end_in_units_of_the_file() {
     assert_eq!([default_of(width), range_of(width)].map(Option::unwrap), ["3 mm", "1 mm .. 20 mm"]);
     assert_eq!([default_of(kind), range_of(kind)].map(Option::unwrap), ["\"wide\"", "\"wide\", \"slim\""]);
 }
+
+/// Elaborations share kernels of equal sites. These sites differ in one part each: an operation, a
+/// number, the function that they call, the symbol of a derivative, the captured value.
+#[test]
+fn kernels_of_earlier_elaborations_serve_equal_sites_only() {
+    let model = |function: &str, value: &str, p: &str| {
+        let text = format!(
+            "function f(in x, in y) := {function};\nfunction g(in x, in y) := x*y;\n\
+             var p = {p}; var t := Time / (1 s);\nvar v := {value};\nprint(v at Time = 3 s);"
+        );
+        elaborated(&text).printed
+    };
+    let cases = [
+        ("x^2 + y", "f(t, p)", "4", "13"),
+        ("x^3 + y", "f(t, p)", "4", "31"),
+        ("x^2 - y", "f(t, p)", "4", "5"),
+        ("x^2 + 2*y", "f(t, p)", "4", "17"),
+        ("x^2 + y", "f(p, t)", "4", "19"),
+        ("x^2 + y", "g(t, p)", "4", "12"),
+        ("derivative(x^2 + y, x)", "f(t, p)", "4", "6"),
+        ("derivative(x^2 + y, y)", "f(t, p)", "4", "1"),
+        ("x^2 + y", "f(t, p)", "5", "14"),
+        ("x^2 + y", "f(t, p) + f(t, p)", "4", "26"),
+        ("x^2 + y", "f(t, p) + g(t, p)", "4", "25"),
+    ];
+    for _ in 0..2 {
+        for (function, value, p, expected) in cases {
+            assert_eq!(model(function, value, p), [expected], "{function}, {value}, {p}");
+        }
+    }
+}

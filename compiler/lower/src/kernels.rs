@@ -13,12 +13,14 @@ use motion::{Motion, TransformedQuantity};
 use std::collections::HashMap;
 use std::fmt;
 
+mod content;
 mod definitions;
 mod functions;
 mod motion;
 mod parts;
 mod value;
 
+pub use content::SiteContent;
 pub use definitions::{
     DefinitionGraph, DefinitionId, InputSymbol, Shape, SymbolKind, definition_expressions, definition_graph,
 };

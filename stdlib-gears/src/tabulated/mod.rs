@@ -10,6 +10,7 @@
 mod analytic;
 pub mod bore;
 mod boundary;
+pub mod known_gears;
 mod layout;
 pub mod prototype;
 pub mod section;
