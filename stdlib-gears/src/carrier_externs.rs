@@ -1,8 +1,8 @@
 //! Flexible planet carriers for programs: the Rust side of `carrier` in `gears.cx`.
 
 use crate::externs::{self, entry, host, refusal};
-use calyx_abi::externs::Handle;
 use calyx_abi::RuntimeError;
+use calyx_abi::externs::Handle;
 use calyx_runtime::cache::Key;
 use calyx_runtime::connection::ElasticConnection;
 use calyx_runtime::elastic;

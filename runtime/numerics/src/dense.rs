@@ -314,7 +314,8 @@ mod tests {
     /// beam with short elements: eigenvalues over many decades.
     fn beam(count: usize) -> Mat<f64> {
         let length = 1.0 / count as f64;
-        let own = [12.0, 6.0 * length, 4.0 * length * length, 2.0 * length * length].map(|k| k / length.powi(3));
+        let own =
+            [12.0, 6.0 * length, 4.0 * length * length, 2.0 * length * length].map(|k| k / length.powi(3));
         let mut whole = Mat::<f64>::zeros(2 * count + 2, 2 * count + 2);
         for element in 0..count {
             let block = [
@@ -343,7 +344,12 @@ mod tests {
                 for i in 0..2 * count {
                     let product: f64 = (0..2 * count).map(|j| matrix[(i, j)] * vectors[(j, k)]).sum();
                     let residual = (product - value * vectors[(i, k)]).abs();
-                    assert!(residual < 1e-12 * largest, "{count} {k}: {:e} {:e}", residual / largest, largest / values[0]);
+                    assert!(
+                        residual < 1e-12 * largest,
+                        "{count} {k}: {:e} {:e}",
+                        residual / largest,
+                        largest / values[0]
+                    );
                 }
             }
         }
