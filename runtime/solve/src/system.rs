@@ -22,6 +22,7 @@ use calyx_model::structure_building::StructureCounts;
 use calyx_model::structure_building::{Structures, build_structures};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::vec3::{Vector, cross, dot, minus, plus, scaled};
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::{AnyStructure, Structure};
 use std::sync::{Arc, OnceLock};
@@ -344,11 +345,12 @@ impl<'s> System<'s> {
         rotation_speed(self.scene.bodies[body].motion.as_ref(), time).unwrap_or(f64::NAN)
     }
 
-    /// Returns the prescribed direction from the axis of a pair's first body to that of its second,
-    /// rad.
+    /// Returns the prescribed direction from the axis of a pair's first body to that of its second
+    /// in the transverse plane of the first body, rad.
     fn line_of_centres(&self, pair: &SurfacePair, time: f64) -> f64 {
         let [first, second] = pair.bodies.map(|body| self.origin(body.0, time));
-        (second[1] - first[1]).atan2(second[0] - first[0])
+        let (across, axes) = (minus(second, first), self.axes(pair.bodies[0].0, time));
+        dot(across, axes[1]).atan2(dot(across, axes[0]))
     }
 
     /// Returns the rotation of a pair's line of centres since time 0, rad, modulo whole
@@ -360,7 +362,7 @@ impl<'s> System<'s> {
 
     /// Returns the velocity, at a point in ground coordinates (m), of the frame that rotates with a
     /// pair's line of centres, m/s: zero for fixed axes. Mesh motions are relative to this frame.
-    pub fn line_velocity(&self, pair: usize, time: f64, [x, y, _]: [f64; 3]) -> [f64; 3] {
+    pub fn line_velocity(&self, pair: usize, time: f64, point: [f64; 3]) -> [f64; 3] {
         let SurfacePair { bodies: [first, second], .. } = self.scene.pairs[pair];
         if self.lines[pair].is_none() {
             return [0.0; 3];
@@ -370,11 +372,11 @@ impl<'s> System<'s> {
             (place, point_velocity(self.scene.bodies[body.0].motion.as_ref(), time, place))
         };
         let ([from, velocity], [to, other]) = (at(first).into(), at(second).into());
-        let across = [to[0] - from[0], to[1] - from[1]];
-        let relative = [other[0] - velocity[0], other[1] - velocity[1]];
-        let turning =
-            (across[0] * relative[1] - across[1] * relative[0]) / (across[0].powi(2) + across[1].powi(2));
-        [velocity[0] - turning * (y - from[1]), velocity[1] + turning * (x - from[0]), 0.0]
+        let axis = self.axes(first.0, time)[2];
+        let transverse = |vector: Vector| minus(vector, scaled(axis, dot(vector, axis)));
+        let across = transverse(minus(to, from));
+        let turning = dot(cross(across, minus(other, velocity)), axis) / dot(across, across);
+        plus(transverse(velocity), scaled(cross(axis, minus(point, from)), turning))
     }
 
     /// Extracts the deviations of a body from its prescribed motion from the vector of all DOFs, in

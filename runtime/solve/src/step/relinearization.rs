@@ -5,7 +5,7 @@
 use super::friction::{Action, work};
 use crate::system::System;
 use calyx_model::mechanism::Mechanism;
-use calyx_numerics::vec3::{dot, minus, plus, scaled};
+use calyx_numerics::vec3::{cross, dot, length, minus, plus, scaled};
 
 /// Point of action of a loaded patch, and its half-width.
 pub(super) struct ContactReference {
@@ -28,14 +28,16 @@ impl ContactReference {
         if mesh.is_some_and(|mesh| mesh.first_contact.is_some()) {
             return self.relative_shift_on_general_axes(system, time, motion);
         }
-        let [x, y, _] = self.action.normal;
-        let size = x.hypot(y);
+        let bodies = system.scene.pairs[self.pair].bodies;
+        let sides = bodies.map(|body| (system.origin(body.0, time), system.axes(body.0, time)));
+        let axis = sides[0].1[2];
+        let transverse = minus(self.action.normal, scaled(axis, dot(self.action.normal, axis)));
+        let size = length(transverse);
         if !(size > 0.0 && self.reach > 0.0) {
             return 0.0;
         }
-        let (normal, across) = ([x / size, y / size], [y / size, -x / size, 0.0]);
-        let bodies = system.scene.pairs[self.pair].bodies;
-        let sides = bodies.map(|body| (system.origin(body.0, time), system.axes(body.0, time)));
+        let normal = transverse.map(|part| part / size);
+        let across = cross(axis, normal);
         let moves = |side: usize, point: [f64; 3]| -> f64 {
             let own = system.dofs.iter().zip(motion).filter(|(dof, _)| bodies[side].0 == dof.body);
             let (origin, axes) = &sides[side];
@@ -43,9 +45,8 @@ impl ContactReference {
         };
         let at = |point: [f64; 3]| {
             let centre = |side: usize| {
-                let origin = sides[side].0;
-                let along = (origin[0] - point[0]) * normal[0] + (origin[1] - point[1]) * normal[1];
-                (along, moves(side, [point[0] + along * normal[0], point[1] + along * normal[1], point[2]]))
+                let along = dot(minus(sides[side].0, point), normal);
+                (along, moves(side, plus(point, scaled(normal, along))))
             };
             let [(first, first_moves), (second, second_moves)] = [centre(0), centre(1)];
             let foot = match second - first {
