@@ -172,5 +172,12 @@ pub(crate) fn is_stress(request: &OutputRequest, observables: &[Arc<dyn Observab
     request.value.observes().into_iter().any(stressed)
 }
 
+/// Returns whether an output depends on pressures on flanks, and neither on stresses nor on forces.
+pub(crate) fn is_flank_pressure(request: &OutputRequest, observables: &[Arc<dyn Observable>]) -> bool {
+    let observed = request.value.observes();
+    let is_pressure = |index: usize| observables.get(index).is_some_and(|seen| seen.is_flank_pressure());
+    !observed.is_empty() && observed.into_iter().all(is_pressure)
+}
+
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,8 @@
 use super::mesh_variants::MeshVariant;
 use super::sampling::{Promising, SampledOutput, SamplingContext, divided, most_promising};
 use super::{
-    Ends, ErrorPart, Estimates, Evidence, Part, Statistics, bounds, ends, is_stress, rounding, within,
+    Ends, ErrorPart, Estimates, Evidence, Part, Statistics, bounds, ends, is_flank_pressure, is_stress,
+    rounding, within,
 };
 use crate::observables::Observe;
 use crate::results::DirectedErrors;
@@ -23,6 +24,9 @@ use std::f64::consts::SQRT_2;
 
 /// Factor for contact grids with half as many cells.
 pub(super) const OF_GRID: f64 = 0.4;
+/// The same for pressures on flanks in three dimensions, which are vertices of parabolas through
+/// the pressures of several cells: measured, see `docs/theory/error-estimates.md`.
+const OF_GRID_PRESSURE: f64 = 0.2;
 /// Minimum number of positions that are solved again; of many positions, a fraction.
 pub(super) const SAMPLES: usize = 8;
 pub(super) const PART_OF_POSITIONS: usize = 4;
@@ -102,7 +106,8 @@ pub(crate) fn quasi_static_perturbed_solves(
     }
     if fidelity != Fidelity::Rigid {
         // The coarse grid deviates in the direction of the error.
-        let mut part = judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, (|_| OF_GRID, 1.0));
+        let factor = |output: usize| judged.grid_factor(output);
+        let mut part = judged.found(Part::ContactGrid, &samples, on_coarse.clone(), &own, (factor, 1.0));
         if let (Some(coarse), Ok(errors), true) = (&coarse, &mut part.errors, judged.plan.three_dimensional) {
             judged.include_added_extremes(coarse, &rows, errors)?;
         }
@@ -180,6 +185,12 @@ impl BaseAnalysis<'_, '_> {
             Err(ended) => Failed::Ended(ended),
             Ok(()) => Failed::Because(format!("{}: {}", error.code, error.message)),
         }
+    }
+
+    /// Returns the factor on the difference of an output from grids with half as many cells.
+    fn grid_factor(&self, output: usize) -> f64 {
+        let is_pressure = || is_flank_pressure(&self.outputs[output], &self.scene.observables);
+        if self.plan.three_dimensional && is_pressure() { OF_GRID_PRESSURE } else { OF_GRID }
     }
 
     /// Solves the samples with another model or mesh.
@@ -340,9 +351,10 @@ impl BaseAnalysis<'_, '_> {
         let Ok(solved) = part_of(solved)? else { return Ok(()) };
         for (output, (error, [least, most])) in errors.iter_mut().zip(extremes).enumerate() {
             let (own, coarse) = (ends(rows, output), ends(&solved.rows, output));
+            let factor = self.grid_factor(output);
             let difference = |row: Option<usize>, of: fn(&Ends) -> f64| {
                 let found = row.and_then(|row| added.iter().position(|&one| one == row));
-                let signed = found.map(|index| OF_GRID * (of(&coarse[index]) - of(&own[added[index]])));
+                let signed = found.map(|index| factor * (of(&coarse[index]) - of(&own[added[index]])));
                 signed.filter(|signed| signed.is_finite()).unwrap_or(0.0)
             };
             let (min, max) = (difference(least, |end| end.low), difference(most, |end| end.high));

@@ -284,8 +284,8 @@ fn parts_add_up_but_for_the_mesh_that_the_level_above_includes() {
     assert_eq!(estimate.total, all(3.25).size);
 }
 
-/// Parts of opposite directions extend an interval at different ends; those of unknown direction
-/// are added in quadrature, but not if both change the solution.
+/// Errors of opposite directions compensate each other in part, because their sizes are uncertain;
+/// those of unknown direction are added in quadrature, but not if both change the solution.
 #[test]
 fn parts_of_opposite_directions_do_not_add_up() {
     let all = |error: f64| Statistics { min: error, max: error, mean: error, peak_to_peak: error };
@@ -294,9 +294,13 @@ fn parts_of_opposite_directions_do_not_add_up() {
         let errors = |(size, directed)| DirectedErrors::new(all(size), all(directed));
         ErrorEstimate::new(parts.map(|(part, own)| (part, errors(own))).collect(), Vec::new(), 0.0).total.max
     };
-    assert_eq!(total([(4.0, 4.0), (1.0, 1.0)]), 5.0);
-    assert_eq!(total([(4.0, 4.0), (1.0, -1.0)]), 4.0);
-    assert_eq!(total([(4.0, -4.0), (5.0, 5.0)]), 5.0);
+    // Root mean square of a sum whose terms are uncertain by half of themselves.
+    let of_sum =
+        |one: f64, other: f64| (((one + other).powi(2) + 0.25 * (one * one + other * other)) / 1.25).sqrt();
+    assert_eq!(total([(4.0, 4.0), (1.0, 1.0)]), of_sum(4.0, 1.0));
+    assert_eq!(total([(4.0, 4.0), (1.0, -1.0)]), of_sum(4.0, -1.0));
+    assert_eq!(total([(4.0, -4.0), (5.0, 5.0)]), 3.0);
+    assert_eq!(total([(4.0, 4.0), (0.0, 0.0)]), 4.0);
     assert_eq!(total([(4.0, 0.0), (3.0, -3.0)]), 5.0);
     assert_eq!(total([(4.0, 0.0), (3.0, 0.0)]), 5.0);
     // Most of the error has no direction.

@@ -131,6 +131,12 @@ pub trait Observable: Comparable + Debug + Send + Sync {
         None
     }
 
+    /// Returns whether it is a pressure on flanks away from edges, whose error decreases faster with
+    /// the cell size than that of other values.
+    fn is_flank_pressure(&self) -> bool {
+        false
+    }
+
     /// Returns the body whose frame it depends on, with or without contact.
     fn frame_of(&self) -> Option<BodyId> {
         None

@@ -18,6 +18,10 @@ impl Observable for MaxContactPressure {
         largest(at, self.0, Zone::Flank)
     }
 
+    fn is_flank_pressure(&self) -> bool {
+        true
+    }
+
     fn bounds(&self) -> [f64; 2] {
         [0.0, f64::INFINITY]
     }
