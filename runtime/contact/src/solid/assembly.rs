@@ -137,9 +137,7 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
     let apart = |one: f64, other: f64| (one - other).abs();
     let mut direct_known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
     let given = |i: usize, j: usize| direct_known.get(i, j, || half_space.influence(&cells[i], &cells[j]));
-    // On general axes the columns differ from slice to slice. The decision must not depend on
-    // rounding, as the columns that cells share do.
-    if cells.iter().all(|cell| cell.slope == [0.0; 2]) {
+    if across.are_shared() {
         add_pairs(n, block, interrupt, given)?;
     } else {
         add_influence(cells, &half_space, given, block, interrupt)?;

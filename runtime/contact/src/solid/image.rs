@@ -108,12 +108,18 @@ impl StripInfluence for Images<'_> {
         let radius = |strip: &Strip| strip.half[0].hypot(strip.half[1]);
         let [place, other] = [observe, load].map(|strip| self.frame.at(strip.center));
         let apart = length(minus(place, self.image_of(other))) - radius(observe) - radius(load);
-        // The strip and the image of one on the same side are on opposite sides of the mirror.
+        // The strip and the image are on opposite sides of the mirror.
         let slopes = [self.frame.across, self.frame.along].map(|axis| dot(axis, self.mirror.normal).abs());
         let reach = |strip: &Strip| strip.half[0] * slopes[0] + strip.half[1] * slopes[1];
         let heights = [place, other].map(|place| self.mirror.height(place));
-        let between = (heights[0] + heights[1]).abs() - reach(observe) - reach(load);
-        apart.max(between)
+        let above = [heights[0] - reach(observe), heights[1] - reach(load)];
+        let below = [heights[0] + reach(observe), heights[1] + reach(load)];
+        let through = match () {
+            () if above.iter().all(|&height| height >= 0.0) => above[0] + above[1],
+            () if below.iter().all(|&height| height <= 0.0) => -(below[0] + below[1]),
+            () => 0.0,
+        };
+        apart.max(through)
     }
 
     fn between_lines(&self, observe: &StripPoints, load: &StripPoints) -> Vec<f64> {
