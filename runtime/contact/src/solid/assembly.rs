@@ -5,11 +5,10 @@
 //! for bit without averaging.
 
 use super::grid::Cell;
-use super::half_space::HalfSpace;
+use super::half_space::mean_inverse_distance;
 use super::image::{Images, PlacedMirror};
 use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
-use super::strips::add_influence;
 use crate::assembly::{FormerCompliance, is_symmetric, symmetric_of_blocks};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -121,52 +120,37 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
             }
         }
     }
-    let (level, inclined): (Vec<Images>, Vec<Images>) = mirrors
-        .into_iter()
-        .map(|mirror| Images::new(mirror, patch.frame))
-        .partition(|images| images.is_level);
-    let half_space = HalfSpace { softness: direct };
-    let mirrored = |first: &Cell, second: &Cell| -> f64 {
-        level.iter().map(|images| images.influence(first, second)).sum()
+    let images: Vec<Images> = mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).collect();
+    let given = |first: &Cell, second: &Cell| {
+        let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
+        let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
+        direct * mean_inverse_distance(offset, halves[0], halves[1])
     };
-    // The half-space term depends on the difference of two cells' positions. The image term of a
-    // level mirror depends on the difference across and both positions along the patch, for upright
-    // mirrors only on their sum.
-    let cells = patch.cells;
-    let [across, along] = [0, 1].map(|axis| Intervals::of(cells, axis));
+    let mirrored = |first: &Cell, second: &Cell| -> f64 {
+        images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
+    };
+    // The half-space term depends on the difference of two cells' positions. The image term depends
+    // on the difference across and both positions along the patch, for upright mirrors only on
+    // their sum, and for inclined mirrors on more.
+    let [across, along] = [0, 1].map(|axis| Intervals::of(patch.cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
     let mut direct_known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
-    let given = |i: usize, j: usize| direct_known.get(i, j, || half_space.influence(&cells[i], &cells[j]));
-    if across.are_shared() {
-        add_pairs(n, block, interrupt, given)?;
-    } else {
-        add_influence(cells, &half_space, given, block, interrupt)?;
-    }
-    if !level.is_empty() {
-        let is_upright = level.iter().all(Images::is_upright);
+    let mut images_known = images.iter().all(|images| images.is_level).then(|| {
+        let is_upright = images.iter().all(Images::is_upright);
         let rows = if is_upright { along.pairs(|one, other| one + other) } else { along.each_pair() };
-        let mut known = RelationCache::new([across.pairs(apart), rows], n);
-        add_pairs(n, block, interrupt, |i, j| known.get(i, j, || mirrored(&cells[i], &cells[j])))?;
-    }
-    for images in &inclined {
-        let pair = |i: usize, j: usize| images.influence(&cells[i], &cells[j]);
-        add_influence(cells, images, pair, block, interrupt)?;
-    }
-    Ok(())
-}
-
-/// Adds the influence between all pairs of `n` cells to a symmetric block, row-major. Each row is a
-/// checkpoint.
-fn add_pairs(
-    n: usize,
-    block: &mut [f64],
-    interrupt: &Interrupt,
-    mut pair: impl FnMut(usize, usize) -> f64,
-) -> Result<(), EngineError> {
+        RelationCache::new([across.pairs(apart), rows], n)
+    });
     for i in 0..n {
         interrupt.check()?;
         for j in 0..=i {
-            let value = pair(i, j);
+            let (first, second) = (&patch.cells[i], &patch.cells[j]);
+            let mut value = direct_known.get(i, j, || given(first, second));
+            if !images.is_empty() {
+                value += match &mut images_known {
+                    Some(known) => known.get(i, j, || mirrored(first, second)),
+                    None => mirrored(first, second),
+                };
+            }
             block[i * n + j] += value;
             if j < i {
                 block[j * n + i] += value;

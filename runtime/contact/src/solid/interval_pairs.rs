@@ -45,11 +45,6 @@ impl Intervals {
         Self { class: class.collect(), shared, step }
     }
 
-    /// Returns whether enough cells share each interval.
-    pub fn are_shared(&self) -> bool {
-        self.class.iter().all(Option::is_some)
-    }
-
     /// Groups pairs of intervals that have equal sizes and equal values of `between`, a function of
     /// their centres.
     pub fn pairs(&self, between: impl Fn(f64, f64) -> f64) -> Pairs<'_> {
