@@ -211,12 +211,18 @@ fn unit(vector: [f64; 3]) -> Result<Vector3<f64>, ElementError> {
     }
 }
 
+/// Distance of a node from the axis of a surface, relative to the largest one, up to which it is on
+/// the axis.
+const NEAR_AXIS: f64 = 1e-6;
+/// Difference of the angles of two nodes around an axis up to which they are equal, rad.
+const SAME_ANGLE: f64 = 1e-6;
+
 /// Adds an attachment to a model and returns its nodes: the attachment node, and one node per
 /// harmonic of a Fourier surface, whose six components are the amplitudes (cosine, sine) of the
 /// radial, the circumferential and the axial displacement.
 ///
 /// # Errors
-/// The region is empty, or a harmonic is 1 or repeated.
+/// The region is empty, a harmonic is 1 or repeated, or the nodes do not resolve it.
 pub fn attach(model: &mut ElasticModel, attachment: &Attachment) -> Result<Vec<usize>, ElementError> {
     let nodes = attach_unnamed(model, attachment)
         .map_err(|error| error.within(format_args!("attachment `{}`", attachment.name)))?;
@@ -259,6 +265,7 @@ fn attach_unnamed(model: &mut ElasticModel, attachment: &Attachment) -> Result<V
                 ));
             }
             let axis = unit(*axis)?;
+            check_resolution(model, &region, position, axis, harmonics)?;
             let mut nodes = vec![reference];
             for _ in harmonics {
                 nodes.push(add_node(model, position, [[0.0; 3]; 3]));
@@ -278,6 +285,47 @@ fn add_node(model: &mut ElasticModel, position: [f64; 3], axes: [[f64; 3]; 3]) -
     model.nodes.len() - 1
 }
 
+/// Checks that the nodes of a region are away from the axis and at enough angles around it.
+///
+/// # Errors
+/// A node is on the axis, or the nodes do not resolve a harmonic: order n needs 2 n + 1 angles.
+fn check_resolution(
+    model: &ElasticModel,
+    region: &[usize],
+    position: [f64; 3],
+    axis: Vector3<f64>,
+    harmonics: &[u32],
+) -> Result<(), ElementError> {
+    let across = |&node: &usize| {
+        let from = Vector3::from(model.nodes[node].position) - Vector3::from(position);
+        from - axis * axis.dot(&from)
+    };
+    let largest = region.iter().map(|node| across(node).norm()).fold(0.0, f64::max);
+    if let Some(&node) = region.iter().find(|node| across(node).norm() <= NEAR_AXIS * largest) {
+        return Err(ElementError::new(
+            format!("node {} of the surface is on its axis", model.nodes[node].label),
+            "select the nodes of a surface around the axis",
+        ));
+    }
+    let [start, side] = transverse(axis);
+    let angle = |node: &usize| across(node).dot(&side).atan2(across(node).dot(&start));
+    let mut angles: Vec<f64> = region.iter().map(angle).collect();
+    angles.sort_by(f64::total_cmp);
+    let mut count = angles.windows(2).filter(|pair| pair[1] - pair[0] > SAME_ANGLE).count() + 1;
+    // The first and the last one may be at -180 and 180 degrees.
+    if count > 1 && angles[angles.len() - 1] - angles[0] > 2.0 * PI - SAME_ANGLE {
+        count -= 1;
+    }
+    let highest = harmonics.iter().copied().max().unwrap_or(0) as usize;
+    if 2 * highest + 1 > count {
+        return Err(ElementError::new(
+            format!("harmonic {highest} is not resolved by nodes at {count} angles around the axis"),
+            format!("use harmonics up to {}, or a finer mesh", count.saturating_sub(1) / 2),
+        ));
+    }
+    Ok(())
+}
+
 /// Makes the translations of a node depend on the attachment node and the amplitudes.
 fn fourier(
     model: &mut ElasticModel,
@@ -290,12 +338,6 @@ fn fourier(
     let reference = nodes[0];
     let from = Vector3::from(model.nodes[node].position) - Vector3::from(model.nodes[reference].position);
     let across = from - axis * axis.dot(&from);
-    if across.norm() <= 1e-12 * from.norm().max(1e-300) {
-        return Err(ElementError::new(
-            format!("node {} of the surface is on its axis", model.nodes[node].label),
-            "select the nodes of a surface around the axis",
-        ));
-    }
     let radial = across.normalize();
     let around = axis.cross(&radial);
     let [start, side] = transverse(axis);

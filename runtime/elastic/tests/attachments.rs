@@ -115,6 +115,26 @@ fn rigid_bores_are_stiffer_than_fourier_surfaces_and_averages() {
 }
 
 #[test]
+fn harmonics_that_nodes_do_not_resolve_are_rejected() {
+    // Eight angles resolve order 3; order 4 would be seen as its cosine alone.
+    let attached = |harmonics: &[u32]| {
+        let connection = Connection::Fourier { axis: [0.0, 0.0, 1.0], harmonics: harmonics.to_vec() };
+        let mut model = ring(8);
+        let surface = Attachment {
+            name: "bore".into(),
+            position: Some([0.0; 3]),
+            region: Region::Nodes((0..model.nodes.len()).collect()),
+            connection,
+        };
+        attach(&mut model, &surface)
+    };
+    let error = attached(&[0, 50]).expect_err("order 50");
+    assert!(error.message.contains("harmonic 50 is not resolved by nodes at"), "{}", error.message);
+    assert!(error.help.contains("use harmonics up to"), "{}", error.help);
+    assert!(attached(&[0, 2]).is_ok());
+}
+
+#[test]
 fn mechanisms_are_reported_by_their_nodes() {
     let resources = Resources::default();
     let report = |model: &ElasticModel| {

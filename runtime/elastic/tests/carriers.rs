@@ -302,6 +302,7 @@ fn impossible_carriers_are_rejected() {
         (CarrierShape { thickness: vec![0.01; 3], ..shape() }, "cannot have 3 plates"),
         (CarrierShape { element_size: f64::NAN, ..shape() }, "the size of the elements"),
         (CarrierShape { element_size: 1e-9, ..shape() }, "too small"),
+        (CarrierShape { element_size: 1e-3, ..shape() }, "more than 100000"),
         (CarrierShape { webs: Some(Webs { angle: -0.1, ..webs }), ..shape() }, "cannot have an angle"),
         (
             CarrierShape { webs: Some(Webs { outside_diameter: 0.2, ..webs }), ..shape() },

@@ -330,7 +330,7 @@ mod tests {
                 }
             }
         }
-        let mass = |k: usize| if k % 2 == 0 { length } else { length.powi(3) / 12.0 };
+        let mass = |k: usize| if k.is_multiple_of(2) { length } else { length.powi(3) / 12.0 };
         Mat::from_fn(2 * count, 2 * count, |i, j| whole[(i + 2, j + 2)] / (mass(i) * mass(j)).sqrt())
     }
 

@@ -55,10 +55,12 @@ pub(super) struct Layer {
 const WALL: f64 = 0.05;
 /// Largest number of elements in a direction.
 const MOST: f64 = 1e4;
+/// Largest number of elements, by volume. Their mesh takes about a second.
+const MOST_ELEMENTS: f64 = 1e5;
 
 /// Returns the number of elements along a length.
 pub(super) fn count(length: f64, size: f64) -> usize {
-    ((length / size - 1e-9).ceil().max(1.0)).min(MOST) as usize
+    ((length / size - 1e-9).ceil().clamp(1.0, MOST) as usize).max(1)
 }
 
 impl CarrierShape {
@@ -138,12 +140,23 @@ impl CarrierShape {
         }
         self.check_seats(&mm)?;
         self.check_webs(&mm)?;
-        // The number of nodes is limited before a mesh of this size is created.
-        if self.outside_diameter / self.element_size > MOST || self.gap / self.element_size > MOST {
-            let message = format!("elements of {} mm are too small for the carrier", mm(self.element_size));
-            return refused(message, "give larger elements");
+        // The number of elements is limited before a mesh of this size is created.
+        let volume = self.volume_of_disc();
+        if volume / self.element_size.powi(3) > MOST_ELEMENTS {
+            let message = format!(
+                "elements of {} mm are too small for the carrier: there would be more than {MOST_ELEMENTS}",
+                mm(self.element_size)
+            );
+            let help = format!("use elements of at least {} mm", mm((volume / MOST_ELEMENTS).cbrt() * 1.001));
+            return refused(message, &help);
         }
         Ok(())
+    }
+
+    /// Returns the volume of the solid disc that contains plates and webs, m³.
+    fn volume_of_disc(&self) -> f64 {
+        let height = self.thickness.iter().sum::<f64>() + self.webs.map_or(0.0, |_| self.gap);
+        0.25 * PI * self.outside_diameter.powi(2) * height
     }
 
     fn check_seats(&self, mm: &dyn Fn(f64) -> f64) -> Result<(), ElementError> {
