@@ -126,8 +126,8 @@ fn pin_loads(found: &BTreeMap<String, f64>) -> DVector<f64> {
     loads
 }
 
-/// The limit of a stiff material, by extrapolation of two stiff ones, is the rigid carrier, on which
-/// planets are mounted without it. The largest modulus of the library is 5,000 times that of steel;
+/// The limit of a stiff material, by extrapolation of two stiff ones, is the rigid carrier, on
+/// which planets are mounted without it. The largest modulus of the library is 5,000 times that of steel;
 /// the extrapolation differs by up to 3e-5.
 #[test]
 fn a_stiff_carrier_is_a_rigid_one() {

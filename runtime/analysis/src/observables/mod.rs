@@ -131,8 +131,8 @@ pub trait Observable: Comparable + Debug + Send + Sync {
         None
     }
 
-    /// Returns whether it is a pressure on flanks away from edges, whose error decreases faster with
-    /// the cell size than that of other values.
+    /// Returns whether it is a pressure on flanks away from edges, whose error decreases faster
+    /// with the cell size than that of other values.
     fn is_flank_pressure(&self) -> bool {
         false
     }
