@@ -162,9 +162,9 @@ pub struct ErrorEstimate {
     /// Total. Mesh, grid, level and time step change the same solution: those of known direction
     /// span an interval, to whose ends the error between positions is added with its sign, and the
     /// larger end counts. Parts of unknown direction are added in quadrature. The errors of the
-    /// solution may have a common cause, so the total is no less than the larger end of the interval that
-    /// they span alone, those of unknown direction at both ends. Of mesh error and model error the
-    /// larger one counts, because the next fidelity level includes both.
+    /// solution may have a common cause, so the total is no less than the larger end of the
+    /// interval that they span alone, those of unknown direction at both ends. Of mesh error and
+    /// model error the larger one counts, because the next fidelity level includes both.
     pub total: Statistics,
     /// Parts that exist but were not estimated, with the reason.
     pub not_estimated: Vec<(Part, String)>,
