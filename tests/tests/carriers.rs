@@ -127,8 +127,8 @@ fn pin_loads(found: &BTreeMap<String, f64>) -> DVector<f64> {
 }
 
 /// The limit of a stiff material, by extrapolation of two stiff ones, is the rigid carrier, on
-/// which planets are mounted without it. The largest modulus of the library is 5,000 times that of steel;
-/// the extrapolation differs by up to 3e-5.
+/// which planets are mounted without it. The largest modulus of the library is 5,000 times that of
+/// steel; the extrapolation differs by up to 3e-5.
 #[test]
 fn a_stiff_carrier_is_a_rigid_one() {
     let error = ", pin_position_errors = [10 um]";
