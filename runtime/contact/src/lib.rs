@@ -4,8 +4,9 @@
 //! profiles, [`grid`] creates contact cells there, [`assembly`] computes their compliance matrix,
 //! [`problem`] states the linear complementarity problem and [`active_set`] solves it.
 //! `unloaded_equilibrium` and `rigid_limit` compute the positions of bodies as the load vanishes,
-//! [`friction`] adds sliding friction, [`pressure`] evaluates peak pressure and half-width, and
-//! [`zone`] separates flanks from edges. [`solid`] contains the three-dimensional counterparts.
+//! [`friction`] adds sliding friction, [`pressure`] evaluates peak pressure and half-width,
+//! [`load_boundary`] locates the end of the load between cells for stiffnesses, and [`zone`]
+//! separates flanks from edges. [`solid`] contains the three-dimensional counterparts.
 //!
 //! See `docs/theory/contact.md`.
 
@@ -19,6 +20,7 @@ mod feasibility;
 pub mod friction;
 pub mod grid;
 pub mod interior_point;
+pub mod load_boundary;
 mod placement;
 pub mod pressure;
 pub mod problem;

@@ -13,11 +13,13 @@ mod contact_layout;
 mod contact_solution;
 mod friction;
 mod grid_warnings;
+mod participation;
 mod patch;
 mod plane;
 mod relinearization;
 mod solid;
 
+pub use participation::Participating;
 pub use patch::{ContactGrid, ContactPatch};
 
 use crate::modal::ModalElimination;

@@ -3,7 +3,7 @@
 //!
 //! For small motions of the DOFs x and modal coordinates q the stiffness is `K = diag(K_bearings,
 //! omega²) + C' A^-1 C`. C contains the arms of the cells and stops that carry load and remain in
-//! contact. A is their compliance minus that of the modes, `sum phi phi' / omega²`, so that both
+//! contact, those at the boundary of the load in part ([`calyx_contact::load_boundary`]). A is their compliance minus that of the modes, `sum phi phi' / omega²`, so that both
 //! together have the static compliance. The mass matrix contains the inertia of the bodies, with
 //! `phi' M r` between modes and frames. The frequencies are those at one position: stiffness and
 //! frequencies change as teeth enter and leave contact. These are the frequencies without rotation
@@ -12,9 +12,10 @@
 //! See `docs/theory/modes.md`.
 
 use crate::integration::{check_inertia, coupling};
-use crate::step::{ContactGrid, StepResult};
+use crate::step::{ContactGrid, Participating, StepResult};
 use crate::system::System;
 use crate::vibrations::Vibrations;
+use calyx_contact::load_boundary::reduce_participation;
 use calyx_fe::inertia::Inertia;
 use calyx_model::frames::solid_pose;
 use calyx_model::target::Examined;
@@ -151,8 +152,8 @@ impl System<'_> {
 
     /// Returns the stiffness matrix, per width of the model.
     fn stiffness_about(&self, step: &StepResult) -> Option<Mat<f64>> {
-        let (problem, active, modes) = (&step.problem, &step.active, &self.modes);
-        let (n, m, count) = (problem.cells(), self.dofs.len(), modes.count());
+        let (problem, modes) = (&step.problem, &self.modes);
+        let (m, count) = (self.dofs.len(), modes.count());
         if problem.stiffness.len() != m * m {
             return None;
         }
@@ -162,14 +163,14 @@ impl System<'_> {
             (false, true) => modes.squares[i - m],
             (false, false) => 0.0,
         });
+        let Participating { cells: active, participations } = step.participating(|_| true);
         if active.is_empty() {
             return Some(stiffness);
         }
         let own = self.modal_arms(step);
         // Stops of bearings follow the cells.
         let modal = |cell: usize, k: usize| if cell < own.nrows() { own[(cell, k)] } else { 0.0 };
-        let mut residual =
-            Mat::from_fn(active.len(), active.len(), |i, j| problem.compliance[active[i] * n + active[j]]);
+        let mut residual = step.compliance_of(&active);
         let answered =
             Mat::from_fn(active.len(), count, |i, k| modal(active[i], k) / modes.squares[k].sqrt());
         let checkpoint = || self.interrupt.check();
@@ -179,6 +180,9 @@ impl System<'_> {
             None => problem.arms[active[i] * m + k],
             Some(mode) => modal(active[i], mode),
         });
+        if !reduce_participation(&mut residual, &participations, dense).ok()? {
+            return None;
+        }
         let factor = dense.cholesky(residual).ok()??;
         let pressed = dense.solve_lower(factor.as_ref(), arms).ok()?;
         dense.add_product_lower(stiffness.as_mut(), 1.0, pressed.transpose(), pressed.as_ref()).ok()?;

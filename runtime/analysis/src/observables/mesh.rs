@@ -3,13 +3,16 @@
 //! See `docs/theory/equilibrium.md`.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
+use calyx_contact::load_boundary::reduce_participation;
 use calyx_model::dof::Dof;
 use calyx_model::ids::{BodyId, PairId};
 use calyx_model::observed::Observed;
 use calyx_numerics::dense::Interruptible;
+use calyx_solve::step::Participating;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
+use std::ops::Range;
 
 const THETA_Z: usize = 5;
 
@@ -101,7 +104,8 @@ impl Observable for SecantStiffness {
 }
 
 /// Mesh stiffness (tangent stiffness): inverse of the displacement along the line of action per
-/// added force, with the present active set, N/m. Zero without load. The line of action is that of
+/// added force, N/m, with the present boundary of the load ([`calyx_contact::load_boundary`]). Zero
+/// without load. The line of action is that of
 /// [`SecantStiffness`].
 ///
 /// For two gears without another mesh, the compliance of bearings is included. Otherwise, as for a
@@ -120,8 +124,10 @@ impl Observable for MeshStiffness {
         let (step, dofs) = (at.step, &at.system.dofs);
         let m = dofs.len();
         let alone = at.is_alone(self.0);
-        let active = if alone { step.active.clone() } else { at.active_cells(self.0) };
-        if active.is_empty() || m == 0 {
+        let own = (!alone).then(|| at.cells_of(self.0));
+        let active = step
+            .participating(|cell| own.as_ref().is_none_or(|own| own.iter().any(|own| own.contains(&cell))));
+        if active.cells.is_empty() || m == 0 {
             return Observed::number(0.0);
         }
         let Some(teeth) = contact_stiffness(at, &active) else { return Observed::number(f64::NAN) };
@@ -148,17 +154,21 @@ impl Observable for MeshStiffness {
     }
 }
 
-/// Returns the stiffness of the active cells about the DOFs, `C' A^-1 C`; `None` if their
+/// Returns the stiffness of the participating cells about the DOFs, `C' A^-1 C`; `None` if their
 /// compliance is not positive definite, or if the interrupt ends the factorization, whose caller
 /// reports it.
-fn contact_stiffness(at: &Equilibrium<'_>, active: &[usize]) -> Option<DMatrix<f64>> {
+fn contact_stiffness(
+    at: &Equilibrium<'_>,
+    Participating { cells, participations }: &Participating,
+) -> Option<DMatrix<f64>> {
     let (problem, m) = (&at.step.problem, at.system.dofs.len());
-    let n = problem.cells();
-    let compliance =
-        Mat::from_fn(active.len(), active.len(), |i, j| problem.compliance[active[i] * n + active[j]]);
-    let arms = Mat::from_fn(active.len(), m, |i, k| problem.arms[active[i] * m + k]);
+    let arms = Mat::from_fn(cells.len(), m, |i, k| problem.arms[cells[i] * m + k]);
     let checkpoint = || at.system.interrupt.check();
     let dense = Interruptible(&checkpoint);
+    let mut compliance = at.step.compliance_of(cells);
+    if !reduce_participation(&mut compliance, participations, dense).ok()? {
+        return None;
+    }
     let factor = dense.cholesky(compliance).ok()??;
     let solved = dense.solve_lower(factor.as_ref(), arms).ok()?;
     let stiffness = dense.product(solved.transpose(), solved.as_ref()).ok()?;
@@ -177,8 +187,8 @@ impl Equilibrium<'_> {
         !others.into_iter().any(shares)
     }
 
-    /// Returns the indices of the loaded cells of a mesh, on both flanks of its teeth.
-    fn active_cells(&self, pair: PairId) -> Vec<usize> {
+    /// Returns the ranges of the cells of a mesh, on both flanks of its teeth.
+    fn cells_of(&self, pair: PairId) -> Vec<Range<usize>> {
         let front = self.front(pair);
         let mut cells = Vec::new();
         let mut first = 0;
@@ -186,7 +196,7 @@ impl Equilibrium<'_> {
             let own = first..first + patch.forces.len();
             first = own.end;
             if self.front(PairId(patch.pair)) == front {
-                cells.extend(self.step.active.iter().copied().filter(|cell| own.contains(cell)));
+                cells.push(own);
             }
         }
         cells

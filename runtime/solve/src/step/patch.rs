@@ -2,10 +2,12 @@
 
 use super::friction;
 use calyx_contact::grid::{Cell, pressures};
+use calyx_contact::load_boundary::participations;
 use calyx_contact::pressure::{Peak, half_width, peak};
 use calyx_contact::zone::{Edges, FlankEnds, Zone};
 use calyx_contact::{ContactFrame, solid};
 use calyx_numerics::vec3::{cross, dot, minus};
+use std::ops::Range;
 
 /// Pair of tooth surfaces in (possible) contact at a position.
 #[derive(Clone, Debug)]
@@ -71,6 +73,19 @@ impl ContactPatch {
             ContactGrid::Plane { cells, .. } => pressures(cells, &self.forces),
             ContactGrid::Solid(grid) => solid::pressures(&grid.cells, &self.forces),
         }
+    }
+
+    /// Returns the cells of each row across the patch: of each slice, or all of a plane patch.
+    fn rows(&self) -> Vec<Range<usize>> {
+        match &self.grid {
+            ContactGrid::Plane { cells, .. } => vec![0..cells.len()],
+            ContactGrid::Solid(grid) => grid.slices.iter().map(|slice| slice.cells.clone()).collect(),
+        }
+    }
+
+    /// Returns the participation of each cell in the tangent stiffness of the patch, from 0 to 1.
+    pub(super) fn participations(&self, is_active: impl Fn(usize) -> bool) -> Vec<f64> {
+        participations(self.rows(), &self.pressures(), is_active)
     }
 
     /// Returns the largest pressure, from a parabola through the squares of neighbouring pressures
