@@ -136,7 +136,8 @@ pub(super) fn refinement_above(own: Fidelity, above: Fidelity, refinement: f64) 
 /// The estimates take at most about the time of the analysis, without structures, which may be
 /// cached. Few positions are all solved again on grids of half the cells along every direction, and
 /// once more on another mesh if there is one: each at a quarter of the time, and in three
-/// dimensions at a sixteenth.
+/// dimensions at a sixteenth. Plane positions of closed-form models may be more, because they take
+/// milliseconds.
 pub(super) fn added_positions(positions: usize, fidelity: Fidelity, three_dimensional: bool) -> usize {
     let solved_again = if fidelity.body_model() == BodyModel::Elements { 2 } else { 1 };
     let on_coarse_grids = if three_dimensional {
@@ -144,7 +145,12 @@ pub(super) fn added_positions(positions: usize, fidelity: Fidelity, three_dimens
     } else {
         (solved_again * SAMPLES.min(positions)).div_ceil(COARSE_PER_POSITION)
     };
-    positions.div_ceil(PER_ADDED).max((positions - on_coarse_grids).min(FEW_ADDED))
+    let affordable = match (fidelity.body_model(), three_dimensional) {
+        // Plane positions without finite elements take milliseconds.
+        (BodyModel::Elements, _) | (_, true) => positions - on_coarse_grids,
+        _ => FEW_ADDED,
+    };
+    positions.div_ceil(PER_ADDED).max(affordable.min(FEW_ADDED))
 }
 
 /// Reason why there is no perturbed solve.
