@@ -17,6 +17,7 @@ mod gear_data;
 mod language;
 mod library;
 mod microgeometry;
+mod models;
 mod pair_form;
 mod published_blocks;
 mod ratings;

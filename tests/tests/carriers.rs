@@ -1,7 +1,7 @@
 //! Planetary sets on flexible carriers: against a rigid carrier, load shares against springs in
 //! series, and the tilt of pins against the condensed body.
 
-use calyx::{Engine, Module, check_text};
+use crate::models::{close, codes, means};
 use calyx_runtime::elastic::Resources;
 use calyx_runtime::elastic::assembly::System;
 use calyx_runtime::elastic::attachment::{Attachment, Connection, Region, attach};
@@ -12,25 +12,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 const TORQUE: f64 = 400.0;
-
-/// Value of each output of a model, SI.
-fn solved(text: &str) -> BTreeMap<String, f64> {
-    let module =
-        Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
-    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
-    let outputs = text.lines().filter_map(|line| line.trim().strip_prefix("output "));
-    let names = outputs.filter_map(|line| line.split(" :=").next());
-    let of = |name: &str| {
-        let summary = results.summary_si(name).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name.to_owned(), summary.mean)
-    };
-    names.map(of).collect()
-}
-
-fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
-    let difference = (found - expected).abs();
-    assert!(difference <= tolerance * expected.abs(), "{what}: {found} instead of {expected}");
-}
 
 /// A spur set of three planets at the first position, on planet bearings without stiffness against
 /// tilting. `modulus` is that of the carrier, GPa.
@@ -132,8 +113,8 @@ fn pin_loads(found: &BTreeMap<String, f64>) -> DVector<f64> {
 #[test]
 fn a_stiff_carrier_is_a_rigid_one() {
     let error = ", pin_position_errors = [10 um]";
-    let [one, twice] = [5e5, 1e6].map(|modulus| solved(&set(error, modulus)));
-    let rigid = solved(&set(&format!("{error}, elastic = FALSE"), 206.0));
+    let [one, twice] = [5e5, 1e6].map(|modulus| means(&set(error, modulus)));
+    let rigid = means(&set(&format!("{error}, elastic = FALSE"), 206.0));
     for name in ["load0", "load1", "load2", "wind_up"] {
         close(name, twice[name], rigid[name], 1e-3);
         close(name, 2.0 * twice[name] - one[name], rigid[name], 1e-4);
@@ -149,7 +130,7 @@ fn a_pin_error_loads_planets_as_springs_in_series() {
     let error = 8e-6;
     let with = |elastic: &str, modulus: f64| {
         let text = |error: f64| format!(", pin_position_errors = [{error} m]{elastic}");
-        let [with, without] = [error, 0.0].map(|error| solved(&set(&text(error), modulus)));
+        let [with, without] = [error, 0.0].map(|error| means(&set(&text(error), modulus)));
         let uneven = |found: &BTreeMap<String, f64>| {
             let loads = pin_loads(found);
             let tangential = |k: usize| {
@@ -175,7 +156,7 @@ fn a_pin_error_loads_planets_as_springs_in_series() {
 /// bearings.
 #[test]
 fn pins_tilt_by_the_wind_up_of_the_carrier() {
-    let found = solved(&set("", 206.0));
+    let found = means(&set("", 206.0));
     let motions = compliance() * pin_loads(&found);
     for k in 0..3 {
         // Displacements of a pin refer to the axis of rotation of its frame, that of the carrier.
@@ -199,14 +180,11 @@ fn pins_tilt_by_the_wind_up_of_the_carrier() {
 /// A check rejects what a run would reject.
 #[test]
 fn checks_reject_impossible_carriers() {
-    let codes = |text: String| -> Vec<String> {
-        check_text("model.cx", &text).diagnostics.into_iter().map(|found| found.code.clone()).collect()
-    };
-    assert_eq!(codes(set("", 206.0)), Vec::<String>::new());
+    assert_eq!(codes(&set("", 206.0)), Vec::<String>::new());
     for (from, to) in
         [("web_angle = 30 deg", "web_angle = 100 deg"), ("pin_diameter = 24 mm", "pin_diameter = 80 mm")]
     {
-        let found = codes(set("", 206.0).replace(from, to));
+        let found = codes(&set("", 206.0).replace(from, to));
         assert!(found.contains(&"E0995".to_owned()), "{found:?}");
     }
     let plane = codes(set("", 206.0).replace("\"analytic\"", "\"plane\""));

@@ -17,20 +17,9 @@ fn housing_file() -> String {
     fs::read_to_string(examples().join("housing.bdf")).expect("the housing")
 }
 
-/// Largest and smallest value of each output over the positions, SI, of a model next to a housing.
-fn solved(text: &str, housing: &str) -> BTreeMap<String, [f64; 2]> {
-    let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("housing.bdf"), housing).expect("written");
-    let path = folder.path().join("model.cx");
-    fs::write(&path, text).expect("written");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
-    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
-    let outputs = text.lines().filter_map(|line| line.trim().strip_prefix("output "));
-    let of = |name: &str| {
-        let summary = results.summary_si(name).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name.to_owned(), [summary.min, summary.max])
-    };
-    outputs.filter_map(|line| line.split(" :=").next()).map(of).collect()
+/// Smallest and largest value of each output of a model next to a housing.
+fn in_housing(text: &str, housing: &str) -> BTreeMap<String, [f64; 2]> {
+    ranges_with(text, &[("housing.bdf", housing)])
 }
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -99,7 +88,7 @@ output {name}_turn_{axis} := gears.rotation({name}_seat, \"{axis}\");
 fn seats_and_feet_are_those_of_the_whole_housing() {
     for how in ["rigid", "average"] {
         let text = pair_in_housing("", "e3", how);
-        let found = solved(&text, &housing_file());
+        let found = in_housing(&text, &housing_file());
         let value = |name: String| {
             let [least, most] = found[&name];
             assert_eq!(least, most, "{name}");
@@ -180,9 +169,9 @@ fn a_stiff_housing_is_ground() {
     let stiff = housing_file().replace("MAT1,1,1.73+5", "MAT1,1,1.73+10");
     assert_ne!(stiff, housing_file());
     let grounded = text.replace("param elastic_housing = TRUE", "param elastic_housing = FALSE");
-    let expected = solved(&grounded, &housing_file());
-    let found = solved(&text, &stiff);
-    let elastic = solved(&text, &housing_file());
+    let expected = in_housing(&grounded, &housing_file());
+    let found = in_housing(&text, &stiff);
+    let elastic = in_housing(&text, &housing_file());
     for (name, expected) in &expected {
         let scale = expected[0].abs().max(expected[1].abs());
         for (found, expected) in found[name].iter().zip(expected) {
@@ -196,9 +185,9 @@ fn a_stiff_housing_is_ground() {
 /// The model in another orientation has the same results.
 #[test]
 fn the_orientation_of_a_housing_does_not_matter() {
-    let upright = solved(&pair_in_housing("", "e3", "rigid"), &housing_file());
+    let upright = in_housing(&pair_in_housing("", "e3", "rigid"), &housing_file());
     let placed = " * Rotate(90 deg, e2) * Translate(3 mm * e1 - 2 mm * e2 + 5 mm * e3)";
-    let tilted = solved(&pair_in_housing(placed, "e1", "rigid"), &housing_file());
+    let tilted = in_housing(&pair_in_housing(placed, "e1", "rigid"), &housing_file());
     for name in ["front_radial", "back_radial", "front_axial", "deflection", "te", "uneven"] {
         let (found, expected) = (tilted[name], upright[name]);
         let scale = expected[0].abs().max(expected[1].abs());
@@ -222,9 +211,12 @@ fn a_housing_takes_part_in_vibrations() {
     let heavy = housing_file().replace(",0.275,7.1-9", ",0.275,7.1-8");
     assert_ne!(heavy, housing_file());
     let grounded = text.replace("param elastic_housing = TRUE", "param elastic_housing = FALSE");
-    let [grounded, light, heavy] =
-        [solved(&grounded, &housing_file()), solved(&text, &housing_file()), solved(&text, &heavy)]
-            .map(|outputs| ["first", "tenth"].map(|name| outputs[name][0]));
+    let [grounded, light, heavy] = [
+        in_housing(&grounded, &housing_file()),
+        in_housing(&text, &housing_file()),
+        in_housing(&text, &heavy),
+    ]
+    .map(|outputs| ["first", "tenth"].map(|name| outputs[name][0]));
     for mode in 0..2 {
         assert!(light[mode] > 0.0 && light[mode].is_finite(), "{light:?}");
         assert!(

@@ -1,28 +1,8 @@
 //! Gears on flexible shafts as models describe them: against beams by hand, against the same gears
 //! on bearings without a shaft, in other orientations, and with several gears on a shaft.
 
-use calyx::{Engine, Module, check_text};
-use std::collections::BTreeMap;
+use crate::models::{close, codes, ranges};
 use std::f64::consts::PI;
-
-/// Largest and smallest value of each output over the positions, SI.
-fn solved(text: &str) -> BTreeMap<String, [f64; 2]> {
-    let module =
-        Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
-    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
-    let outputs = text.lines().filter_map(|line| line.trim().strip_prefix("output "));
-    let names = outputs.filter_map(|line| line.split(" :=").next());
-    let of = |name: &str| {
-        let summary = results.summary_si(name).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name.to_owned(), [summary.min, summary.max])
-    };
-    names.map(of).collect()
-}
-
-fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
-    let difference = (found - expected).abs();
-    assert!(difference <= tolerance * expected.abs(), "{what}: {found} instead of {expected}");
-}
 
 /// The example of a pinion on bearings, with the pinion on a rigid shaft instead, that has its
 /// origin elsewhere and its torque at a coupling.
@@ -56,7 +36,7 @@ gears.shaft_load(shaft, at = 220 mm, moment = torque * e3);
             "\"outer\",\n    shaft,\n    at = (70 mm + overhang",
         );
     assert_eq!(mounted.matches("    shaft,\n").count(), 2);
-    let (expected, found) = (solved(&text), solved(&mounted));
+    let (expected, found) = (ranges(&text), ranges(&mounted));
     assert_eq!(expected.len(), 11);
     for (name, expected) in expected {
         for (found, expected) in found[&name].iter().zip(expected) {
@@ -127,7 +107,7 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"{fidel
 /// beam on its bearings.
 #[test]
 fn a_helical_pair_bends_its_shaft_as_influence_coefficients_say() {
-    let found = solved(&helical_pair("", "e3", "analytic"));
+    let found = ranges(&helical_pair("", "e3", "analytic"));
     let of = |name: &str| found[name][1];
     let [from, gear, to] = LENGTHS;
     let (span, a, b) = (to - from, gear - from, to - gear);
@@ -180,9 +160,9 @@ fn a_helical_pair_bends_its_shaft_as_influence_coefficients_say() {
 /// The same pair with inclined axes.
 #[test]
 fn the_orientation_in_space_has_no_effect() {
-    let upright = solved(&helical_pair("", "e3", "analytic"));
+    let upright = ranges(&helical_pair("", "e3", "analytic"));
     let inclined =
-        solved(&helical_pair(" * Rotate(50 deg, e1)", "(cos(50 deg) * e3 - sin(50 deg) * e2)", "analytic"));
+        ranges(&helical_pair(" * Rotate(50 deg, e1)", "(cos(50 deg) * e3 - sin(50 deg) * e2)", "analytic"));
     let names = [
         "left_radial",
         "right_radial",
@@ -210,13 +190,13 @@ fn a_stiff_shaft_approaches_the_rigid_one() {
         .filter(|line| !["shaft_moment", "shaft_stress"].iter().any(|name| line.contains(name)))
         .collect::<Vec<_>>()
         .join("\n");
-    let elastic = solved(&without_sections);
-    let rigid = solved(&without_sections.replace(
+    let elastic = ranges(&without_sections);
+    let rigid = ranges(&without_sections.replace(
         "    material = steel,\n    frame",
         "    material = steel,\n    elastic = FALSE,\n    frame",
     ));
     let hard = "    material = gears.material(youngs_modulus = 1e6 GPa, poissons_ratio = 0.3),\n    frame";
-    let stiff = solved(&without_sections.replace("    material = steel,\n    frame", hard));
+    let stiff = ranges(&without_sections.replace("    material = steel,\n    frame", hard));
     for name in ["tilt_x", "tilt_y", "left_radial", "right_radial"] {
         let [elastic, rigid, stiff] = [&elastic, &rigid, &stiff].map(|found| found[name][1]);
         let share = (stiff - rigid) / (elastic - rigid);
@@ -265,7 +245,7 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"analyt
     let elastic = text
         .replace("ELASTIC", "TRUE")
         .replace("TORQUE", "output torque := gears.shaft_moment(counter, 70 mm, \"torque\");");
-    let found = solved(&elastic);
+    let found = ranges(&elastic);
     let of = |name: &str| found[name][1];
     let base = |teeth: f64| 0.5 * 0.0025 * teeth * 20_f64.to_radians().cos();
     close("first mesh", of("first_force"), 60.0 / base(20.0), 1e-2);
@@ -276,7 +256,7 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"analyt
     let gj = 206e9 / 2.6 * PI / 32.0 * 0.032_f64.powi(4);
     close("twist", of("twist").abs(), of("torque").abs() * 0.05 / gj, 1e-8);
     // On a rigid shaft both gears rotate together, almost.
-    let rigid = solved(&text.replace("ELASTIC", "FALSE").replace("TORQUE", ""));
+    let rigid = ranges(&text.replace("ELASTIC", "FALSE").replace("TORQUE", ""));
     assert!(rigid["twist"][1].abs() < 2e-5 * of("twist").abs(), "{}", rigid["twist"][1]);
     close("second mesh", rigid["second_force"][1], of("second_force"), 1e-2);
 }
@@ -285,7 +265,7 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"analyt
 /// teeth.
 #[test]
 fn a_shaft_twists_in_a_plane_model() {
-    let found = solved(
+    let found = ranges(
         "import gears;
 units mm_N_s;
 var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
@@ -313,7 +293,7 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"plane\
 /// Two torsional modes of a flywheel and a pinion on a light shaft, from the mesh stiffness.
 #[test]
 fn a_shaft_with_a_flywheel_has_two_torsional_modes() {
-    let found = solved(
+    let found = ranges(
         "import gears;
 units mm_N_s;
 var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
@@ -346,17 +326,14 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"plane\
 /// What a run would reject, a check rejects, with the argument.
 #[test]
 fn checks_reject_impossible_shafts() {
-    let codes = |text: String| -> Vec<String> {
-        check_text("model.cx", &text).diagnostics.into_iter().map(|found| found.code.clone()).collect()
-    };
-    assert_eq!(codes(helical_pair("", "e3", "analytic")), Vec::<String>::new());
-    let plane = codes(helical_pair("", "e3", "plane"));
+    assert_eq!(codes(&helical_pair("", "e3", "analytic")), Vec::<String>::new());
+    let plane = codes(&helical_pair("", "e3", "plane"));
     assert!(plane.contains(&"E0611".to_owned()), "{plane:?}");
     let loose = helical_pair("", "e3", "analytic");
     let loose: Vec<&str> = loose
         .lines()
         .filter(|line| !["= gears.bearing(", "gears.bearing_force("].iter().any(|part| line.contains(part)))
         .collect();
-    let loose = codes(loose.join("\n"));
+    let loose = codes(&loose.join("\n"));
     assert!(loose.contains(&"E0715".to_owned()) || loose.contains(&"E0714".to_owned()), "{loose:?}");
 }
