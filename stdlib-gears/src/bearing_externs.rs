@@ -6,6 +6,7 @@ use crate::shaft_externs::{bearing_mounting, bearing_seat};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::bearing::{Bearing, BearingMatrix, Stop, Support, axisymmetric};
+use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Direction};
 use calyx_runtime::scene::BearingId;
 
@@ -71,6 +72,7 @@ calyx_abi::externs! {
             stops,
         };
         let host = host(context)?;
+        let misplaced = host.scene.misplaced(&bearing).map_err(|error| host.rejected(error.into(), place))?;
         let id = host.scene.add_bearing(bearing).map_err(|error| host.rejected(error.into(), place))?;
         host.bearing_places.push(place);
         Ok(Handle(id.0 as u64))

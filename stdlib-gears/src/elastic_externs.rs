@@ -154,12 +154,34 @@ calyx_abi::externs! {
         let ModelHost { scene, elastic_bodies, .. } = host;
         let attached = elastic_bodies[index].attach(scene, &requested, (motion, fixed));
         let id = attached.map_err(|refused| blamed(host.rejected(refused, place)))?;
+        warn_about_arm(host, index, &requested.name);
         host.body_gears.push(None);
         host.body_frames.push(expression);
         // The call of the elastic body is in the model; that of this function is in the library.
         host.body_places.push(host.elastic_bodies[index].place);
         Ok(Handle(id.0 as u64))
     }
+}
+
+/// Reports that the last attachment of a body is farther from its nodes than the size of their
+/// region: its position is in other coordinates, or a rigid arm is intended.
+fn warn_about_arm(host: &mut ModelHost, index: usize, name: &str) {
+    let place = host.elastic_bodies[index].place;
+    let body = host.elastic_bodies[index].source.body();
+    let (Some(position), Some(extent)) = (body.positions().pop(), body.extents().pop()) else { return };
+    let distance = extent.distance(position);
+    if distance <= extent.size {
+        return;
+    }
+    let mm = |metres: f64| (metres * 1e6).round() / 1e3;
+    let message = format!(
+        "the position of the attachment \"{name}\" is {} mm away from its nodes, whose region has {} mm",
+        mm(distance),
+        mm(extent.size)
+    );
+    let help =
+        "give `position` in the coordinates of the file, unless a rigid arm of this length is intended";
+    host.warn("E0993", message, help, place);
 }
 
 /// Blames the region for an impossible attachment.

@@ -21,6 +21,9 @@ use calyx_runtime::scene::BodyId;
 use calyx_runtime::shaft::{Shaft, ShaftSegment};
 use std::sync::Arc;
 
+/// Distance of a bearing from the axis of a shaft that it is mounted on, relative to the radius of
+/// the shaft, from which it is reported.
+const BESIDE: f64 = 0.05;
 /// First handle of shafts, beyond those of bodies: a shaft is a body to a program.
 const SHAFTS: u64 = 1 << 62;
 
@@ -299,8 +302,19 @@ pub(crate) fn bearing_mounting(
     let Some(index) = as_shaft(host(context)?, to) else { return externs::body(context, "to", to) };
     let host = host(context)?;
     let pose = spatial_pose(host.scene.bodies[first.0].motion.as_ref(), 0.0).map_err(externs::engine)?;
-    let z = host.shafts[index].position_of(&host.scene, pose.point(at)).map_err(externs::engine)?;
-    let z = checked_position(host, index, "to", z)?;
+    let point = host.shafts[index].position_of(&host.scene, pose.point(at)).map_err(externs::engine)?;
+    let z = checked_position(host, index, "to", point.position)?;
+    let ModelShaft { name, shaft, .. } = &host.shafts[index];
+    let radius = 0.5 * shaft.largest_diameter();
+    if point.beside > BESIDE * radius {
+        let message = format!(
+            "the bearing is {} beside the axis of the shaft \"{name}\", whose largest radius is {}",
+            shown(point.beside, host.length_unit),
+            shown(radius, host.length_unit)
+        );
+        let help = "correct the frames or `at`, unless a rigid arm of this length on the shaft is intended";
+        host.warn("E0993", message, help, place);
+    }
     Ok(section(host, index, z, place)?.0)
 }
 

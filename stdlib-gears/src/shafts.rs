@@ -20,7 +20,7 @@ use calyx_runtime::motion::{Motion, Orientation, spatial_pose};
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, ConnectionId, Prototype, Scene};
 use calyx_runtime::shaft::{SAME_POSITION, Shaft};
-use calyx_runtime::vec3::{cross, minus};
+use calyx_runtime::vec3::{cross, length, minus};
 use std::sync::Arc;
 
 /// Ratio of the stiffness between the gears of a rigid shaft to that of the elastic shaft.
@@ -71,6 +71,15 @@ pub struct MountedBody {
     pub body: BodyId,
     /// True for a new body, false for a section that it has replaced.
     pub new: bool,
+}
+
+/// Position of a point relative to a shaft.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointAtShaft {
+    /// Position along the axis, from the start of the shaft, m.
+    pub position: f64,
+    /// Distance from the axis, m.
+    pub beside: f64,
 }
 
 /// Motion of a frame that is displaced along its own axis.
@@ -481,14 +490,15 @@ impl ModelShaft {
         }
     }
 
-    /// Returns the position on the shaft of a point in ground coordinates (m) at time 0, along its
-    /// axis.
+    /// Returns the position relative to the shaft of a point in ground coordinates (m) at time 0.
     ///
     /// # Errors
     /// E0710: the frame is NaN.
-    pub fn position_of(&self, scene: &Scene, point: [f64; 3]) -> Result<f64, EngineError> {
+    pub fn position_of(&self, scene: &Scene, point: [f64; 3]) -> Result<PointAtShaft, EngineError> {
         let pose = spatial_pose(scene.bodies[self.body.0].motion.as_ref(), 0.0)?;
-        let from = minus(point, pose.origin);
-        Ok(self.origin + (0..3).map(|row| pose.rotation[row][2] * from[row]).sum::<f64>())
+        let (from, axis) = (minus(point, pose.origin), pose.direction([0.0, 0.0, 1.0]));
+        let along = (0..3).map(|k| axis[k] * from[k]).sum::<f64>();
+        let beside = length([0, 1, 2].map(|k: usize| from[k] - along * axis[k]));
+        Ok(PointAtShaft { position: self.origin + along, beside })
     }
 }

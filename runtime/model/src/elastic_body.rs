@@ -10,11 +10,13 @@
 //! See `docs/theory/elastic-bodies.md`.
 
 mod condensation;
+mod extent;
 mod finite_elements;
 mod given_matrices;
 mod rigid_links;
 
 pub use condensation::condense_model;
+pub use extent::{AttachmentExtent, CylinderAxis};
 pub use finite_elements::{BodyAttachment, FiniteElementBody};
 pub use given_matrices::MatrixBody;
 pub use rigid_links::rigid_links;
@@ -26,6 +28,9 @@ use calyx_structure::cache::Key;
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
+
+/// Size of an attachment that is given as a point, relative to the size of its body.
+const POINT: f64 = 0.25;
 
 /// Size of an elastic body, for the display of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -67,6 +72,13 @@ impl ElasticBodySize {
 pub trait ElasticBody: Any + Send + Sync {
     /// Returns the positions of the attachments in the coordinates of the body, m.
     fn positions(&self) -> Vec<[f64; 3]>;
+
+    /// Returns the extents of the attachments, in their order. By default they are points, and the
+    /// distances between them are unknown.
+    fn extents(&self) -> Vec<AttachmentExtent> {
+        let size = POINT * self.typical_size();
+        self.positions().into_iter().map(|position| AttachmentExtent::of_point(position, size)).collect()
+    }
 
     /// Returns whether the body itself is supported on ground. Ground is then an attachment after
     /// the others, at the origin of the body's coordinates.

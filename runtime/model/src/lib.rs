@@ -25,6 +25,7 @@ pub mod position;
 pub mod prototype;
 pub mod resources;
 pub mod rigid;
+pub mod seats;
 pub mod shaft;
 pub mod spline_contact;
 pub mod structure_building;

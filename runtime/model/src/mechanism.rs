@@ -6,6 +6,7 @@ use crate::body::Body;
 use crate::connection::ElasticConnection;
 use crate::ids::{BearingId, BodyId, ConnectionId, PairId};
 use crate::pairs::SurfacePair;
+use crate::seats::{MisplacedBearing, misplaced};
 use calyx_numerics::error::EngineError;
 
 /// Bodies, bearings, elastic connections and surface pairs.
@@ -31,11 +32,23 @@ impl Mechanism {
     /// Adds a bearing.
     ///
     /// # Errors
-    /// Those of [`Bearing::check`].
+    /// Those of [`Bearing::check`]. E0993: the bearing is too far away from an attachment of an
+    /// elastic body that it is mounted on.
     pub fn add_bearing(&mut self, bearing: Bearing) -> Result<BearingId, EngineError> {
         bearing.check(&self.bodies, &self.bearings)?;
+        if let Some(found) = self.misplaced(&bearing)?.filter(|found| found.impossible) {
+            return Err(found.error);
+        }
         self.bearings.push(bearing);
         Ok(BearingId(self.bearings.len() - 1))
+    }
+
+    /// Returns the finding about a bearing that is not at the attachments that it is mounted on.
+    ///
+    /// # Errors
+    /// Those of [`misplaced`].
+    pub fn misplaced(&self, bearing: &Bearing) -> Result<Option<MisplacedBearing>, EngineError> {
+        misplaced(&self.bodies, &self.connections, bearing)
     }
 
     /// Adds an elastic connection.

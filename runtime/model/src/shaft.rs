@@ -71,6 +71,11 @@ impl Shaft {
         self.ends.last().copied().unwrap_or_default()
     }
 
+    /// Returns the largest outside diameter, m.
+    pub fn largest_diameter(&self) -> f64 {
+        self.segments.iter().flat_map(|segment| segment.diameter).fold(0.0, f64::max)
+    }
+
     /// Returns the positions of the ends of the segments, m.
     pub fn ends(&self) -> &[f64] {
         &self.ends

@@ -36,6 +36,8 @@ pub struct BodyAttachment {
     pub nodes: Vec<usize>,
     /// Connection of the region to the attachment node.
     pub connection: Connection,
+    /// Extent of the region.
+    pub extent: AttachmentExtent,
 }
 
 impl FiniteElementBody {
@@ -79,9 +81,11 @@ impl FiniteElementBody {
         let nodes = attachment.region.nodes(&self.model)?;
         let at = |node: usize| self.model.nodes[node].position;
         let (connection, name) = (attachment.connection.clone(), attachment.name.clone());
+        let extent = AttachmentExtent::of_nodes(&self.model, &attachment.region, &nodes);
         if let [node] = nodes[..] {
             self.check_single(node)?;
-            return Ok(BodyAttachment { name, position: at(node), nodes, connection });
+            check_near(attachment, (self.model.nodes[node].label, at(node)), extent.size)?;
+            return Ok(BodyAttachment { name, position: at(node), nodes, connection, extent });
         }
         let count = nodes.len() as f64;
         let mean: Vector =
@@ -99,7 +103,7 @@ impl FiniteElementBody {
         }
         // Checks the connection itself, such as the harmonics of a surface.
         let position = attachment.position.unwrap_or_else(|| middle(&attachment.region).unwrap_or(mean));
-        let found = BodyAttachment { name, position, nodes, connection };
+        let found = BodyAttachment { name, position, nodes, connection, extent };
         if let Connection::Fourier { .. } = found.connection {
             self.attached(std::slice::from_ref(&found))?;
         }
@@ -228,6 +232,10 @@ impl FiniteElementBody {
 impl ElasticBody for FiniteElementBody {
     fn positions(&self) -> Vec<Vector> {
         self.attachments.iter().map(|attachment| attachment.position).collect()
+    }
+
+    fn extents(&self) -> Vec<AttachmentExtent> {
+        self.attachments.iter().map(|attachment| attachment.extent).collect()
     }
 
     fn is_grounded(&self) -> bool {
