@@ -25,6 +25,7 @@ use calyx_runtime::plan::Plan;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, DOF_NAMES, Fidelity, PairId, StructureOptions, Template};
 use calyx_runtime::structure::BoreSupport;
+use calyx_runtime::system::check_content;
 use calyx_runtime::tolerance::{ToleranceOutcome, check_tolerance};
 use calyx_runtime::validate::Request;
 use std::borrow::Cow;
@@ -308,7 +309,11 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
         let three_dimensional = Request { fidelity: Fidelity::Solid(Template::Medium), ..request };
         if unasked { three_dimensional.plan(interrupt).map_err(|_| error) } else { Err(error) }
     });
-    let plan = plan.map_err(|error| host.engine_error(host.overrides.list(error)))?;
+    let content = |plan: Plan| match host.asked {
+        Some(_) => check_content(&host.scene, &plan).map(|()| plan),
+        None => Ok(plan),
+    };
+    let plan = plan.and_then(content).map_err(|error| host.engine_error(host.overrides.list(error)))?;
     let warnings = without_value(host, &request);
     host.findings.extend(warnings);
     Ok(plan)

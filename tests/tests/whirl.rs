@@ -1,42 +1,14 @@
 //! Whirl of rotors as models describe them: against exact solutions of a continuous rotor, closed
 //! forms of rigid rotors, in other orientations, and for concentric shafts.
 
-use calyx::{Engine, Module};
-use std::collections::BTreeMap;
+use crate::models::{close, codes, means};
 use std::f64::consts::{PI, TAU};
 
-/// Value of each output of a model, SI.
-fn solved(text: &str) -> BTreeMap<String, f64> {
-    let module =
-        Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
-    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
-    let outputs = text.lines().filter_map(|line| line.trim().strip_prefix("output "));
-    let names = outputs.filter_map(|line| line.split(" :=").next());
-    let of = |name: &str| {
-        let summary = results.summary_si(name).unwrap_or_else(|error| panic!("{name}: {error}"));
-        (name.to_owned(), summary.mean)
-    };
-    names.map(of).collect()
-}
-
-fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
-    let difference = (found - expected).abs();
-    assert!(difference <= tolerance * expected.abs(), "{what}: {found} instead of {expected}");
-}
-
-/// Start of a model: an analysis needs a mesh, so it has a gear pair far from the rotor. One gear
-/// is free to rotate and so heavy that its mode is the lowest. An output of the rotor makes it a
-/// part of the modelled system.
-const PAIR: &str = "import gears;
+/// Start of a model of a rotor.
+const START: &str = "import gears;
 units SI;
 var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
 var light = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 1e-3 kg/m^3);
-var blank = gears.external(24, module = 2 mm, face_width = 10 mm, material = steel);
-var driver = gears.body(
-    \"driver\", blank, frame := Rotate(10 rpm * Time, e3) * Translate(-5 m * e1), free = [\"theta_z\"],
-    moment = 1 N*m * e3, inertia = 1e9 kg*m^2);
-var driven = gears.body(\"driven\", blank, frame := Rotate(-10 rpm * Time, e3) * Translate(-4.952 m * e1));
-var mesh = gears.mesh(driver, driven);
 ";
 const END: &str = "analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"analytic\", error_estimates = \"none\");
 ";
@@ -44,7 +16,7 @@ const END: &str = "analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), 
 /// Outputs of the lowest modes of the rotor: frequencies with and without rotation, and sense.
 fn modes(count: usize) -> String {
     let of = |mode: usize| {
-        let number = mode + 2;
+        let number = mode + 1;
         format!(
             "output w{mode} := gears.whirl_frequency({number});\noutput s{mode} := gears.whirl_sense({number});\noutput n{mode} := gears.natural_frequency({number});\n"
         )
@@ -62,7 +34,7 @@ struct Found {
 
 impl Found {
     fn of(rotor: &str, count: usize) -> Found {
-        let found = solved(&format!("{PAIR}{rotor}{}{END}", modes(count)));
+        let found = means(&format!("{START}{rotor}{}{END}", modes(count)));
         let all =
             |letter: char| (0..count).map(|mode| found[&format!("{letter}{mode}")]).collect::<Vec<f64>>();
         let radians = |all: Vec<f64>| all.into_iter().map(|frequency| TAU * frequency).collect();
@@ -95,7 +67,6 @@ gears.shaft_disc(rotor, at = 0.2 m, mass = 8.2 kg, inertia = 0.045 kg*m^2, diame
 gears.shaft_disc(rotor, at = 0.4 m, mass = 5.5 kg, inertia = 0.026 kg*m^2, diametral_inertia = 0.014 kg*m^2);
 gears.bearing(\"A\", rotor, at = 0.05 m * e3, radial_stiffness = 5e7 N/m);
 gears.bearing(\"B\", rotor, at = 0.56 m * e3, radial_stiffness = 8e7 N/m);
-output deflection := gears.shaft_displacement(rotor, 0 m, \"x\");
 ",
         segments.collect::<Vec<_>>().join(", "),
         positions.join(", "),
@@ -197,7 +168,6 @@ fn rigid(speed: f64) -> String {
 gears.shaft_disc(rotor, at = {ARM} m, mass = {MASS} kg, inertia = {POLAR} kg*m^2, diametral_inertia = {DIAMETRAL} kg*m^2);
 gears.bearing(\"A\", rotor, at = 0 m * e3, radial_stiffness = {RADIAL} N/m);
 gears.bearing(\"B\", rotor, at = {} m * e3, radial_stiffness = {RADIAL} N/m);
-output deflection := gears.shaft_displacement(rotor, 0 m, \"x\");
 ",
         2.0 * ARM,
         2.0 * ARM
@@ -230,6 +200,49 @@ fn a_rigid_rotor_whirls_by_its_closed_form() {
             close("natural frequency", *found, expected, 1e-7);
         }
     }
+}
+
+/// A rotor that nothing drives rotates freely, which is a mode without frequency. The others are
+/// those of a rotor whose rotation is prescribed.
+#[test]
+fn a_rotor_that_rotates_freely_has_a_mode_of_zero_frequency() {
+    let prescribed = rigid(1500.0);
+    let free = prescribed.replace("\"theta_y\"]", "\"theta_y\", \"theta_z\"]");
+    let (prescribed, free) = (Found::of(&prescribed, 4), Found::of(&free, 5));
+    for (found, expected) in [(&free.natural, &prescribed.natural), (&free.whirl, &prescribed.whirl)] {
+        assert!(found[0] < 1e-3 * found[1], "{found:?}");
+        for (found, expected) in found[1..].iter().zip(expected) {
+            close("frequency", *found, *expected, 1e-9);
+        }
+    }
+}
+
+/// Codes of the errors of a model.
+fn errors(text: &str) -> Vec<String> {
+    codes(text).into_iter().filter(|code| code.starts_with('E')).collect()
+}
+
+/// A table of modes and a Campbell diagram have the modes that exist, once.
+#[test]
+fn impossible_campbell_diagrams_are_rejected() {
+    let with = |request: &str| errors(&format!("{START}{}{}{request}{END}", rigid(100.0), modes(1)));
+    let diagram = |rest: &str| format!("gears.campbell_diagram(rotor, highest_speed = 10000 rpm{rest});\n");
+    assert_eq!(with(&diagram("")), Vec::<String>::new());
+    assert_eq!(with(&diagram(", modes = 4")), Vec::<String>::new());
+    assert_eq!(with(&diagram(", modes = 5")), ["E0770"]);
+    assert_eq!(with(&diagram("").repeat(2)), ["E0773"]);
+    assert_eq!(with(&diagram("").replace("10000 rpm", "0 rpm")), ["E0773"]);
+    assert_eq!(with("gears.modes_table(modes = 5);\n"), ["E0770"]);
+    assert_eq!(with("gears.modes_table();\ngears.modes_table();\n"), ["E0773"]);
+}
+
+/// Nothing is left to solve without a free body.
+#[test]
+fn constrained_rotors_are_rejected() {
+    let fixed = rigid(100.0).replace("[\"u_x\", \"u_y\", \"theta_x\", \"theta_y\"]", "[]");
+    assert_eq!(errors(&format!("{START}{fixed}{}{END}", modes(1))), ["E0770"]);
+    let deflection = "output deflection := gears.shaft_displacement(rotor, 0 m, \"x\");\n";
+    assert_eq!(errors(&format!("{START}{fixed}{deflection}{END}")), ["E0713"]);
 }
 
 /// With different stiffness along two axes orbits are elliptical: the characteristic polynomial of
@@ -278,7 +291,6 @@ gears.bearing(\"{end} ground\", outer, at = {at} m * e3, radial_stiffness = {gro
 "
         );
     }
-    text += "output deflection := gears.shaft_displacement(inner, 0 m, \"x\");\n";
     let found = Found::of(&text, 8);
     let [tied, held] = [between, ground].map(|k| 2.0 * k * arm * arm);
     // Tilt phi of both in the complex plane with exp(i w t), w of either sign.
@@ -310,7 +322,7 @@ fn concentric_elastic_shafts_share_a_load_by_their_flexibilities() {
     let (force, inner, span, overhang) = (2000.0_f64, 0.4_f64, 0.15, 0.05);
     let [ground, needle] = [1e8, 3e8];
     let text = format!(
-        "{PAIR}var outer = gears.shaft(
+        "{START}var outer = gears.shaft(
     \"outer\", [gears.shaft_segment(length = {} m, diameter = 60 mm, bore = 35 mm)], steel,
     free = [\"u_x\", \"u_y\", \"theta_x\", \"theta_y\"], frame := Rotate(20 rad/s * Time, e3) * Translate({inner} m * e3));
 gears.bearing(\"q\", outer, at = {overhang} m * e3, radial_stiffness = {ground} N/m);
@@ -331,7 +343,7 @@ output opposite := gears.bearing_force(a, \"radial\");
         0.5 * inner,
         0.5 * inner,
     );
-    let found = solved(&text);
+    let found = means(&text);
     let bending = |outside: f64, bore: f64| 206e9 * PI / 64.0 * (outside.powi(4) - bore.powi(4));
     let shear = |outside: f64, bore: f64| {
         let kappa = calyx_runtime::shaft::shear_coefficient(0.3, bore / outside);

@@ -422,7 +422,12 @@ impl Planned {
                 listed.map(move |(dof, load)| format!("{dof} of \"{}\", {load}", body.name))
             })
             .collect();
-        if free.is_empty() { vec!["none: the motion of every frame is prescribed".into()] } else { free }
+        let of_sections = self.bodies.iter().any(|body| !body.left_out && !body.free.is_empty());
+        match (free.is_empty(), of_sections) {
+            (false, _) => free,
+            (true, true) => vec!["only those of the shafts".into()],
+            (true, false) => vec!["none: the motion of every frame is prescribed".into()],
+        }
     }
 
     /// Returns each structure with the bodies that share it and with its size.

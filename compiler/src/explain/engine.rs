@@ -117,7 +117,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0710" "a frame is NaN at some time" "An operation in the frame's expression gave NaN, such as the square root of a negative number or 0/0. The message shows the operation and its operands."
     "E0711" "an output without an analysis" "An output that depends on an observable or on `Time` has values at the positions of an analysis only. A model with such outputs ends with `analyze(...)`, which defines the positions and the fidelity level. A model without an analysis is a calculation: its outputs are expressions of params and values."
     "E0712" "results cannot be written" "The directory cannot be created or written. Choose another one with `--out`."
-    "E0713" "the scene has no contact" "An analysis requires at least one mesh."
+    "E0713" "nothing to analyse" "An analysis requires a mesh, or a free body on bearings such as a rotor."
     "E0714" "the contacts cannot balance the load" "Contacts transmit compressive forces only. The load separates the bodies, or acts in a direction without contact."
     "E0715" "an unconstrained degree of freedom" "Neither the frame nor a contact constrains the body in some direction. Remove the degree of freedom from `free`, or add the missing mesh or bearing."
     "E0716" "redundant contacts" "Two contacts constrain the same motion, so the load sharing between them is not determined. Or the load is so large that the bodies touch over their whole surface: the contact area must be small compared with the bodies."

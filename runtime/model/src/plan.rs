@@ -115,7 +115,7 @@ impl Plan {
     ) -> Result<Plan, EngineError> {
         let (mechanism, targets) = (scene.mechanism(), scene.targets());
         let everything =
-            connected_bodies(mechanism, observed_bodies(mechanism, &targets).chain(touching(mechanism)));
+            connected_bodies(mechanism, observed_bodies(mechanism, &targets).chain(loaded(mechanism)));
         Plan::of((mechanism, &targets, scene.examines_modes()), everything, fidelity, options)
     }
 
@@ -322,6 +322,16 @@ fn touching(scene: &Mechanism) -> impl Iterator<Item = BodyId> {
     scene.pairs.iter().flat_map(|pair| pair.bodies)
 }
 
+/// Returns the bodies that loads act on: those in surface pairs. A scene without surface pairs is one
+/// of bodies on bearings and elastic connections, such as a rotor.
+fn loaded(scene: &Mechanism) -> Vec<BodyId> {
+    if !scene.pairs.is_empty() {
+        return touching(scene).collect();
+    }
+    let connections = scene.connections.iter().flat_map(ElasticConnection::bodies);
+    scene.bearings.iter().flat_map(Bearing::bodies).chain(connections).collect()
+}
+
 /// Returns the bodies that an observable names. Bodies without contact and bearings are excluded,
 /// because they stay at their prescribed position.
 fn named_by(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
@@ -338,10 +348,10 @@ fn named_by(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
         .collect()
 }
 
-/// Returns the bodies that an observable depends on: all bodies in surface pairs if it names none.
+/// Returns the bodies that an observable depends on: all that loads act on if it names none.
 pub fn depends_on(scene: &Mechanism, target: &Target) -> Vec<BodyId> {
     let named = named_by(scene, target);
-    if target.is_everything() { named.into_iter().chain(touching(scene)).collect() } else { named }
+    if target.is_everything() { named.into_iter().chain(loaded(scene)).collect() } else { named }
 }
 
 /// Returns the bodies that the observables of the scene name.
@@ -350,19 +360,19 @@ fn observed_bodies(scene: &Mechanism, targets: &[Target]) -> impl Iterator<Item 
 }
 
 /// Returns which bodies lie on the load paths of the observables: those connected to observed
-/// bodies by surface pairs or bearings, transitively. Includes all bodies in surface pairs if
+/// bodies by surface pairs or bearings, transitively. Includes all bodies that loads act on if
 /// nothing is observed, no observed body is in contact, or an observable concerns the whole system,
 /// such as vibrations.
 fn load_path(scene: &Mechanism, targets: &[Target], modes_table: bool) -> Vec<bool> {
     let whole = targets.is_empty() || modes_table || targets.iter().any(Target::is_everything);
-    let everything = || connected_bodies(scene, observed_bodies(scene, targets).chain(touching(scene)));
+    let everything = || connected_bodies(scene, observed_bodies(scene, targets).chain(loaded(scene)));
     if whole {
         return everything();
     }
     let path = connected_bodies(scene, observed_bodies(scene, targets));
-    // The equilibrium is one of contact: a body on bearings alone takes part only together with
-    // bodies in contact.
-    let touches = touching(scene).any(|body| path.get(body.0) == Some(&true));
+    // If the scene has surface pairs, the equilibrium is one of contact: a body on bearings alone
+    // takes part only together with bodies in contact.
+    let touches = scene.pairs.is_empty() || touching(scene).any(|body| path.get(body.0) == Some(&true));
     if touches { path } else { everything() }
 }
 
@@ -486,7 +496,8 @@ pub fn face_widths(scene: &Mechanism) -> Vec<f64> {
             .filter_map(|body| Some(scene.bodies.get(body.0)?.prototype.face_width()))
             .fold(f64::INFINITY, f64::min)
     };
-    let all = narrowest(&|_| true);
+    // Without surface pairs there are no line loads, and any width has the same result.
+    let all = Some(narrowest(&|_| true)).filter(|width| width.is_finite()).unwrap_or(1.0);
     let mut widths = vec![None; scene.bodies.len()];
     for body in 0..scene.bodies.len() {
         if widths[body].is_none() {

@@ -19,6 +19,7 @@ use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::{RelocatedMotion, SteadyRotation};
+use calyx_model::pairs::SurfacePair;
 use calyx_model::plan::Plan;
 use calyx_model::resources::Resources;
 use calyx_model::rigid::RigidBody;
@@ -373,8 +374,14 @@ impl ElasticBody for Uncondensed {
 #[test]
 fn bodies_that_are_left_out_or_checked_are_not_condensed() {
     let scene = scene(Arc::new(Uncondensed(body(kinds()[0].clone(), 1.0))), Pose::IDENTITY);
-    let planned = plan(&scene, Fidelity::Analytic);
-    // Nothing observes the body, and it touches nothing.
+    // Without surface pairs, the scene consists of bodies on bearings and elastic connections.
+    assert!(!plan(&scene, Fidelity::Analytic).connections[0].left_out);
+    let mut touching = scene.clone();
+    let rigid = |name: &str| Body::new(name, Arc::new(RigidBody), SteadyRotation::at_rest([0.0; 2]));
+    let pair = ["first", "second"].map(|name| touching.add_body(rigid(name)));
+    touching.add_pair(SurfacePair::new(pair, [0, 0]));
+    let planned = plan(&touching, Fidelity::Analytic);
+    // Nothing observes the body, and no load goes through it.
     assert!(planned.connections[0].left_out);
     let connections = built(&scene, &planned);
     assert!(connections[0].stiffness.is_empty());

@@ -29,6 +29,9 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{cross, dot, minus};
 use std::f64::consts::PI;
 
+/// Other parts of a rotation about the own axis, relative to it, that count as rounding.
+const SPIN_ROUNDING: f64 = 1e-9;
+
 /// Checks that nominal contact resists every free motion of the planned bodies under the loads at a
 /// time (s), that of the first position to solve.
 ///
@@ -65,7 +68,14 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
     };
     if plan.three_dimensional && unloaded.free.iter().any(out_of_plane) {
         let motion = unresisted::motion(scene, plan, &dofs, (&springs.arms, &unloaded.free), time)?;
-        return motion.map_or(Ok(()), |motion| Err(explain(scene, &dofs, &unresisted::error(motion, &load))));
+        return motion
+            .map_or(Ok(()), |motion| Err(explain(scene, &dofs, &unresisted::error(motion, &dofs, &load))));
+    }
+    if unloaded.balanced
+        && springs.gaps.is_empty()
+        && spins_freely(scene, &left_out(plan), &dofs, &unloaded.free)
+    {
+        return Ok(());
     }
     // Count stops of bearings as closed: behind their clearances they resist like teeth.
     let mut arms = springs.arms;
@@ -91,6 +101,26 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
         // Any other result depends on the positions of the teeth.
         _ => Ok(()),
     }
+}
+
+fn left_out(plan: &Plan) -> Vec<bool> {
+    plan.bodies.iter().map(|body| body.left_out).collect()
+}
+
+/// Returns whether motions that strain no spring are rotations of bodies about their own axes, and
+/// no surface pair takes part: a rotor rotates freely in its bearings. Its angle has no effect on
+/// anything else.
+pub fn spins_freely(scene: &Mechanism, left_out: &[bool], dofs: &[Dof], free: &[Vec<f64>]) -> bool {
+    let takes_part = |pair: &SurfacePair| pair.bodies.iter().all(|body| !left_out[body.0]);
+    let spins = |motion: &Vec<f64>| {
+        let largest = |of_axis: bool| {
+            let parts = dofs.iter().zip(motion).filter(|(dof, _)| (dof.component == 5) == of_axis);
+            parts.map(|(_, part)| part.abs()).fold(0.0, f64::max)
+        };
+        // Rotations in radians against displacements in metres and tilts.
+        largest(false) <= SPIN_ROUNDING * largest(true)
+    };
+    !scene.pairs.iter().any(takes_part) && free.iter().all(spins)
 }
 
 /// Returns the work of a unit force along the line of action on each DOF, at a time (s).

@@ -106,6 +106,21 @@ impl Bodies {
     }
 }
 
+/// Checks that a plan has something to solve: surfaces that touch, or free bodies on bearings.
+///
+/// # Errors
+/// E0713: the scene has neither.
+pub fn check_content(scene: &Mechanism, plan: &Plan) -> Result<(), EngineError> {
+    if plan.bodies.iter().any(BodyPlan::is_elastic) || !number_dofs(scene, plan).is_empty() {
+        return Ok(());
+    }
+    Err(EngineError::new(
+        "E0713",
+        "the scene has neither surfaces that touch nor free bodies on bearings",
+        "mesh two bodies, like `gears.mesh(pinion, gear)`, or mount a body that is `free` on bearings",
+    ))
+}
+
 /// Bodies of a plane model.
 #[derive(Clone)]
 pub struct PlaneBodies {
@@ -138,17 +153,11 @@ impl<'s> System<'s> {
     /// Builds the planned system. Bodies with equal structures share one.
     ///
     /// # Errors
-    /// No surface pair is in contact, a frame is invalid, a structure cannot be built, or those of
-    /// the interrupt.
+    /// Those of [`check_content`]; a frame is invalid, a structure cannot be built, or those of the
+    /// interrupt.
     pub fn with(scene: &'s Mechanism, plan: &Plan, resources: &Resources) -> Result<Self, EngineError> {
         let dofs = number_dofs(scene, plan);
-        if !plan.bodies.iter().any(BodyPlan::is_elastic) {
-            return Err(EngineError::new(
-                "E0713",
-                "nothing in the scene touches anything",
-                "mesh two bodies, like `gears.mesh(pinion, gear)`",
-            ));
-        }
+        check_content(scene, plan)?;
         let all = 0..scene.bodies.len();
         // Check the frames before the expensive work.
         let bodies = match plan.three_dimensional {

@@ -64,10 +64,14 @@ pub(super) fn motion(
 }
 
 /// Returns the error about a free motion: whether the load drives it or not.
-pub(super) fn error(mut motion: Vec<f64>, load: &[f64]) -> ContactError {
+pub(super) fn error(mut motion: Vec<f64>, dofs: &[Dof], load: &[f64]) -> ContactError {
     let work: f64 = motion.iter().zip(load).map(|(part, load)| part * load).sum();
-    let terms: f64 = motion.iter().zip(load).map(|(part, load)| (part * load).abs()).sum();
-    let driven = work.abs() > NO_WORK * terms;
+    // Parts of the motion that are rounding do work with large loads, so work compares with that
+    // of all loads on the largest part.
+    let size = |k: usize| if dofs[k].component < 3 { 1.0 } else { RADIUS };
+    let largest = (0..motion.len()).map(|k| motion[k].abs() * size(k)).fold(0.0, f64::max);
+    let all: f64 = (0..motion.len()).map(|k| load[k].abs() / size(k)).sum();
+    let driven = work.abs() > NO_WORK * largest * all;
     let dof = (0..motion.len()).max_by(|&one, &other| motion[one].abs().total_cmp(&motion[other].abs()));
     let dof = dof.unwrap_or_default();
     let sense = if driven { work.signum() } else { 1.0 };
@@ -78,8 +82,8 @@ pub(super) fn error(mut motion: Vec<f64>, load: &[f64]) -> ContactError {
     if driven { ContactError::Infeasible(motion) } else { ContactError::Unconstrained(motion) }
 }
 
-/// Returns the work on each DOF of a force along the line of action, of one along the axis, and of
-/// a couple about the normal of the plane of action (per [`RADIUS`]), on the second body of a mesh
+/// Returns the work on each DOF of a force along the line of action, of one along the axis (zero
+/// for spur teeth), and of a couple about the normal of the plane of action (per [`RADIUS`]), on the second body of a mesh
 /// and, oppositely, on the first; `None` if the mesh may resist other motions.
 fn resisted(
     scene: &Mechanism,

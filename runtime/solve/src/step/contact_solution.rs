@@ -5,7 +5,8 @@ use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells}
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
 use super::relinearization::ContactReference;
 use super::{ContactPatch, StepResult};
-use crate::restraint_check;
+use crate::restraint_check::{self, spins_freely};
+use crate::system::System;
 use calyx_contact::assembly::FormerCompliance;
 use calyx_contact::friction::solve_with_friction;
 use calyx_contact::problem::{ContactError, ContactProblem, Solution};
@@ -157,7 +158,10 @@ impl<S: ContactGeometry> Solver<'_, S> {
         rest: &UnloadedEquilibrium,
     ) -> Result<Option<LaidOutContact>, EngineError> {
         let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
+        let System { scene, left_out, dofs, .. } = self.system;
+        let rotor = gaps.is_empty() && spins_freely(scene, left_out, dofs, &rest.free);
         let motion = match rest.rigid_limit(&gaps, &arms, &self.limit_direction(), &self.system.interrupt) {
+            _ if rotor => rest.motion.clone(),
             Ok(Some(limit)) => limit.motion,
             Ok(None) if self.system.rigid => return Err(self.explain(&ContactError::Jammed)),
             Ok(None) => return Ok(None),
