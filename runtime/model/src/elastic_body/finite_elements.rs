@@ -119,6 +119,13 @@ impl FiniteElementBody {
                 "use that attachment",
             ));
         }
+        let rigid = self.attachments.iter().filter(|other| other.connection != Connection::Average);
+        if let Some(other) = rigid.into_iter().find(|other| other.nodes.binary_search(&node).is_ok()) {
+            return Err(ElementError::new(
+                format!("node {label} belongs to the attachment \"{}\", which moves it rigidly", other.name),
+                "use that attachment, or leave the node out of its region",
+            ));
+        }
         if self.fixed_nodes().any(|fixed| fixed == node) {
             return Err(ElementError::new(
                 format!("node {label} is fixed in the file"),
@@ -168,7 +175,10 @@ impl FiniteElementBody {
     fn check_independent(&self, nodes: &[usize]) -> Result<(), ElementError> {
         let label = |node: usize| self.model.nodes[node].label;
         let within = |node: &usize| nodes.binary_search(node).is_ok();
-        for other in self.attachments.iter().filter(|other| other.connection != Connection::Average) {
+        // A single node is the attachment node itself, whatever its connection.
+        let rigid =
+            |other: &&BodyAttachment| other.connection != Connection::Average || other.nodes.len() == 1;
+        for other in self.attachments.iter().filter(rigid) {
             if let Some(&node) = other.nodes.iter().find(|node| within(node)) {
                 let shared = other.nodes.iter().filter(|node| within(node)).count();
                 return Err(ElementError::new(
