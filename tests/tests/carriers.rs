@@ -187,6 +187,10 @@ fn checks_reject_impossible_carriers() {
         let found = codes(&set("", 206.0).replace(from, to));
         assert!(found.contains(&"E0995".to_owned()), "{found:?}");
     }
-    let plane = codes(set("", 206.0).replace("\"analytic\"", "\"plane\""));
+    // Spur teeth do not support the carrier along its axis.
+    let loose =
+        set("", 206.0).replace("rigid_body(\"carrier\", ", "rigid_body(\"carrier\", free = [\"u_z\"], ");
+    assert_eq!(codes(&loose), ["E0715"]);
+    let plane = codes(&set("", 206.0).replace("\"analytic\"", "\"plane\""));
     assert!(plane.contains(&"E0611".to_owned()), "{plane:?}");
 }

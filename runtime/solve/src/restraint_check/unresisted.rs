@@ -109,6 +109,7 @@ fn resisted(
     // The line of action is tangent to the base circle of the first body.
     let point = plus(first, scaled(cross(normal, z), mesh.drive_sense * radius));
     let couple = scaled(cross(z, normal), RADIUS);
+    let helical = mesh.overlap_ratio != 0.0;
     let work = |dof: &Dof, row: usize| -> Result<f64, EngineError> {
         let Some(side) = bodies.iter().position(|body| *body == dof.body) else { return Ok(0.0) };
         let axis = axes(scene, dof.body, time)[dof.component % 3];
@@ -122,7 +123,8 @@ fn resisted(
         };
         let along = match row {
             0 => dot(normal, moved),
-            1 => dot(z, moved),
+            1 if helical => dot(z, moved),
+            1 => 0.0,
             _ if is_rotation => dot(couple, axis),
             _ => 0.0,
         };
