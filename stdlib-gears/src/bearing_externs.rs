@@ -27,6 +27,7 @@ calyx_abi::externs! {
         gap_clearances: Vec<f64>, gap_directions: Vec<[f64; 3]>, gap_arms: Vec<[f64; 3]>, gap_stiffness: f64,
     ) -> Handle {
         let place = context.place;
+        before_analysis(context, format_args!("the bearing \"{name}\""))?;
         if to == body && body != GROUND {
             let help = "give the other body, or leave `to` out: then the second race is on ground";
             return Err(refusal("E0685", "to", &format!("bearing \"{name}\" has both races on one body"), help));

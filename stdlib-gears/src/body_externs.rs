@@ -69,6 +69,7 @@ impl BodyPlacement {
         prototype: Arc<dyn Prototype>,
         gear: Option<usize>,
     ) -> Result<Handle, RuntimeError> {
+        externs::before_analysis(context, format_args!("the body \"{}\"", self.name))?;
         let free = named_components(&self.free)?;
         let expression = self.frame.0.clone();
         let motion = BodyPlacement::motion(self.frame, context.params.clone());

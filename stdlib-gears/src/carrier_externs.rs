@@ -27,6 +27,7 @@ calyx_abi::externs! {
         web_inside_diameter: Option<f64>, web_outside_diameter: Option<f64>, web_angle: Option<f64>,
         hub_side: String, element_size: Option<f64>,
     ) -> () {
+        externs::before_analysis(context, format_args!("the carrier \"{name}\""))?;
         if planets.fract() != 0.0 {
             let message = format!("a carrier cannot have {planets} planets");
             return Err(refusal("E0995", "planets", &message, "give a whole number of at least two"));

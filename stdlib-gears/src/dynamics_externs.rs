@@ -1,7 +1,7 @@
 //! Time ranges and impulses of dynamic analyses for programs.
 
 use crate::analyses::Arguments;
-use crate::externs::{body, entry, host, refusal};
+use crate::externs::{before_analysis, body, entry, host, refusal};
 use crate::host::{ModelHost, keep};
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
@@ -54,6 +54,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_impulse(
         context, body: Handle, at: f64, duration: f64, momentum: [f64; 3], angular_momentum: [f64; 3],
     ) -> () {
+        before_analysis(context, "the impulse")?;
         if !(duration.is_finite() && duration > 0.0) {
             return Err(refusal("E0766", "duration", &format!("an impulse cannot have a duration of {duration} s"),
                 "give a positive time, a few steps long and much shorter than the periods that are looked at"));

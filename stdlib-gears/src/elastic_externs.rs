@@ -85,6 +85,7 @@ calyx_abi::externs! {
         let key = written(written(key, &stiffness_matrix), &mass_matrix);
         let options = CondensedOptions { units, stiffness: stiffness_matrix, mass: mass_matrix };
         let read = |open: &mut OpenFile<'_>| read_condensed(&path, &options, open);
+        before_analysis(context, &name)?;
         let (matrices, key) = read_with(context, key, read)?;
         added(context, (name, frame), BodySource::Matrices(MatrixBody::new(Arc::new(matrices), key)), None)
     }
@@ -295,10 +296,15 @@ fn imported(
     key: KeyWriter,
     read: impl FnOnce(&mut OpenFile<'_>) -> Result<Import, ImportError>,
 ) -> Result<Handle, RuntimeError> {
+    before_analysis(context, &placed.0)?;
     let (Import { model, report }, key) = read_with(context, key, read)?;
     check_elements(&model, &report.files)?;
     let source = BodySource::Elements(FiniteElementBody::new(Arc::new(model), key));
     added(context, placed, source, Some(report))
+}
+
+fn before_analysis(context: &mut Context, name: &str) -> Result<(), RuntimeError> {
+    externs::before_analysis(context, format_args!("the elastic body \"{name}\""))
 }
 
 fn check_elements(model: &ElasticModel, files: &[String]) -> Result<(), RuntimeError> {
@@ -398,6 +404,7 @@ fn requested(
         }
         _ => Connection::Rigid,
     };
+    externs::before_analysis(context, format_args!("the attachment \"{name}\""))?;
     let name = context.name_in_instance(name);
     let part = entry(&host(context)?.regions, region)?.clone();
     Ok(RequestedAttachment { name, part, connection, position })

@@ -44,6 +44,7 @@ calyx_abi::externs! {
         grid_width: Option<f64>, contact_slices: f64, friction: f64, misalignment: f64,
         misalignment_out_of_plane: f64, coast_side_contact: bool, lubrication: Option<Handle>,
     ) -> Handle {
+        before_analysis(context, "the mesh")?;
         for (argument, count) in [("contact_cells", contact_cells), ("contact_slices", Some(contact_slices))] {
             if count.is_some_and(|count| count.fract() != 0.0 || count < 1.0) {
                 return Err(refusal("E0672", argument, "the number of cells must be whole",
@@ -142,12 +143,8 @@ calyx_abi::externs! {
     /// Registers an output of the model.
     Scene fn calyx_std_output(context, name: String, value: SymbolicNumber) -> () {
         let params = context.params.clone().into();
+        before_analysis(context, format_args!("the output `{name}`"))?;
         let (place, host) = (context.place, host(context)?);
-        if host.asked.is_some() {
-            return Err(RuntimeError::new("E0980",
-                format!("the output `{name}` is declared after the analysis, whose results would not contain it"),
-                "declare it before `analyze`"));
-        }
         host.outputs.push(OutputRequest { name, value: value.0, params });
         host.output_places.push(place);
         Ok(())
@@ -365,6 +362,24 @@ pub(crate) fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError
     let host = host.ok_or_else(|| defect("the gear library was called without its state"))?;
     host.instance = instance;
     Ok(host)
+}
+
+/// Checks that a part of the model, or a request to the analysis, comes before `analyze`.
+///
+/// # Errors
+/// E0980: it comes after.
+pub(crate) fn before_analysis(
+    context: &mut Context,
+    what: impl std::fmt::Display,
+) -> Result<(), RuntimeError> {
+    match host(context)?.asked {
+        None => Ok(()),
+        Some(_) => Err(RuntimeError::new(
+            "E0980",
+            format!("{what} is declared after the analysis, whose results would not contain it"),
+            "declare it before `analyze`",
+        )),
+    }
 }
 
 pub(crate) fn entry<T>(table: &[T], handle: Handle) -> Result<&T, RuntimeError> {

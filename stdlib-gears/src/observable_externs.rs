@@ -72,6 +72,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_campbell_diagram(
         context, body: Handle, highest_speed: f64, speeds: f64, modes: Option<f64>,
     ) -> () {
+        externs::before_analysis(context, "the Campbell diagram")?;
         let id = externs::body(context, "body", body)?;
         let modes = mode_count(modes)?;
         if speeds.fract() != 0.0 || speeds < 2.0 {
@@ -133,6 +134,7 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_modes_table(context, modes: Option<f64>, central: Handle, planets: Vec<Handle>) -> () {
+        externs::before_analysis(context, "the table of modes")?;
         let count = mode_count(modes)?;
         let set = match planets.is_empty() {
             true => None,

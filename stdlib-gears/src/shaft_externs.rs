@@ -46,6 +46,7 @@ calyx_abi::externs! {
         context, name: String, segments: Vec<Handle>, material: Handle, frame: SymbolicTransform,
         free: Vec<String>, elastic: bool, prescribed_rotation_at: Option<f64>, sections: Vec<f64>,
     ) -> Handle {
+        externs::before_analysis(context, format_args!("the shaft \"{name}\""))?;
         let free = named_components(&free)?;
         let name = context.name_in_instance(name);
         let (place, params) = (context.place, context.params.clone());
@@ -86,6 +87,7 @@ calyx_abi::externs! {
         context, name: String, blank: Handle, on: Handle, at: f64, hub_width: f64, force: [f64; 3],
         moment: [f64; 3], mass: f64, inertia: f64, host_load: Option<String>, frame: SymbolicTransform,
     ) -> Handle {
+        externs::before_analysis(context, format_args!("the gear \"{name}\""))?;
         let index = shaft_index(context, "on", on)?;
         let prototype = entry(&host(context)?.gears, blank)?.prototype();
         let added = lumped(mass, inertia)?;
@@ -112,6 +114,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_shaft_load(
         context, shaft: Handle, at: f64, force: [f64; 3], moment: [f64; 3], host_load: Option<String>,
     ) -> () {
+        externs::before_analysis(context, "a load on the shaft")?;
         let index = shaft_index(context, "shaft", shaft)?;
         let (place, host) = (context.place, host(context)?);
         let at = checked_position(host, index, "at", at)?;
@@ -129,6 +132,7 @@ calyx_abi::externs! {
     Scene fn calyx_gears_shaft_disc(
         context, shaft: Handle, at: f64, mass: f64, inertia: f64, diametral_inertia: Option<f64>,
     ) -> () {
+        externs::before_analysis(context, "a disc on the shaft")?;
         let index = shaft_index(context, "shaft", shaft)?;
         lumped(mass, inertia)?;
         let (place, host) = (context.place, host(context)?);

@@ -3,7 +3,7 @@
 
 use crate::bearing_externs::GROUND;
 use crate::error::Severity;
-use crate::externs::{body, host, refusal};
+use crate::externs::{before_analysis, body, host, refusal};
 use crate::host::{Finding, ModelHost, RequestedSignal};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
@@ -83,6 +83,7 @@ fn ask(
     highest: f64,
     kind: SignalKind,
 ) -> Result<(), RuntimeError> {
+    before_analysis(context, format_args!("the signal of `{of}`"))?;
     if to.is_nan() || from.is_nan() || to <= from {
         return Err(refusal(
             "E0778",
