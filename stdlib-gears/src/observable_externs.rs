@@ -79,7 +79,15 @@ calyx_abi::externs! {
             let message = format!("a Campbell diagram cannot have {speeds} speeds");
             return Err(refusal("E0773", "speeds", &message, "give a whole number of at least two"));
         }
+        if highest_speed == 0.0 {
+            return Err(refusal("E0773", "highest_speed", "a Campbell diagram cannot end at the speed zero",
+                "give the highest speed of the body, such as `highest_speed = 12000 rpm`"));
+        }
         let scene = &mut host(context)?.scene;
+        if scene.campbell_diagram.is_some() {
+            return Err(RuntimeError::new("E0773", "the model has a second Campbell diagram, and a run writes one",
+                "keep one; the speeds of all bodies are proportional, so it has the modes of all of them"));
+        }
         let own = &scene.bodies[id.0];
         if angular_velocity(own.motion.as_ref(), 0.0) == [0.0; 3] {
             let message = format!("the body \"{}\" does not rotate", own.name);
@@ -140,6 +148,10 @@ calyx_abi::externs! {
             true => None,
             false => Some(planet_set(context, central, planets)?),
         };
+        if host(context)?.scene.modes_table.is_some() {
+            return Err(RuntimeError::new("E0773", "the model has a second table of modes, and a run writes one",
+                "keep one `modes_table`"));
+        }
         host(context)?.scene.modes_table = Some(ModesRequest { count, set });
         Ok(())
     }

@@ -66,4 +66,9 @@ impl Examined for Scene {
     fn examines_modes(&self) -> bool {
         self.modes_table.is_some() || self.campbell_diagram.is_some()
     }
+
+    fn tabulated_modes(&self) -> Option<usize> {
+        let campbell = self.campbell_diagram.as_ref().and_then(|request| request.modes);
+        campbell.max(self.modes_table.as_ref().and_then(|request| request.count))
+    }
 }

@@ -43,6 +43,11 @@ pub trait Examined {
 
     /// Returns whether a table of the modes at the first position is requested.
     fn examines_modes(&self) -> bool;
+
+    /// Returns the largest number of modes that such tables request; `None` if they have all modes.
+    fn tabulated_modes(&self) -> Option<usize> {
+        None
+    }
 }
 
 /// A mechanism without observables.

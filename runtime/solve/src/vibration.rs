@@ -243,12 +243,20 @@ pub fn check_vibrations(system: &System<'_>, examined: &dyn Examined) -> Result<
 /// # Errors
 /// E0770: there are fewer.
 pub fn check_mode_count(examined: &dyn Examined, count: usize) -> Result<(), EngineError> {
-    match examined.targets().iter().filter_map(|target| target.mode).max() {
-        Some(mode) if mode >= count => Err(EngineError::new(
-            "E0770",
-            format!("there is no mode {}: the scene has {count}", mode + 1),
-            "the number of modes is that of the free degrees of freedom plus the elastic modes of bodies up to `highest_frequency`",
-        )),
+    let highest = examined.targets().iter().filter_map(|target| target.mode).max();
+    let highest = highest.map(|mode| mode + 1).max(examined.tabulated_modes());
+    match highest {
+        Some(mode) if mode > count => {
+            let help = match count {
+                0 => {
+                    "mount a body on bearings and free it (`free`): a scene has as many modes as free degrees of freedom"
+                }
+                _ => {
+                    "the number of modes is that of the free degrees of freedom plus the elastic modes of bodies up to `highest_frequency`"
+                }
+            };
+            Err(EngineError::new("E0770", format!("there is no mode {mode}: the scene has {count}"), help))
+        }
         _ => Ok(()),
     }
 }
