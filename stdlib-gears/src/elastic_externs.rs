@@ -3,6 +3,7 @@
 
 use crate::body_externs::BodyPlacement;
 use crate::elastic_bodies::{AttachedPart, BodySource, ModelElasticBody, RequestedAttachment};
+use crate::elastic_plausibility::of_elastic_body;
 use crate::externs::{self, entry, host, refusal};
 use crate::files;
 use crate::host::{ModelHost, keep};
@@ -33,16 +34,16 @@ calyx_abi::externs! {
         let options = NastranOptions { units, subcase: subcase.map(u64::from) };
         let key = Key::of("nastran").text(&path).numbers(&of_units(&units)).count(subcase.map_or(0, u64::from));
         let read = |open: &mut OpenFile<'_>| read_nastran(&path, &options, open);
-        imported(context, (name, frame), key, read)
+        imported(context, (name, frame), (key, Some((named, units))), read)
     }
 
     Scene fn calyx_gears_abaqus(
         context, name: String, path: String, units: String, frame: SymbolicTransform,
     ) -> Handle {
-        let units = named_units(&units)?;
+        let (named, units) = (units.clone(), named_units(&units)?);
         let key = Key::of("abaqus").text(&path).numbers(&of_units(&units));
         let read = |open: &mut OpenFile<'_>| read_abaqus(&path, &AbaqusOptions { units }, open);
-        imported(context, (name, frame), key, read)
+        imported(context, (name, frame), (key, Some((named, units))), read)
     }
 
     Pure fn calyx_gears_mesh_part(context, group: String, material: Handle, thickness: Option<f64>) -> Handle {
@@ -72,7 +73,7 @@ calyx_abi::externs! {
         }
         let options = GmshOptions { length: unit, parts: all };
         let read = |open: &mut OpenFile<'_>| read_gmsh(&path, &options, open);
-        imported(context, (name, frame), key, read)
+        imported(context, (name, frame), (key, None), read)
     }
 
     Scene fn calyx_gears_condensed_body(
@@ -206,7 +207,7 @@ fn whole(argument: &str, number: f64) -> Result<u32, RuntimeError> {
         return Ok(number as u32);
     }
     Err(refusal(
-        "E0991",
+        code,
         argument,
         &format!("`{argument}` cannot be {number}"),
         "give a whole number from 0 on",
@@ -293,12 +294,15 @@ fn read_with<T>(
 fn imported(
     context: &mut Context,
     placed: (String, SymbolicTransform),
-    key: KeyWriter,
+    (key, units): (KeyWriter, Option<(String, Units)>),
     read: impl FnOnce(&mut OpenFile<'_>) -> Result<Import, ImportError>,
 ) -> Result<Handle, RuntimeError> {
     before_analysis(context, &placed.0)?;
     let (Import { model, report }, key) = read_with(context, key, read)?;
     check_elements(&model, &report.files)?;
+    let (place, name) = (context.place, context.name_in_instance(placed.0.clone()));
+    let found = of_elastic_body(&name, &model, units.as_ref(), place);
+    host(context)?.findings.extend(found);
     let source = BodySource::Elements(FiniteElementBody::new(Arc::new(model), key));
     added(context, placed, source, Some(report))
 }

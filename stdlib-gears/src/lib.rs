@@ -129,6 +129,7 @@ pub mod drawing_externs;
 pub mod dynamics_externs;
 pub mod elastic_bodies;
 pub mod elastic_externs;
+mod elastic_plausibility;
 pub mod error;
 pub mod external;
 pub mod externs;

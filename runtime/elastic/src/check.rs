@@ -2,9 +2,10 @@
 //! within them, and nodes without stiffness.
 
 use crate::assembly::{System, dot, multiply};
+use crate::connectivity::connected_parts;
 use crate::error::ElasticError;
 use crate::factor::{Factor, Pencil};
-use crate::model::{Component, Constraint};
+use crate::model::Component;
 use crate::resources::Resources;
 use nalgebra::{DMatrix, Matrix6};
 
@@ -48,7 +49,7 @@ impl Report {
 
 /// Returns the connected parts of a model with their free rigid-body motions.
 pub fn parts(system: &System<'_>) -> Vec<Part> {
-    let members = connected(system);
+    let members = connected_parts(system.model);
     let diagonal: Vec<f64> = (0..system.dof_count())
         .map(|dof| {
             let mut column = system.stiffness.row_idx_of_col(dof).zip(system.stiffness.val_of_col(dof));
@@ -69,55 +70,6 @@ fn has_stiffness(system: &System<'_>, node: usize) -> bool {
             || system.prescribed.contains_key(&dof)
             || system.expansion.of(dof).is_some_and(|terms| !terms.entries.is_empty())
     })
-}
-
-/// Returns the nodes of each connected part, in the order of their first nodes.
-fn connected(system: &System<'_>) -> Vec<Vec<usize>> {
-    let count = system.model.nodes.len();
-    let mut leader: Vec<usize> = (0..count).collect();
-    fn find(leader: &mut [usize], node: usize) -> usize {
-        let mut top = node;
-        while leader[top] != top {
-            leader[top] = leader[leader[top]];
-            top = leader[top];
-        }
-        top
-    }
-    let mut join = |nodes: &mut dyn Iterator<Item = usize>| {
-        let mut first = None;
-        for node in nodes.filter(|&node| node < count) {
-            let top = find(&mut leader, node);
-            match first {
-                None => first = Some(top),
-                Some(other) => {
-                    let (low, high) = (top.min(other), top.max(other));
-                    leader[high] = low;
-                    first = Some(low);
-                }
-            }
-        }
-    };
-    for element in &system.model.elements {
-        join(&mut element.nodes.iter().copied());
-    }
-    for constraint in &system.model.constraints {
-        match constraint {
-            Constraint::Rigid { reference, dependents, .. } => {
-                join(&mut dependents.iter().map(|entry| entry.0).chain([*reference]))
-            }
-            Constraint::WeightedAverage { reference, terms, .. } => {
-                join(&mut terms.iter().map(|entry| entry.1).chain([*reference]))
-            }
-            Constraint::Equation { terms, .. } => join(&mut terms.iter().map(|entry| entry.0)),
-        }
-    }
-    let mut members: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for node in 0..count {
-        let top = find(&mut leader, node);
-        members[top].push(node);
-    }
-    members.retain(|nodes| !nodes.is_empty());
-    members
 }
 
 /// Returns the rigid-body motions of a part that cause no force and move no prescribed component.

@@ -12,6 +12,7 @@ pub mod beam;
 pub mod carrier;
 pub mod check;
 pub mod condensation;
+pub mod connectivity;
 pub mod constraint;
 pub mod element;
 pub mod error;

@@ -32,7 +32,7 @@ use crate::body::Body;
 use crate::elastic_body::{ElasticBody, SharedElasticBody, rigid_links};
 use crate::ids::BodyId;
 use crate::shaft::Shaft;
-use calyx_numerics::error::EngineError;
+use calyx_numerics::error::{EngineError, Subject};
 use calyx_structure::AttachmentMatrices;
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::sync::Arc;
@@ -142,6 +142,17 @@ impl ElasticConnection {
             .map(|k| all[k])
             .collect::<Vec<_>>()
             .into_iter()
+    }
+
+    /// Returns an error about the elastic body of the connection with its name, at the body of its
+    /// first attachment.
+    pub fn named(&self, error: EngineError) -> EngineError {
+        let message = format!("the elastic body \"{}\": {}", self.name, error.message);
+        let error = EngineError { message, ..error };
+        match self.bodies().next() {
+            Some(BodyId(body)) => error.about(Subject::Body(body)),
+            None => error,
+        }
     }
 
     /// Returns the number of rows of the matrices.

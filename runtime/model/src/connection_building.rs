@@ -4,12 +4,11 @@
 use crate::connection::ElasticConnection;
 use crate::elastic_body::ElasticBody;
 use crate::fidelity::{BodyModel, Fidelity};
-use crate::ids::BodyId;
 use crate::mechanism::Mechanism;
 use crate::plan::Plan;
 use crate::resources::Resources;
 use crate::structure_building::StructureCounts;
-use calyx_numerics::error::{EngineError, Subject};
+use calyx_numerics::error::EngineError;
 use calyx_structure::AttachmentMatrices;
 use calyx_structure::cache::Claim;
 use std::sync::Arc;
@@ -38,14 +37,7 @@ pub fn build_connections(
             return connection.rigid(&scene.bodies, RIGID);
         }
         let named = |error: EngineError| match error.code {
-            "E0991" | "E0992" => {
-                let message = format!("the elastic body \"{}\": {}", connection.name, error.message);
-                let error = EngineError { message, ..error };
-                match connection.bodies().next() {
-                    Some(BodyId(body)) => error.about(Subject::Body(body)),
-                    None => error,
-                }
-            }
+            "E0991" | "E0992" => connection.named(error),
             _ => error,
         };
         let (matrices, anew) = matrices(body.0.as_ref(), with_mass, resources).map_err(named)?;

@@ -90,6 +90,15 @@ pub trait ElasticBody: Any + Send + Sync {
     /// matrices; a body without a key is condensed for each analysis.
     fn key(&self) -> Option<Key>;
 
+    /// Checks whether the body with its attachments can be condensed, as far as this is known before
+    /// the condensation.
+    ///
+    /// # Errors
+    /// E0992: a part of the body can move freely.
+    fn check(&self) -> Result<(), EngineError> {
+        Ok(())
+    }
+
     /// Condenses the body onto its attachments, with ground as the last one if it is grounded, and
     /// computes the mass if it is requested.
     ///

@@ -194,6 +194,7 @@ impl Plan {
         let vibrations = targets.iter().any(|target| target.mode.is_some()) || modes_table;
         let treatment = (model == BodyModel::Rigid, vibrations);
         let connections = connections::plan_connections(scene, &bodies, treatment);
+        connections::check_bodies(scene, &connections)?;
         ignored.extend(connections::ignored_inputs(scene, &connections));
         ignored.sort();
         ignored.dedup();

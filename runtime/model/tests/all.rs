@@ -1,8 +1,10 @@
 //! Tests of mechanisms, one module per subject. They are one program: it is linked once, and its
 //! tests run in parallel.
 
+mod bars;
 mod connections;
 mod elastic_bodies;
+mod elastic_body_checks;
 mod flanks;
 mod lubrication;
 mod motion;

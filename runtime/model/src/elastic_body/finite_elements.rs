@@ -249,14 +249,32 @@ impl ElasticBody for FiniteElementBody {
     }
 
     fn is_grounded(&self) -> bool {
-        let spring = |kind: &ElementKind| matches!(kind, ElementKind::Spring { .. });
-        self.fixed_nodes().next().is_some()
-            || self.model.elements.iter().any(|element| spring(&element.kind) && element.nodes.len() == 1)
+        self.fixed_nodes().next().is_some() || self.model.elements.iter().any(on_ground)
     }
 
     fn key(&self) -> Option<Key> {
         let key = Key::of("elastic body").text(calyx_elastic::SOURCE).text(crate::SOURCE).key(&self.content);
         Some(self.attachments.iter().fold(key, written).finish())
+    }
+
+    fn check(&self) -> Result<(), EngineError> {
+        let mut held = vec![false; self.model.nodes.len()];
+        let springs = self.model.elements.iter().filter(|element| on_ground(element));
+        let attached = self.attachments.iter().flat_map(|attachment| attachment.nodes.iter().copied());
+        let nodes = attached.chain(self.fixed_nodes()).chain(springs.map(|element| element.nodes[0]));
+        nodes.for_each(|node| held[node] = true);
+        let parts = parts_with_elements(&self.model).into_iter();
+        let loose = parts.into_iter().find(|nodes| !nodes.iter().any(|&node| held[node]));
+        let Some(nodes) = loose else { return Ok(()) };
+        Err(EngineError::new(
+            "E0992",
+            format!(
+                "a part of {} nodes, with node {}, is connected neither to an attachment nor to ground",
+                nodes.len(),
+                self.model.nodes[nodes[0]].label
+            ),
+            "merge the nodes of both parts, connect them in the file, or attach the part or leave it out",
+        ))
     }
 
     fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError> {
@@ -313,6 +331,39 @@ impl ElasticBody for FiniteElementBody {
         }
         ignored
     }
+}
+
+/// Checks that a single node is where the attachment asks for it: `size` is that of the elements at
+/// the node, m.
+fn check_near(attachment: &Attachment, (label, at): (u64, Vector), size: f64) -> Result<(), ElementError> {
+    let mm = |metres: f64| (metres * 1e6).round() / 1e3 + 0.0;
+    let [x, y, z] = at.map(mm);
+    let node = format!("node {label} at ({x}, {y}, {z}) mm");
+    if let Region::Nearest(point) = attachment.region {
+        let distance = length(minus(at, point));
+        if distance > size {
+            return Err(ElementError::new(
+                format!(
+                    "the nearest node is {node}, {} mm away from the point, and the elements there have {} mm",
+                    mm(distance),
+                    mm(size)
+                ),
+                "give a point of the body in the coordinates of the file, or name the node by `gears.node`",
+            ));
+        }
+    }
+    match attachment.position.map(|position| length(minus(at, position))) {
+        Some(distance) if distance > SAME_POINT * size => Err(ElementError::new(
+            format!("its position is {} mm away from its single {node}", mm(distance)),
+            "leave `position` out: a single node is attached where it is",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Returns whether an element is a spring on ground.
+fn on_ground(element: &Element) -> bool {
+    matches!(element.kind, ElementKind::Spring { .. }) && element.nodes.len() == 1
 }
 
 fn written(key: KeyWriter, attachment: &BodyAttachment) -> KeyWriter {

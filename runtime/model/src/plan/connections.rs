@@ -49,6 +49,19 @@ pub(super) fn plan_connections(
     scene.connections.iter().map(plan).collect()
 }
 
+/// Checks the modelled elastic bodies with their attachments.
+///
+/// # Errors
+/// Those of [`crate::elastic_body::ElasticBody::check`].
+pub(super) fn check_bodies(scene: &Mechanism, plans: &[ConnectionPlan]) -> Result<(), EngineError> {
+    let modelled = scene.connections.iter().zip(plans).filter(|(_, plan)| !plan.left_out);
+    for (connection, _) in modelled {
+        let Some(body) = &connection.body else { continue };
+        body.0.check().map_err(|error| connection.named(error))?;
+    }
+    Ok(())
+}
+
 /// Returns the inputs of the modelled elastic bodies that no analysis takes into account.
 pub(super) fn ignored_inputs(scene: &Mechanism, plans: &[ConnectionPlan]) -> Vec<Ignored> {
     let modelled = scene.connections.iter().zip(plans).filter(|(_, plan)| !plan.left_out);

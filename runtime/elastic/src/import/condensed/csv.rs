@@ -12,7 +12,7 @@
 
 use super::super::origin::Problem;
 use super::super::source::{Place, lines};
-use super::{CondensedNode, Dof, Entries, Parts, Result, assemble};
+use super::{CondensedNode, Dof, Entries, Parts, Result, assemble, entry_name};
 use std::collections::HashMap;
 
 #[derive(Default)]
@@ -77,8 +77,13 @@ pub(super) fn read(text: &str) -> Result<Parts> {
                     return Err(Problem::new(place, message, "state one position"));
                 }
             }
-            "stiffness" => stiffness.add("stiffness", dof(1)?, dof(3)?, number(5)?, place)?,
-            "mass" => mass.add("mass", dof(1)?, dof(3)?, number(5)?, place)?,
+            matrix @ ("stiffness" | "mass") => {
+                let (row, column, value) = (dof(1)?, dof(3)?, number(5)?);
+                let entries = if matrix == "mass" { &mut mass } else { &mut stiffness };
+                let named =
+                    || entry_name(&format!("the {matrix}"), (values[1], row.1), (values[3], column.1));
+                entries.add(named, (row, column), value, place)?;
+            }
             other => {
                 let message = format!("`{other}` is no kind of row");
                 return Err(Problem::new(place, message, "begin the row with node, stiffness or mass"));

@@ -6,7 +6,7 @@ use super::super::error::ImportError;
 use super::super::nastran::{self, Card};
 use super::super::origin::Problem;
 use super::super::source::{Place, Sources};
-use super::{CondensedNode, CondensedOptions, Dof, Entries, Parts, Result, assemble};
+use super::{CondensedNode, CondensedOptions, Dof, Entries, Parts, Result, assemble, entry_name};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Reads a condensed body from DMIG entries.
@@ -119,7 +119,9 @@ fn entries(cards: &[&Card], name: &str, labels: &BTreeMap<u64, usize>) -> Result
         }
         for column in column(card)? {
             for term in terms(card)? {
-                entries.add(name, dof(&term), dof(&column), term.2, card.place)?;
+                let label = |term: &Term| term.0.to_string();
+                let named = || entry_name(name, (&label(&term), term.1), (&label(&column), column.1));
+                entries.add(named, (dof(&term), dof(&column)), term.2, card.place)?;
             }
         }
     }

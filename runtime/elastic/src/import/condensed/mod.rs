@@ -9,6 +9,8 @@ use super::error::ImportError;
 use super::origin::Problem;
 use super::source::{OpenFile, Place, Sources};
 use crate::model::Component;
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::{Mat, Side};
 use nalgebra::DMatrix;
 use std::collections::{BTreeMap, HashMap};
 
@@ -16,6 +18,8 @@ use std::collections::{BTreeMap, HashMap};
 const LARGEST: usize = 4096;
 /// Largest difference of an entry and its transpose, relative to the diagonal entries.
 const ASYMMETRY: f64 = 1e-6;
+/// Negative eigenvalue of a matrix with a diagonal of ones that is more than rounding.
+const INDEFINITE: f64 = 1e-5;
 
 /// Condensed body: stiffness and mass at components of nodes, in SI units and basic coordinates.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,16 +67,29 @@ struct Entries {
 }
 
 impl Entries {
-    fn add(&mut self, name: &str, row: Dof, column: Dof, value: f64, place: Place) -> Result<()> {
+    /// Adds an entry of a matrix, which `named` names.
+    fn add(
+        &mut self,
+        named: impl FnOnce() -> String,
+        (row, column): (Dof, Dof),
+        value: f64,
+        place: Place,
+    ) -> Result<()> {
         match self.values.insert((row, column), (value, place)) {
             Some((known, other)) if known != value => Err(Problem::new(
                 place,
-                format!("an entry of {name} is {value}, but {known} in line {}", other.line),
+                format!("{} is {value}, but {known} in line {}", named(), other.line),
                 "state each entry once",
             )),
             _ => Ok(()),
         }
     }
+}
+
+/// Names an entry of a matrix by the labels and components (from 0) of its row and column.
+fn entry_name(matrix: &str, row: (&str, Component), column: (&str, Component)) -> String {
+    let dof = |(label, component): (&str, Component)| format!("component {} of node {label}", component + 1);
+    format!("the entry of {matrix} between {} and {}", dof(row), dof(column))
 }
 
 /// Parts of a condensed body in the units of its source.
@@ -184,19 +201,48 @@ fn check(
             matrix[(column, row)] = mean;
         }
     }
-    Ok(())
+    let Some(at) = indefinite(matrix) else { return Ok(()) };
+    let message = format!(
+        "{name}: the matrix has a negative eigenvalue: moved in {} and others, it gives energy",
+        dof(at)
+    );
+    Err((message, "check the signs of entries off the diagonal, and that no entry is missing".into()))
+}
+
+/// Returns the first row, if any, up to which a symmetric matrix with a diagonal of at least zero is
+/// not positive semidefinite. Rounding of printed digits is accepted.
+fn indefinite(matrix: &DMatrix<f64>) -> Option<usize> {
+    let count = matrix.nrows();
+    let scale: Vec<f64> = (0..count).map(|k| matrix[(k, k)].sqrt()).collect();
+    let unscaled = |row: &usize| scale[*row] == 0.0 && (0..count).any(|column| matrix[(*row, column)] != 0.0);
+    if let Some(row) = (0..count).find(unscaled) {
+        return Some(row);
+    }
+    let rows: Vec<usize> = (0..count).filter(|&row| scale[row] > 0.0).collect();
+    let entry = |i: usize, j: usize| {
+        let shift = if i == j { INDEFINITE } else { 0.0 };
+        matrix[(rows[i], rows[j])] / (scale[rows[i]] * scale[rows[j]]) + shift
+    };
+    let scaled = Mat::from_fn(rows.len(), rows.len(), entry);
+    match scaled.llt(Side::Lower) {
+        Ok(_) => None,
+        Err(LltError::NonPositivePivot { index }) => rows.get(index).or(rows.last()).copied(),
+    }
 }
 
 /// Error for the first entry that contradicts its transpose in an earlier line.
-fn contradiction(entries: &Entries) -> Option<Problem> {
+fn contradiction(name: &str, nodes: &[CondensedNode], entries: &Entries) -> Option<Problem> {
     let contradicts = |((row, column), (value, place)): (&(Dof, Dof), &(f64, Place))| {
         let (other, first) = entries.values.get(&(*column, *row))?;
         let differs = (value - other).abs() > ASYMMETRY * value.abs().max(other.abs());
-        (first.line < place.line && differs).then_some((place.line, *place, *value, *other, first.line))
+        let terms = (*place, *value, *other, first.line, (*row, *column));
+        (first.line < place.line && differs).then_some((place.line, terms))
     };
-    let (_, place, value, other, first) =
+    let (_, (place, value, other, first, (row, column))) =
         entries.values.iter().filter_map(contradicts).min_by_key(|found| found.0)?;
-    let message = format!("the entry is {value:e}, but its transpose in line {first} is {other:e}");
+    let dof = |(node, component): Dof| (nodes[node].label.as_str(), component);
+    let entry = entry_name(name, dof(row), dof(column));
+    let message = format!("{entry} is {value:e}, but its transpose in line {first} is {other:e}");
     Some(Problem::new(place, message, "state one of the two"))
 }
 
@@ -215,8 +261,9 @@ fn assemble(nodes: Vec<CondensedNode>, stiffness: &Entries, mass: Option<&Entrie
         }
     }
     rows.values_mut().enumerate().for_each(|(at, row)| *row = at);
-    for entries in [Some(stiffness), mass].into_iter().flatten().filter(|entries| entries.is_triangle) {
-        if let Some(problem) = contradiction(entries) {
+    let named = [("the stiffness", Some(stiffness)), ("the mass", mass)];
+    for (name, entries) in named.into_iter().filter_map(|(name, entries)| Some((name, entries?))) {
+        if let Some(problem) = entries.is_triangle.then(|| contradiction(name, &nodes, entries)).flatten() {
             return Err(problem);
         }
     }
