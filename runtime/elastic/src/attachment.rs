@@ -2,7 +2,7 @@
 //! Fourier surface.
 
 use crate::error::ElementError;
-use crate::model::{Constraint, ElasticModel, Node};
+use crate::model::{Components, Constraint, ElasticModel, ElementKind, Node};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -225,12 +225,16 @@ const SAME_ANGLE: f64 = 1e-6;
 /// The region is empty, a harmonic is 1 or repeated, or the nodes do not resolve it.
 pub fn attach(model: &mut ElasticModel, attachment: &Attachment) -> Result<Vec<usize>, ElementError> {
     let nodes = attach_unnamed(model, attachment)
-        .map_err(|error| error.within(format_args!("attachment `{}`", attachment.name)))?;
+        .map_err(|error| error.within(format_args!("attachment \"{}\"", attachment.name)))?;
     model.sets.insert(attachment.name.clone(), nodes.clone());
     Ok(nodes)
 }
 
-fn attach_unnamed(model: &mut ElasticModel, attachment: &Attachment) -> Result<Vec<usize>, ElementError> {
+/// Adds an attachment as [`attach`], without a node set. Its errors do not name the attachment.
+///
+/// # Errors
+/// Those of [`attach`].
+pub fn attach_unnamed(model: &mut ElasticModel, attachment: &Attachment) -> Result<Vec<usize>, ElementError> {
     let region = attachment.region.nodes(model)?;
     let position = attachment.position.unwrap_or_else(|| {
         let sum = region
@@ -240,16 +244,16 @@ fn attach_unnamed(model: &mut ElasticModel, attachment: &Attachment) -> Result<V
     });
     let reference = add_node(model, position, BASIC);
     let label = model.constraints.iter().map(crate::constraint::label).max().unwrap_or(0) + 1;
-    // Nodes of solids have no stiffness against rotation: their translations are connected.
-    let translations = [true, true, true, false, false, false];
+    let components = connected_components(model, &region);
     match &attachment.connection {
         Connection::Rigid => {
-            let dependents = region.into_iter().map(|node| (node, translations)).collect();
+            let dependents = region.into_iter().zip(components).collect();
             model.constraints.push(Constraint::Rigid { label, reference, dependents });
             Ok(vec![reference])
         }
         Connection::Average => {
-            let terms = region.into_iter().map(|node| (1.0, node, translations)).collect();
+            let terms =
+                region.into_iter().zip(components).map(|(node, of_node)| (1.0, node, of_node)).collect();
             let components = [true; 6];
             model.constraints.push(Constraint::WeightedAverage { label, reference, components, terms });
             Ok(vec![reference])
@@ -277,6 +281,44 @@ fn attach_unnamed(model: &mut ElasticModel, attachment: &Attachment) -> Result<V
             Ok(nodes)
         }
     }
+}
+
+/// Width of a region relative to its length below which its nodes lie on a line.
+const LINE: f64 = 1e-6;
+
+/// Returns whether positions lie on a line.
+pub fn on_a_line(positions: &[[f64; 3]]) -> bool {
+    let count = positions.len().max(1) as f64;
+    let sum = positions.iter().fold(Vector3::zeros(), |sum, at| sum + Vector3::from(*at));
+    let from: Vec<Vector3<f64>> = positions.iter().map(|at| Vector3::from(*at) - sum / count).collect();
+    let far = from.iter().copied().reduce(|a, b| if b.norm() > a.norm() { b } else { a });
+    let Some(far) = far.filter(|far| far.norm() > 0.0) else { return true };
+    from.iter().all(|at| far.cross(at).norm() <= LINE * far.norm_squared())
+}
+
+/// Returns which nodes have stiffness against rotation: those of shells and beams.
+pub fn rotating_nodes(model: &ElasticModel) -> Vec<bool> {
+    let mut rotating = vec![false; model.nodes.len()];
+    for element in &model.elements {
+        if matches!(element.kind, ElementKind::Shell { .. } | ElementKind::Beam(_)) {
+            element.nodes.iter().for_each(|&node| rotating[node] = true);
+        }
+    }
+    rotating
+}
+
+/// Returns the components of each node of a region that a rigid or averaged attachment connects:
+/// translations, because nodes of solids have no stiffness against rotation. On a line, such as the
+/// straight edge of a shell, translations do not determine the rotation about it, so rotations of
+/// shells and beams are connected too.
+fn connected_components(model: &ElasticModel, region: &[usize]) -> Vec<Components> {
+    let translations = [true, true, true, false, false, false];
+    let positions: Vec<[f64; 3]> = region.iter().map(|&node| model.nodes[node].position).collect();
+    if !on_a_line(&positions) {
+        return vec![translations; region.len()];
+    }
+    let rotating = rotating_nodes(model);
+    region.iter().map(|&node| if rotating[node] { [true; 6] } else { translations }).collect()
 }
 
 fn add_node(model: &mut ElasticModel, position: [f64; 3], axes: [[f64; 3]; 3]) -> usize {

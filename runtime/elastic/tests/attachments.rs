@@ -111,7 +111,7 @@ fn rigid_bores_are_stiffer_than_fourier_surfaces_and_averages() {
             connection: Connection::Fourier { axis, harmonics: vec![1] },
         },
     );
-    assert!(error.expect_err("order 1").message.contains("attachment `bore`"));
+    assert!(error.expect_err("order 1").message.contains("attachment \"bore\""));
 }
 
 #[test]

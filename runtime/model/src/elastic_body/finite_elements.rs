@@ -4,17 +4,18 @@ use super::condensation::condense_model;
 use super::{ElasticBody, ElasticBodySize};
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach};
 use calyx_elastic::import::{MassProperties, mass_properties};
-use calyx_elastic::{Constraint, ElasticModel, ElementError, ElementKind};
+use calyx_elastic::{Constraint, ElasticModel, Element, ElementError, ElementKind};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_numerics::vec3::{Vector, cross, dot, length, minus};
+use calyx_numerics::vec3::{Vector, length, minus};
 use calyx_structure::AttachmentMatrices;
 use calyx_structure::cache::{Key, KeyWriter};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Width of a region relative to its length below which its nodes lie on a line.
-const LINE: f64 = 1e-6;
+/// Distance of a position from a node, relative to the elements at the node, up to which they are
+/// the same.
+const SAME_POINT: f64 = 1e-3;
 
 /// Finite-element model with attachments. Copies share the model.
 #[derive(Clone)]
@@ -90,8 +91,9 @@ impl FiniteElementBody {
         let count = nodes.len() as f64;
         let mean: Vector =
             std::array::from_fn(|k| nodes.iter().map(|&node| at(node)[k]).sum::<f64>() / count);
-        let positions: Vec<Vector> = nodes.iter().map(|&node| minus(at(node), mean)).collect();
-        if on_a_line(&positions) {
+        let positions: Vec<Vector> = nodes.iter().map(|&node| at(node)).collect();
+        let resists = connection == Connection::Rigid || connection == Connection::Average;
+        if on_a_line(&positions) && !(resists && self.rotates(&nodes)) {
             return Err(ElementError::new(
                 format!("its {} nodes lie on a line, about which they do not resist rotation", nodes.len()),
                 "select nodes that span an area, or the reference node of a rigid element of the file",
@@ -108,6 +110,12 @@ impl FiniteElementBody {
             self.attached(std::slice::from_ref(&found))?;
         }
         Ok(found)
+    }
+
+    /// Returns whether a node of these has stiffness against rotation.
+    fn rotates(&self, nodes: &[usize]) -> bool {
+        let rotating = rotating_nodes(&self.model);
+        nodes.iter().any(|&node| rotating[node])
     }
 
     /// Checks that a single node can be an attachment.
@@ -132,10 +140,6 @@ impl FiniteElementBody {
                 "remove the support from the file: what it is attached to supports it",
             ));
         }
-        let rotates = self.model.elements.iter().any(|element| {
-            matches!(element.kind, ElementKind::Shell { .. } | ElementKind::Beam(_))
-                && element.nodes.contains(&node)
-        });
         let constrained = self.model.constraints.iter().any(|constraint| match constraint {
             Constraint::Rigid { reference, dependents, .. } => {
                 *reference == node || dependents.iter().any(|(dependent, _)| *dependent == node)
@@ -143,7 +147,7 @@ impl FiniteElementBody {
             Constraint::WeightedAverage { reference, .. } => *reference == node,
             Constraint::Equation { .. } => false,
         });
-        if rotates || constrained {
+        if constrained || self.rotates(&[node]) {
             return Ok(());
         }
         Err(ElementError::new(
@@ -224,7 +228,7 @@ impl FiniteElementBody {
                 nodes.push(node);
                 continue;
             }
-            let added = attach(
+            let added = attach_unnamed(
                 &mut model,
                 &Attachment {
                     name: attachment.name.clone(),
@@ -385,14 +389,6 @@ fn middle(region: &Region) -> Option<Vector> {
     let Region::Cylinder { origin, axis, heights: [from, to], .. } = region else { return None };
     let size = length(*axis);
     Some(std::array::from_fn(|k| origin[k] + 0.5 * (from + to) * axis[k] / size))
-}
-
-/// Returns whether all positions, relative to their mean, lie on a line.
-fn on_a_line(positions: &[Vector]) -> bool {
-    let far = positions.iter().copied().reduce(|a, b| if dot(b, b) > dot(a, a) { b } else { a });
-    let Some(far) = far.filter(|far| length(*far) > 0.0) else { return true };
-    let size = length(far);
-    positions.iter().all(|&position| length(cross(far, position)) <= LINE * size * size)
 }
 
 /// Returns the diagonal of the box that contains these positions, m.
