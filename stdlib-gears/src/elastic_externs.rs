@@ -29,8 +29,8 @@ calyx_abi::externs! {
     Scene fn calyx_gears_nastran(
         context, name: String, path: String, units: String, subcase: Option<f64>, frame: SymbolicTransform,
     ) -> Handle {
-        let subcase = subcase.map(|number| whole("subcase", number)).transpose()?;
-        let units = named_units(&units)?;
+        let subcase = subcase.map(|number| whole(("E0990", "subcase"), number, 1)).transpose()?;
+        let (named, units) = (units.clone(), named_units(&units)?);
         let options = NastranOptions { units, subcase: subcase.map(u64::from) };
         let key = Key::of("nastran").text(&path).numbers(&of_units(&units)).count(subcase.map_or(0, u64::from));
         let read = |open: &mut OpenFile<'_>| read_nastran(&path, &options, open);
@@ -202,15 +202,16 @@ fn of_units(units: &Units) -> [f64; 3] {
     [units.length, units.force, units.time]
 }
 
-fn whole(argument: &str, number: f64) -> Result<u32, RuntimeError> {
-    if number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number) {
+/// Converts a whole number, at least `least`; otherwise the error has this code and argument.
+fn whole((code, argument): (&str, &str), number: f64, least: u32) -> Result<u32, RuntimeError> {
+    if number.fract() == 0.0 && (f64::from(least)..=f64::from(u32::MAX)).contains(&number) {
         return Ok(number as u32);
     }
     Err(refusal(
         code,
         argument,
         &format!("`{argument}` cannot be {number}"),
-        "give a whole number from 0 on",
+        &format!("give a whole number of at least {least}"),
     ))
 }
 
@@ -252,7 +253,7 @@ fn read_with<T>(
     key: KeyWriter,
     read: impl FnOnce(&mut OpenFile<'_>) -> Result<T, ImportError>,
 ) -> Result<(T, Key), RuntimeError> {
-    let (mut key, mut stopped, mut unreadable) = (Some(key), None, false);
+    let (mut key, mut stopped, mut unreadable, mut main_is_read) = (Some(key), None, false, false);
     let result = {
         let mut open = |path: &str| {
             let taken = files::read_bytes(context, path).and_then(|found| match found {
@@ -264,6 +265,7 @@ fn read_with<T>(
             });
             match taken {
                 Ok(Ok(bytes)) => {
+                    main_is_read = true;
                     key = key.take().map(|key| key.text(path).content(&bytes));
                     Ok(bytes)
                 }
@@ -284,6 +286,7 @@ fn read_with<T>(
         return Err(error);
     }
     let read = result.map_err(|ImportError { file, line, message, help }| match unreadable {
+        true if main_is_read => refusal("E0730", "path", &format!("{file}, line {line}: {message}"), &help),
         true => refusal("E0730", "path", &message, &help),
         false => refusal("E0990", "path", &format!("{file}, line {line}: {message}"), &help),
     })?;
@@ -403,7 +406,7 @@ fn requested(
         "average" => Connection::Average,
         "fourier" => {
             direction("axis", axis)?;
-            let harmonics = harmonics.into_iter().map(|order| whole("harmonics", order));
+            let harmonics = harmonics.into_iter().map(|order| whole(("E0991", "harmonics"), order, 0));
             Connection::Fourier { axis, harmonics: harmonics.collect::<Result<_, _>>()? }
         }
         _ => Connection::Rigid,

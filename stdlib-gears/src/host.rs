@@ -279,12 +279,32 @@ impl ModelHost {
 
     /// Converts an error of the engine, located at the call that created the object in question.
     pub fn engine_error(&self, error: EngineError) -> RuntimeError {
+        let error = self.about_attachment(error);
         let analysis = || self.asked.map(|asked| asked.place);
         self.in_instance(RuntimeError {
             argument: error.argument.map(str::to_owned),
             place: error.subject.and_then(|subject| self.place_of(subject)).or_else(analysis),
             ..RuntimeError::new(error.code, error.message, error.help)
         })
+    }
+
+    /// Replaces the remedy of an error about a free body that is an attachment of an elastic body: a
+    /// model cannot state its degrees of freedom.
+    fn about_attachment(&self, error: EngineError) -> EngineError {
+        let Some(Subject::Body(body)) = error.subject else { return error };
+        if !matches!(error.code, "E0714" | "E0715") {
+            return error;
+        }
+        let body = BodyId(body);
+        let Some(elastic) = self.elastic_bodies.iter().find(|elastic| elastic.attached.contains(&body))
+        else {
+            return error;
+        };
+        let help = format!(
+            "support the elastic body \"{}\" in this direction: attach its feet with `fixed = TRUE`, or mount them on ground by bearings with stiffness in all directions at several points",
+            elastic.name
+        );
+        EngineError { help, argument: None, ..error }
     }
 
     /// Records the instance of a component that is being built.

@@ -208,9 +208,16 @@ const TAKES_PART: f64 = 1e-3;
 /// Converts an error of the contact solver into terms of the model.
 pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineError {
     let named = |motion: &FreeMotion| motion_name(scene, dofs, &motion.motion);
-    let about = |error: EngineError, motion: &FreeMotion| match dofs.get(motion.dof) {
-        Some(dof) => error.about(Subject::Body(dof.body)).blame("free"),
-        None => error,
+    // If an elastic body of any shape moves, bodies on it move along.
+    let on_elastic_body =
+        |dof: &Dof| scene.connections_of(BodyId(dof.body)).any(|connection| connection.body.is_some());
+    let about = |error: EngineError, motion: &FreeMotion| {
+        let moving = moving_dofs(scene, dofs, &motion.motion);
+        let first = moving.into_iter().map(|at| &dofs[at]).find(|dof| on_elastic_body(dof));
+        match first.or(dofs.get(motion.dof)) {
+            Some(dof) => error.about(Subject::Body(dof.body)).blame("free"),
+            None => error,
+        }
     };
     match error {
         ContactError::Infeasible(motion) => about(
@@ -251,8 +258,8 @@ pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineE
     }
 }
 
-/// Describes a motion in words: every DOF that takes part, with its sense.
-fn motion_name(scene: &Mechanism, dofs: &[Dof], motion: &[f64]) -> String {
+/// Returns the DOFs that take part in a motion.
+fn moving_dofs(scene: &Mechanism, dofs: &[Dof], motion: &[f64]) -> Vec<usize> {
     // Compare rotations with displacements by the displacement at the rim.
     let size = |at: usize| {
         let Dof { body, component } = dofs[at];
@@ -260,18 +267,26 @@ fn motion_name(scene: &Mechanism, dofs: &[Dof], motion: &[f64]) -> String {
         motion[at].abs() * if component < 3 { 1.0 } else { radius }
     };
     let largest = (0..motion.len()).map(size).fold(0.0, f64::max);
+    (0..motion.len()).filter(|&at| size(at) > TAKES_PART * largest).collect()
+}
+
+/// Describes a motion in words: every DOF that takes part, with its sense.
+fn motion_name(scene: &Mechanism, dofs: &[Dof], motion: &[f64]) -> String {
+    let moving = moving_dofs(scene, dofs, motion);
     // One section of a shaft stands for the others that move in the same sense.
     let repeated = |at: usize| {
         let Dof { body, component } = dofs[at];
         let first = scene.connections_of(BodyId(body)).find_map(|connection| connection.bodies().next());
         let same = |other: usize| {
             let named = Dof { body: first.map_or(body, |first| first.0), component };
-            dofs[other] == named && size(other) > TAKES_PART * largest && motion[other] * motion[at] > 0.0
+            dofs[other] == named && moving.contains(&other) && motion[other] * motion[at] > 0.0
         };
         first.is_some_and(|first| first.0 != body) && (0..motion.len()).any(same)
     };
-    let parts: Vec<String> = (0..motion.len())
-        .filter(|&at| size(at) > TAKES_PART * largest && !repeated(at))
+    let parts: Vec<String> = moving
+        .iter()
+        .copied()
+        .filter(|&at| !repeated(at))
         .map(|at| {
             let sense = if motion[at] > 0.0 { "positive" } else { "negative" };
             let Dof { body, component } = dofs[at];

@@ -325,10 +325,11 @@ impl ElasticBody for FiniteElementBody {
     fn ignored(&self) -> Vec<String> {
         let mut ignored = Vec::new();
         if !self.model.loads.is_empty() {
-            ignored.push(format!(
-                "the {} loads of the file: loads act on bodies and attachments of the model",
-                self.model.loads.len()
-            ));
+            let count = match self.model.loads.len() {
+                1 => "the load".to_owned(),
+                count => format!("the {count} loads"),
+            };
+            ignored.push(format!("{count} of the file: loads act on bodies and attachments of the model"));
         }
         if self.model.fixed.iter().any(|fixed| fixed.value != 0.0) {
             ignored.push("the values of prescribed displacements of the file: its supports are fixed".into());

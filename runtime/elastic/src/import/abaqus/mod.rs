@@ -196,6 +196,25 @@ fn check_keywords(blocks: &[Block]) -> ReadResult<()> {
     }
     match blocks.iter().find(|block| block.keyword == "INSTANCE" && !block.data.is_empty()) {
         Some(block) => Err(block.problem("*INSTANCE has a translation", "move the part itself")),
-        None => Ok(()),
+        None => check_ends(blocks),
     }
+}
+
+/// Checks that a part, an instance and an assembly end: what follows would belong to them.
+fn check_ends(blocks: &[Block]) -> ReadResult<()> {
+    for (name, end) in [("PART", "ENDPART"), ("INSTANCE", "ENDINSTANCE"), ("ASSEMBLY", "ENDASSEMBLY")] {
+        let Some(at) = blocks.iter().position(|block| block.keyword == name) else { continue };
+        let after = &blocks[at + 1..];
+        let closed = after.iter().position(|block| block.keyword == end);
+        // A part ends before the assembly.
+        let next = after.iter().position(|block| block.keyword == "ASSEMBLY").filter(|_| name == "PART");
+        if closed.is_none_or(|closed| next.is_some_and(|next| next < closed)) {
+            let spelled = format!("*END {name}");
+            return Err(blocks[at].problem(
+                format!("*{name} has no {spelled}"),
+                format!("write {spelled} after its last block, or export the whole file again"),
+            ));
+        }
+    }
+    Ok(())
 }

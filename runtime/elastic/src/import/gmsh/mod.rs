@@ -381,6 +381,17 @@ fn build(mesh: &Mesh, options: &GmshOptions) -> ReadResult<Builder> {
         let element_of_model = Element { label: element.label, kind, nodes, material: Some(material) };
         builder.element(Origin { name, place: element.place }, element_of_model)?;
     }
+    let surface = mesh.elements.iter().find(|element| element.kind.2 == 2);
+    if let Some(first) = surface.filter(|_| builder.model.elements.is_empty()) {
+        let count = mesh.elements.iter().filter(|element| element.kind.2 == 2).count();
+        return Err(Problem::new(
+            first.place,
+            format!(
+                "the mesh has {count} surface elements, which need a thickness to be shells, and no solids"
+            ),
+            "state the thickness of the shells (`thickness`), or mesh the volume",
+        ));
+    }
     builder.model.sets = sets.into_iter().map(|(name, nodes)| (name, nodes.into_iter().collect())).collect();
     mesh.skipped.iter().for_each(|(name, place)| builder.skipped.add(name, *place));
     Ok(builder)
