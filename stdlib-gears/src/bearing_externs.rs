@@ -1,6 +1,7 @@
 //! Bearings for programs: the Rust side of `bearing` and its observables in `gears.cx`.
 
-use crate::externs::{entry, host, refusal};
+use crate::externs::{self, before_analysis, entry, host, refusal};
+use crate::host::ModelHost;
 use crate::observable_externs::observe;
 use crate::shaft_externs::{bearing_mounting, bearing_seat};
 use calyx_abi::externs::Handle;
@@ -8,7 +9,7 @@ use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::bearing::{Bearing, BearingMatrix, Stop, Support, axisymmetric};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Direction};
-use calyx_runtime::scene::BearingId;
+use calyx_runtime::scene::{BearingId, BodyId};
 
 /// Handle of ground, which is not a body of the scene.
 pub(crate) const GROUND: Handle = Handle(u64::MAX);
@@ -75,6 +76,10 @@ calyx_abi::externs! {
         let host = host(context)?;
         let misplaced = host.scene.misplaced(&bearing).map_err(|error| host.rejected(error.into(), place))?;
         let id = host.scene.add_bearing(bearing).map_err(|error| host.rejected(error.into(), place))?;
+        check_planets(host, &host.scene.bearings[id.0]).map_err(externs::engine)?;
+        if let Some(EngineError { code, message, help, .. }) = misplaced.map(|found| found.error) {
+            host.warn(code, message, &help, place);
+        }
         host.bearing_places.push(place);
         Ok(Handle(id.0 as u64))
     }
@@ -98,6 +103,22 @@ calyx_abi::externs! {
         let bearing = self::bearing(context, bearing)?;
         observe(context, BearingTilt(bearing, direction(&axis)))
     }
+}
+
+/// Checks that the planets that a bearing mounts on a carrier fit into it.
+///
+/// # Errors
+/// Those of [`ModelCarrier::check_planet`](crate::carriers::ModelCarrier::check_planet).
+fn check_planets(host: &ModelHost, bearing: &Bearing) -> Result<(), EngineError> {
+    let bodies: Vec<BodyId> = bearing.bodies().collect();
+    for carrier in host.carriers.iter().filter(|carrier| bodies.iter().any(|&body| carrier.carries(body))) {
+        for &body in &bodies {
+            let gear = host.body_gears.get(body.0).copied().flatten();
+            let gear = gear.and_then(|gear| host.gears.get(gear)?.cylindrical());
+            gear.map_or(Ok(()), |gear| carrier.check_planet(&host.scene, body, gear))?;
+        }
+    }
+    Ok(())
 }
 
 fn bearing(context: &mut Context, bearing: Handle) -> Result<BearingId, RuntimeError> {

@@ -1,5 +1,6 @@
 //! Flexible planet carriers for programs: the Rust side of `carrier` in `gears.cx`.
 
+use crate::carriers::ModelCarrier;
 use crate::externs::{self, entry, host, refusal};
 use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
@@ -54,12 +55,14 @@ calyx_abi::externs! {
         };
         shape.check().map_err(|error| RuntimeError::new("E0995", error.message, error.help))?;
         let material = *entry(&host(context)?.materials, material)?;
-        if pins.is_empty() {
-            return Ok(());
-        }
         let hub = externs::body(context, "hub", hub)?;
         let pins = pins.into_iter().map(|pin| externs::body(context, "pins", pin)).collect::<Result<Vec<_>, _>>()?;
         let name = context.name_in_instance(name);
+        let carrier = ModelCarrier { name: name.clone(), shape: shape.clone(), hub, pins: pins.clone() };
+        host(context)?.carriers.push(carrier);
+        if pins.is_empty() {
+            return Ok(());
+        }
         let body = flexible(&shape, &material).map_err(externs::engine)?;
         let attached: Vec<BodyId> = std::iter::once(hub).chain(pins).collect();
         let connection = ElasticConnection::of_body(name, Arc::new(body), &attached, [0.0; 3]);

@@ -3,6 +3,7 @@
 
 use crate::basic_rack::StatedRack;
 use crate::blank::Rim;
+use crate::carriers::ModelCarrier;
 use crate::deviation::Deviation;
 use crate::elastic_bodies::{AttachedPart, ModelElasticBody};
 use crate::error::{GeometryError, Refusal, Severity};
@@ -159,6 +160,8 @@ pub struct ModelHost {
     pub shafts: Vec<ModelShaft>,
     /// Elastic bodies of any shape.
     pub elastic_bodies: Vec<ModelElasticBody>,
+    /// Planet carriers.
+    pub carriers: Vec<ModelCarrier>,
     /// Materials of physical groups of meshes.
     pub mesh_parts: Vec<GmshPart>,
     /// Parts of elastic bodies to which attachments refer.

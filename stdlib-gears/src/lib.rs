@@ -121,6 +121,7 @@ pub mod blank;
 pub mod body_externs;
 pub mod calculation;
 pub mod carrier_externs;
+pub mod carriers;
 pub mod cutting_externs;
 pub mod data_block;
 pub mod derived_quantities;

@@ -15,8 +15,10 @@
 
 mod extrusion;
 mod plane_mesh;
+mod planet_room;
 mod shape;
 
+pub use planet_room::Planet;
 pub use shape::{CarrierShape, Webs};
 
 use crate::model::{
