@@ -1,13 +1,18 @@
 //! Elastic housings as models describe them: against the whole housing, against bearings on ground,
 //! and in another orientation.
 
-use calyx::{Engine, Module};
+use crate::models::ranges_with;
+use calyx_runtime::cache::Key;
 use calyx_runtime::elastic::assembly::System;
 use calyx_runtime::elastic::attachment::{Attachment, Connection, Region, attach};
 use calyx_runtime::elastic::import::{NastranOptions, Units, Unreadable, read_nastran};
+use calyx_runtime::elastic::stress::{nodal_stresses_of, von_mises};
 use calyx_runtime::elastic::{FixedComponents, NodalLoad, Resources, statics};
+use calyx_runtime::elastic_body::{ElasticBody, FiniteElementBody};
+use calyx_runtime::interrupt::Interrupt;
 use std::collections::BTreeMap;
 use std::fs;
+use std::sync::Arc;
 
 fn examples() -> std::path::PathBuf {
     calyx_tests::root().join("examples")
@@ -82,6 +87,32 @@ output {name}_turn_{axis} := gears.rotation({name}_seat, \"{axis}\");
     text + "analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = \"analytic\", error_estimates = \"none\");\n"
 }
 
+/// Checks that the displacements and stresses of all nodes, which `--vtu` shows, are those of the
+/// whole housing.
+fn check_interior(body: &FiniteElementBody, motions: &[[f64; 6]], whole: &[[f64; 6]]) {
+    let never = Interrupt::never();
+    let matrices = body.condense(false, &never).expect("condensed");
+    let recovery = body.recovery(&never).expect("solved").expect("a mesh");
+    let deformed = recovery.deformed(&matrices.stiffness, motions).expect("valid");
+    let whole = &whole[..body.model().nodes.len()];
+    let size =
+        |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |size, value| size.max(value.abs()));
+    let largest = size(&mut whole.iter().flat_map(|node| node[..3].to_vec()));
+    assert!(largest > 1e-7, "{largest}");
+    for (found, expected) in deformed.displacements.iter().zip(whole) {
+        let difference = size(&mut (0..3).map(|k| found[k] - expected[k]));
+        assert!(difference < 1e-8 * largest, "{found:?} instead of {expected:?}");
+    }
+    let stresses = nodal_stresses_of(body.model(), whole).expect("valid");
+    let highest = size(&mut stresses.iter().flatten().map(|stress| von_mises(*stress)));
+    assert!(highest > 1e5, "{highest}");
+    for (found, expected) in deformed.stresses.iter().zip(&stresses) {
+        let Some(expected) = expected else { continue };
+        let difference = size(&mut (0..6).map(|k| found[k] - expected[k]));
+        assert!(difference < 1e-6 * highest, "{found:?} instead of {expected:?}");
+    }
+}
+
 /// The displacements of the seats and the reactions of the feet are those of the whole housing
 /// under the forces of the bearings, at one position.
 #[test]
@@ -100,6 +131,7 @@ fn seats_and_feet_are_those_of_the_whole_housing() {
         };
         let options = NastranOptions { units: Units::N_MM_S, subcase: None };
         let mut model = read_nastran("housing.bdf", &options, &mut open).expect("a housing").model;
+        let mut body = FiniteElementBody::new(Arc::new(model.clone()), Key::of("housing").finish());
         let seat = |name: &str, z: f64| Attachment {
             name: name.into(),
             position: Some([0.0, 0.0, z]),
@@ -117,10 +149,13 @@ fn seats_and_feet_are_those_of_the_whole_housing() {
             let region = Region::Set(format!("SET1 {foot}"));
             let connection = Connection::Rigid;
             let foot = Attachment { name: format!("foot {foot}"), position: None, region, connection };
+            body.attach(&foot).expect("a foot");
             feet.push(attach(&mut model, &foot).expect("a foot")[0]);
         }
-        let seats = [("front", -0.045), ("back", 0.045)]
-            .map(|(name, z)| attach(&mut model, &seat(name, z)).expect("a seat")[0]);
+        let seats = [("front", -0.045), ("back", 0.045)].map(|(name, z)| {
+            body.attach(&seat(name, z)).expect("a seat");
+            attach(&mut model, &seat(name, z)).expect("a seat")[0]
+        });
         model.fixed.extend(feet.iter().map(|&node| FixedComponents {
             node,
             components: [true; 6],
@@ -138,6 +173,15 @@ fn seats_and_feet_are_those_of_the_whole_housing() {
         let resources = Resources::default();
         let system = System::new(&model, &resources).expect("valid");
         let solution = &statics::solve(&system, &[case], &resources).expect("supported")[0];
+        let of_seat = |name: &str| -> [f64; 6] {
+            std::array::from_fn(|k| {
+                let kind = if k < 3 { "shift" } else { "turn" };
+                value(format!("{name}_{kind}_{}", AXES[k % 3]))
+            })
+        };
+        let motions: Vec<[f64; 6]> =
+            [[0.0; 6]; 4].into_iter().chain(["front", "back"].map(of_seat)).collect();
+        check_interior(&body, &motions, &solution.displacements);
         for (kind, from) in [("shift", 0), ("turn", 3)] {
             let pairs = seats.iter().zip(["front", "back"]).flat_map(|(&node, name)| {
                 (0..3).map(move |k| (format!("{name}_{kind}_{}", AXES[k]), (node, from + k)))

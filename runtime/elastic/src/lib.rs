@@ -24,6 +24,7 @@ pub mod resources;
 pub mod shell;
 pub mod solid;
 pub mod statics;
+pub mod stress;
 
 pub use error::{ElasticError, ElementError};
 pub use model::{

@@ -12,3 +12,4 @@ mod modes;
 mod resources;
 mod shell;
 mod solids;
+mod stresses;

@@ -13,12 +13,14 @@ mod condensation;
 mod extent;
 mod finite_elements;
 mod given_matrices;
+mod recovery;
 mod rigid_links;
 
 pub use condensation::condense_model;
 pub use extent::{AttachmentExtent, CylinderAxis};
 pub use finite_elements::{BodyAttachment, FiniteElementBody};
 pub use given_matrices::MatrixBody;
+pub use recovery::{CellShape, DeformedElasticBody, Recovery};
 pub use rigid_links::rigid_links;
 
 use calyx_numerics::error::EngineError;
@@ -105,6 +107,15 @@ pub trait ElasticBody: Any + Send + Sync {
     /// # Errors
     /// E0992: the body cannot be condensed. Otherwise those of the interrupt.
     fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError>;
+
+    /// Prepares the recovery of displacements and stresses within the body; `None` if only its
+    /// attachments are known.
+    ///
+    /// # Errors
+    /// Those of [`Recovery::new`].
+    fn recovery(&self, _interrupt: &Interrupt) -> Result<Option<Recovery>, EngineError> {
+        Ok(None)
+    }
 
     /// Returns whether the body has mass.
     fn has_mass(&self) -> bool {

@@ -117,8 +117,10 @@ mod tests {
     use super::grid::written::numbers;
     use super::grid::{HEXAHEDRON, LINE, QUADRILATERAL, Values};
     use super::*;
+    use calyx_runtime::elastic::model::{ShellShape, SolidShape};
+    use calyx_runtime::elastic_body::CellShape;
     use calyx_runtime::observables::{
-        BodyField, ContactField, FilletField, FilletStress, PressedCell, SectorField,
+        BodyField, ContactField, ElasticBodyField, FilletField, FilletStress, PressedCell, SectorField,
     };
     use calyx_runtime::results::Location;
 
@@ -200,6 +202,51 @@ mod tests {
         assert_eq!(numbers(&text, "Name=\"body\""), [2.0, 2.0]);
         assert_eq!(numbers(&text, "Name=\"tooth\""), [0.0, 7.0]);
         assert_eq!(numbers(&text, "Name=\"offsets\""), [4.0, 12.0]);
+    }
+
+    /// The midside nodes of every quadratic cell are in the middle of the edges of VTK's cell.
+    #[test]
+    fn elastic_bodies_have_cells_in_the_order_of_vtk() {
+        let shape = SolidShape::Hexahedron20;
+        let corners = shape.corners();
+        let middle = |&[one, other]: &[usize; 2]| -> [f64; 3] {
+            std::array::from_fn(|axis| 0.5 * (corners[one][axis] + corners[other][axis]))
+        };
+        let points: Vec<[f64; 3]> =
+            corners.iter().copied().chain(shape.midside_edges().iter().map(middle)).collect();
+        let stress = [3.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let mut stresses = vec![stress; 20];
+        stresses[19] = [f64::NAN; 6];
+        let body = ElasticBodyField {
+            body: "housing".into(),
+            number: 4,
+            cells: vec![
+                (CellShape::Solid(shape), (0..20).collect()),
+                (CellShape::Shell(ShellShape::Quadrilateral4), vec![3, 2, 1, 0]),
+                (CellShape::Line, vec![0, 6]),
+            ],
+            displacements: vec![[1e-6, 2e-6, 3e-6]; 20],
+            stresses,
+            points,
+        };
+        let grid = bodies(&Fields { elastic_bodies: vec![body], ..fields(1) });
+        let kinds: Vec<u8> = grid.cells.iter().map(|cell| cell.0).collect();
+        assert_eq!(kinds, [25, QUADRILATERAL, LINE]);
+        let nodes = &grid.cells[0].1;
+        // VTK File Formats, quadratic hexahedron: edges of the bottom, of the top, between both.
+        let edges =
+            [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
+        for (at, [one, other]) in edges.into_iter().enumerate() {
+            let [found, one, other] = [nodes[8 + at], nodes[one], nodes[other]].map(|node| grid.points[node]);
+            for axis in 0..3 {
+                assert_eq!(found[axis], 0.5 * (one[axis] + other[axis]), "edge {at}");
+            }
+        }
+        let text = grid.text().unwrap();
+        assert_eq!(numbers(&text, "Name=\"von_mises\"")[..19], [3.0; 19]);
+        assert!(numbers(&text, "Name=\"von_mises\"")[19].is_nan());
+        assert_eq!(numbers(&text, "Name=\"body\""), [4.0; 3]);
+        assert_eq!(numbers(&text, "Name=\"tooth\""), [-1.0; 3]);
     }
 
     /// Zero, one and several blocks, the last one full or not.

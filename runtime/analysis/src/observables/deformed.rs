@@ -7,13 +7,16 @@
 //! neglected, as in the contact problem.
 
 use super::Equilibrium;
-use calyx_model::fidelity::StructureOptions;
+use calyx_model::connection::ConnectionState;
+use calyx_model::elastic_body::{CellShape, Recovery};
+use calyx_model::fidelity::{BodyModel, StructureOptions};
 use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::plan::Plan;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::vec3::plus;
 use calyx_solve::system::Bodies;
 use calyx_structure::rotated_tensor;
 use calyx_structure::{BodyLoads, DeformedSector, MeshedBody, VisualizationMesh};
@@ -47,9 +50,30 @@ pub struct SectorField {
     pub stresses: Vec<[f64; 6]>,
 }
 
+/// Mesh of an elastic body of any shape, in ground coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElasticBodyField {
+    /// Name of the body.
+    pub body: String,
+    /// Number of the body: elastic connections of the scene count after its bodies.
+    pub number: usize,
+    /// Undeformed points, m.
+    pub points: Vec<[f64; 3]>,
+    /// Elements with their nodes, as indices of points.
+    pub cells: Vec<(CellShape, Vec<usize>)>,
+    /// Displacement of each point from its position in the undeformed body that moves as
+    /// prescribed, m.
+    pub displacements: Vec<[f64; 3]>,
+    /// Stresses xx, yy, zz, yz, zx, xy at each point, Pa; of a shell on the outer surface with the
+    /// larger von Mises stress. NaN at points without solids and shells.
+    pub stresses: Vec<[f64; 6]>,
+}
+
 /// Factorized meshes of the bodies of a scene that have one.
 pub(crate) struct MeshedBodies {
     bodies: Vec<Option<Arc<MeshedBody>>>,
+    /// Elastic bodies of any shape by the index of their connection.
+    elastic: Vec<(usize, Recovery)>,
     /// Names of the bodies without a mesh, with the reason.
     pub without: Vec<(String, &'static str)>,
     interrupt: Interrupt,
@@ -98,11 +122,69 @@ impl MeshedBodies {
                 }
             }
         }
-        Ok(Self { bodies, without, interrupt: resources.interrupt.clone() })
+        let elastic = recoveries(scene, plan, resources, &mut without)?;
+        Ok(Self { bodies, elastic, without, interrupt: resources.interrupt.clone() })
     }
 }
 
+/// Prepares the modelled elastic bodies of any shape; those without a mesh are added to `without`.
+fn recoveries(
+    scene: &Mechanism,
+    plan: &Plan,
+    resources: &Resources,
+    without: &mut Vec<(String, &'static str)>,
+) -> Result<Vec<(usize, Recovery)>, EngineError> {
+    let mut found = Vec::new();
+    for index in plan.modelled_connections() {
+        let connection = &scene.connections[index];
+        let Some(body) = &connection.body else { continue };
+        if plan.fidelity.body_model() == BodyModel::Rigid {
+            without.push((connection.name.clone(), "is rigid"));
+            continue;
+        }
+        let recovery = resources.install(|| body.0.recovery(&resources.interrupt));
+        match recovery.map_err(|error| connection.named(error))? {
+            Some(recovery) => found.push((index, recovery)),
+            None => without.push((connection.name.clone(), "is given by condensed matrices")),
+        }
+    }
+    Ok(found)
+}
+
 impl Equilibrium<'_> {
+    /// Returns the deformed meshes of elastic bodies of any shape.
+    ///
+    /// # Errors
+    /// A frame is NaN, or an element is degenerate.
+    pub(crate) fn deformed_elastic_bodies(
+        self,
+        meshed: &MeshedBodies,
+    ) -> Result<Vec<ElasticBodyField>, EngineError> {
+        let scene = self.system.scene;
+        let field = |(index, recovery): &(usize, Recovery)| {
+            let connection = &self.system.elastic_connections[*index];
+            let state = ConnectionState::at(&scene.bodies, connection, self.time())?;
+            let motions = state.motions(&self.system.dofs, &self.step.motion);
+            let deformed = recovery
+                .deformed(&connection.stiffness, &motions)
+                .map_err(|error| connection.named(error))?;
+            let first = connection.body.as_ref().and_then(|body| body.0.positions().first().copied());
+            let origin = state.origin(first.unwrap_or_default());
+            let axes = state.axes;
+            let rotation = [0, 1, 2].map(|row: usize| axes.map(|axis| axis[row]));
+            let placed = |point| plus(origin, state.to_ground(point));
+            Ok(ElasticBodyField {
+                body: connection.name.clone(),
+                number: scene.bodies.len() + index,
+                points: deformed.points.into_iter().map(placed).collect(),
+                cells: deformed.cells,
+                displacements: deformed.displacements.into_iter().map(|by| state.to_ground(by)).collect(),
+                stresses: deformed.stresses.into_iter().map(|own| rotated_tensor(&rotation, own)).collect(),
+            })
+        };
+        meshed.elastic.iter().map(field).collect()
+    }
+
     /// Returns the deformed meshes of the bodies.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Fields of a solved position for tables and VTU files: pressures by cell, line loads along
 //! contact lines, stresses along fillets.
 
-use super::deformed::{BodyField, MeshedBodies};
+use super::deformed::{BodyField, ElasticBodyField, MeshedBodies};
 use super::flank_cells::FlankCorners;
 use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice};
@@ -20,6 +20,8 @@ pub struct Fields {
     pub fillets: Vec<FilletField>,
     /// Meshes of elastic bodies, if requested ([`crate::options::AnalysisOptions::bodies`]).
     pub bodies: Vec<BodyField>,
+    /// Meshes of elastic bodies of any shape, such as housings, if meshes are requested.
+    pub elastic_bodies: Vec<ElasticBodyField>,
     /// Bodies without a mesh, with the reason, phrased to follow the name.
     pub without_mesh: Vec<(String, &'static str)>,
 }
@@ -125,11 +127,16 @@ impl Equilibrium<'_> {
     /// Returns all fields, including the meshes of bodies if available.
     ///
     /// # Errors
-    /// Those of [`Equilibrium::deformed`].
+    /// Those of [`Equilibrium::deformed`] and [`Equilibrium::deformed_elastic_bodies`].
     pub(crate) fn fields_with(self, meshed: Option<&MeshedBodies>) -> Result<Fields, EngineError> {
         let fields = self.fields();
         let Some(meshed) = meshed else { return Ok(fields) };
-        Ok(Fields { bodies: self.deformed(meshed)?, without_mesh: meshed.without.clone(), ..fields })
+        Ok(Fields {
+            bodies: self.deformed(meshed)?,
+            elastic_bodies: self.deformed_elastic_bodies(meshed)?,
+            without_mesh: meshed.without.clone(),
+            ..fields
+        })
     }
 
     fn fillets(self, body: BodyId) -> Vec<FilletField> {

@@ -35,7 +35,7 @@ pub use bodies::{
 pub use calyx_model::fidelity::Needs;
 pub use calyx_solve::vibrations::Vibrations;
 pub(crate) use deformed::MeshedBodies;
-pub use deformed::{BodyField, SectorField};
+pub use deformed::{BodyField, ElasticBodyField, SectorField};
 pub use equilibrium::{Contact, Equilibrium, Slice};
 pub use fields::{ContactField, Fields, FilletField, FilletStress, LocalState, LubricatedState, PressedCell};
 pub use flank_cells::FlankCorners;

@@ -15,8 +15,10 @@ mod geometry;
 mod interpolation;
 mod joint;
 mod kinematics;
+mod stress;
 
 pub use director::{DirectorNode, DirectorShape, DirectorShell, Integration};
 pub use element::{mass, pressure_load, stiffness};
 pub use geometry::ShellElement;
 pub use joint::coupling;
+pub use stress::surface_stresses;

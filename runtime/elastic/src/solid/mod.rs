@@ -4,6 +4,9 @@
 
 pub mod quadrature;
 pub mod shape_functions;
+mod stress;
+
+pub use stress::nodal_stresses;
 
 use crate::error::ElementError;
 use crate::model::{Material, SolidShape};
@@ -38,35 +41,36 @@ impl SolidElement<'_> {
                 "state all nodes of the element",
             ));
         }
-        let at = |(point, weight): &([f64; 3], f64)| {
-            let functions = self.shape.shape_functions(*point);
-            let mut jacobian = Matrix3::zeros();
-            for (function, position) in functions.iter().zip(self.positions) {
-                for i in 0..3 {
-                    for j in 0..3 {
-                        jacobian[(i, j)] += function[i + 1] * position[j];
-                    }
+        rule(self.shape, integrand).iter().map(|(point, weight)| self.at(*point, *weight)).collect()
+    }
+
+    /// Returns the values at a point, with its weight.
+    fn at(&self, point: [f64; 3], weight: f64) -> Result<AtPoint, ElementError> {
+        let functions = self.shape.shape_functions(point);
+        let mut jacobian = Matrix3::zeros();
+        for (function, position) in functions.iter().zip(self.positions) {
+            for i in 0..3 {
+                for j in 0..3 {
+                    jacobian[(i, j)] += function[i + 1] * position[j];
                 }
             }
-            let determinant = jacobian.determinant();
-            let inverse = jacobian.try_inverse().filter(|_| determinant > 0.0);
-            let inverse = inverse.ok_or_else(|| {
-                ElementError::new(
-                    format!(
-                        "the element is inverted or degenerate: its Jacobian determinant is {determinant:.3e}"
-                    ),
-                    "check the order of the nodes and the shape of the element",
-                )
-            })?;
-            let gradient =
-                |function: &[f64; 4]| inverse * Vector3::new(function[1], function[2], function[3]);
-            Ok(AtPoint {
-                values: functions.iter().map(|function| function[0]).collect(),
-                gradients: functions.iter().map(gradient).collect(),
-                volume: weight * determinant,
-            })
-        };
-        rule(self.shape, integrand).iter().map(at).collect()
+        }
+        let determinant = jacobian.determinant();
+        let inverse = jacobian.try_inverse().filter(|_| determinant > 0.0);
+        let inverse = inverse.ok_or_else(|| {
+            ElementError::new(
+                format!(
+                    "the element is inverted or degenerate: its Jacobian determinant is {determinant:.3e}"
+                ),
+                "check the order of the nodes and the shape of the element",
+            )
+        })?;
+        let gradient = |function: &[f64; 4]| inverse * Vector3::new(function[1], function[2], function[3]);
+        Ok(AtPoint {
+            values: functions.iter().map(|function| function[0]).collect(),
+            gradients: functions.iter().map(gradient).collect(),
+            volume: weight * determinant,
+        })
     }
 }
 

@@ -51,6 +51,20 @@ impl SolidShape {
         }
     }
 
+    /// Returns the reference coordinates of the corners.
+    pub fn corners(self) -> Vec<[f64; 3]> {
+        let triangle = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        match self {
+            Self::Hexahedron8 | Self::Hexahedron20 => HEXAHEDRON.to_vec(),
+            Self::Wedge6 | Self::Wedge15 => wedge_corners()
+                .map(|(corner, side)| [triangle[corner][0], triangle[corner][1], side])
+                .collect(),
+            Self::Tetrahedron4 | Self::Tetrahedron10 => {
+                vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+            }
+        }
+    }
+
     /// Returns the edges with midside nodes, by their corners, in the order of these nodes.
     pub fn midside_edges(self) -> &'static [[usize; 2]] {
         match self {

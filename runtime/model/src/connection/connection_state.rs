@@ -101,6 +101,13 @@ impl ConnectionState {
         self.attached.iter().map(along).collect()
     }
 
+    /// Returns the origin of the coordinates in which the first attachment has this position, in
+    /// ground coordinates, m.
+    pub fn origin(&self, position: Vector) -> Vector {
+        let Some(first) = self.attached.first() else { return [0.0; 3] };
+        minus(first.point, self.to_ground(position))
+    }
+
     /// Returns the motions of the attachments, one entry per component, in each of the six
     /// rigid-body motions.
     pub(super) fn rigid_motions(&self) -> [Vec<f64>; 6] {

@@ -1,8 +1,9 @@
 //! Elastic body as finite elements with attachments.
 
 use super::condensation::condense_model;
-use super::{ElasticBody, ElasticBodySize};
-use calyx_elastic::attachment::{Attachment, Connection, Region, attach};
+use super::{AttachmentExtent, ElasticBody, ElasticBodySize, Recovery};
+use calyx_elastic::attachment::{Attachment, Connection, Region, attach_unnamed, on_a_line, rotating_nodes};
+use calyx_elastic::connectivity::parts_with_elements;
 use calyx_elastic::import::{MassProperties, mass_properties};
 use calyx_elastic::{Constraint, ElasticModel, Element, ElementError, ElementKind};
 use calyx_numerics::error::EngineError;
@@ -286,6 +287,13 @@ impl ElasticBody for FiniteElementBody {
             .attached(&self.attachments)
             .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
         condense_model(&model, &nodes, (self.is_grounded(), with_mass), interrupt)
+    }
+
+    fn recovery(&self, interrupt: &Interrupt) -> Result<Option<Recovery>, EngineError> {
+        let (model, nodes) = self
+            .attached(&self.attachments)
+            .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
+        Recovery::new(model, nodes, self.model.nodes.len(), interrupt).map(Some)
     }
 
     fn has_mass(&self) -> bool {

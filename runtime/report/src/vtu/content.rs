@@ -1,6 +1,12 @@
 //! Contents of the VTU files of a position, as grids.
 
-use super::grid::{Grid, HEXAHEDRON, LINE, QUADRILATERAL, VERTEX, Values};
+use super::grid::{
+    BIQUADRATIC_QUADRILATERAL, Grid, HEXAHEDRON, LINE, QUADRATIC_HEXAHEDRON, QUADRATIC_QUADRILATERAL,
+    QUADRATIC_TETRAHEDRON, QUADRATIC_TRIANGLE, QUADRATIC_WEDGE, QUADRILATERAL, TETRAHEDRON, TRIANGLE, VERTEX,
+    Values, WEDGE,
+};
+use calyx_runtime::elastic::model::{ShellShape, SolidShape};
+use calyx_runtime::elastic_body::CellShape;
 use calyx_runtime::observables::Fields;
 
 /// Returns every cell of every contact patch, with its pressure and teeth.
@@ -88,6 +94,27 @@ pub fn bodies(fields: &Fields) -> Grid {
             }
         }
     }
+    for body in &fields.elastic_bodies {
+        let first = grid.points.len();
+        grid.points.extend(&body.points);
+        displacements.extend(body.displacements.as_flattened());
+        for &stress in &body.stresses {
+            let [xx, yy, zz, yz, zx, xy] = stress;
+            stresses.extend([xx, yy, zz, xy, yz, zx]);
+            equivalents.push(von_mises(stress));
+        }
+        for (shape, nodes) in &body.cells {
+            let (kind, order) = cell_of(*shape);
+            let node = |at: usize| first + nodes[at];
+            let cell = match order {
+                [] => (0..nodes.len()).map(node).collect(),
+                order => order.iter().map(|&at| node(at)).collect(),
+            };
+            grid.cells.push((kind, cell));
+            bodies.push(body.number as f64);
+            teeth.push(NO_TOOTH);
+        }
+    }
     grid.point_values = vec![
         Values { name: "displacement", components: 3, numbers: displacements },
         Values { name: "stress", components: 6, numbers: stresses },
@@ -95,6 +122,32 @@ pub fn bodies(fields: &Fields) -> Grid {
     ];
     grid.cell_values = vec![Values::scalars("body", bodies), Values::scalars("tooth", teeth)];
     grid
+}
+
+/// Number of the tooth of cells that belong to no gear.
+const NO_TOOTH: f64 = -1.0;
+
+/// Returns the cell type of VTK, and the order of its nodes among those of the shape if it differs.
+/// VTK numbers the midside nodes of the faces before those between the faces.
+fn cell_of(shape: CellShape) -> (u8, &'static [usize]) {
+    match shape {
+        CellShape::Line => (LINE, &[]),
+        CellShape::Shell(ShellShape::Triangle3) => (TRIANGLE, &[]),
+        CellShape::Shell(ShellShape::Triangle6) => (QUADRATIC_TRIANGLE, &[]),
+        CellShape::Shell(ShellShape::Quadrilateral4) => (QUADRILATERAL, &[]),
+        CellShape::Shell(ShellShape::Quadrilateral8) => (QUADRATIC_QUADRILATERAL, &[]),
+        CellShape::Shell(ShellShape::Quadrilateral9) => (BIQUADRATIC_QUADRILATERAL, &[]),
+        CellShape::Solid(SolidShape::Tetrahedron4) => (TETRAHEDRON, &[]),
+        CellShape::Solid(SolidShape::Tetrahedron10) => (QUADRATIC_TETRAHEDRON, &[]),
+        CellShape::Solid(SolidShape::Hexahedron8) => (HEXAHEDRON, &[]),
+        CellShape::Solid(SolidShape::Hexahedron20) => {
+            (QUADRATIC_HEXAHEDRON, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15])
+        }
+        CellShape::Solid(SolidShape::Wedge6) => (WEDGE, &[]),
+        CellShape::Solid(SolidShape::Wedge15) => {
+            (QUADRATIC_WEDGE, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11])
+        }
+    }
 }
 
 /// Computes the von Mises stress from xx, yy, zz, yz, zx, xy.

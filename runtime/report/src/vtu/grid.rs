@@ -14,8 +14,17 @@ use std::io::{self, Write as _};
 /// Cell types of VTK.
 pub const VERTEX: u8 = 1;
 pub const LINE: u8 = 3;
+pub const TRIANGLE: u8 = 5;
 pub const QUADRILATERAL: u8 = 9;
+pub const TETRAHEDRON: u8 = 10;
 pub const HEXAHEDRON: u8 = 12;
+pub const WEDGE: u8 = 13;
+pub const QUADRATIC_TRIANGLE: u8 = 22;
+pub const QUADRATIC_QUADRILATERAL: u8 = 23;
+pub const QUADRATIC_TETRAHEDRON: u8 = 24;
+pub const QUADRATIC_HEXAHEDRON: u8 = 25;
+pub const QUADRATIC_WEDGE: u8 = 26;
+pub const BIQUADRATIC_QUADRILATERAL: u8 = 28;
 
 /// Size of a compressed block, bytes. Readers decompress blocks separately, so each contains whole
 /// numbers of any type.

@@ -1,0 +1,58 @@
+//! Stresses of solid elements at their nodes.
+
+use super::SolidElement;
+use crate::error::ElementError;
+use crate::model::SolidShape;
+use nalgebra::{Matrix3, Vector3};
+
+/// Returns the stresses xx, yy, zz, yz, zx, xy at each node, Pa, from the displacements of the
+/// nodes, m, along the basic axes. Linear elements have those of their centre at all nodes.
+///
+/// # Errors
+/// The element is degenerate.
+pub fn nodal_stresses(
+    element: &SolidElement<'_>,
+    displacements: &[[f64; 3]],
+) -> Result<Vec<[f64; 6]>, ElementError> {
+    let points = sampling_points(element.shape);
+    let stresses = points.iter().map(|&point| stress_at(element, displacements, point));
+    let stresses = stresses.collect::<Result<Vec<_>, _>>()?;
+    Ok(match stresses[..] {
+        [single] => vec![single; element.positions.len()],
+        _ => stresses,
+    })
+}
+
+/// Returns the nodes of quadratic elements and the centre of linear ones, whose strains at the
+/// nodes include those of a parasitic shear.
+fn sampling_points(shape: SolidShape) -> Vec<[f64; 3]> {
+    match shape {
+        SolidShape::Hexahedron8 => vec![[0.0; 3]],
+        SolidShape::Wedge6 => vec![[1.0 / 3.0, 1.0 / 3.0, 0.0]],
+        SolidShape::Tetrahedron4 => vec![[0.25; 3]],
+        SolidShape::Hexahedron20 | SolidShape::Wedge15 | SolidShape::Tetrahedron10 => {
+            let corners = shape.corners();
+            let middle = |&[one, other]: &[usize; 2]| -> [f64; 3] {
+                std::array::from_fn(|axis| 0.5 * (corners[one][axis] + corners[other][axis]))
+            };
+            corners.iter().copied().chain(shape.midside_edges().iter().map(middle)).collect()
+        }
+    }
+}
+
+fn stress_at(
+    element: &SolidElement<'_>,
+    displacements: &[[f64; 3]],
+    point: [f64; 3],
+) -> Result<[f64; 6], ElementError> {
+    let gradients = element.at(point, 1.0)?.gradients;
+    let mut gradient = Matrix3::zeros();
+    for (shape, displacement) in gradients.iter().zip(displacements) {
+        gradient += Vector3::from(*displacement) * shape.transpose();
+    }
+    let strain = 0.5 * (gradient + gradient.transpose());
+    let (modulus, ratio) = (element.material.youngs_modulus, element.material.poissons_ratio);
+    let lame = modulus * ratio / ((1.0 + ratio) * (1.0 - 2.0 * ratio));
+    let stress = Matrix3::identity() * (lame * strain.trace()) + strain * (modulus / (1.0 + ratio));
+    Ok([stress[(0, 0)], stress[(1, 1)], stress[(2, 2)], stress[(1, 2)], stress[(2, 0)], stress[(0, 1)]])
+}

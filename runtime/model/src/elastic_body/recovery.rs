@@ -1,0 +1,177 @@
+//! Displacements and stresses within an elastic body from the motions of its attachments.
+//!
+//! The condensation keeps the attachments alone. The displacements of all nodes follow from the
+//! forces of the attachments, which are their condensed stiffness times their motions: the body is
+//! solved once under unit forces on each attachment, with a statically determinate support of each
+//! part that can move freely. The forces are in equilibrium, so the support carries nothing. A
+//! rigid-body motion of the part then takes its first attachment to its position.
+
+use super::condensation::engine_error;
+use super::rigid_links::carried;
+use calyx_elastic::assembly::System;
+use calyx_elastic::check::{determinate_support, parts};
+use calyx_elastic::model::{ShellShape, SolidShape};
+use calyx_elastic::stress::{Stress, nodal_stresses_of};
+use calyx_elastic::{ElasticModel, ElementKind, FixedComponents, NodalLoad, Node, Resources, statics};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
+use calyx_numerics::vec3::{Vector, minus};
+
+/// Motion of a node along the axes of the body, m and rad.
+type Six = [f64; 6];
+
+/// Shape of a cell of a deformed body. Nodes are in the order of the shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CellShape {
+    /// Beam or rod.
+    Line,
+    /// Shell.
+    Shell(ShellShape),
+    /// Solid.
+    Solid(SolidShape),
+}
+
+/// Deformed elastic body in its own coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DeformedElasticBody {
+    /// Undeformed nodes, m.
+    pub points: Vec<Vector>,
+    /// Elements with their nodes, as indices of points.
+    pub cells: Vec<(CellShape, Vec<usize>)>,
+    /// Displacement of each node from its position in the undeformed and undisplaced body, m.
+    pub displacements: Vec<Vector>,
+    /// Stress at each node ([`nodal_stresses_of`]), Pa; NaN at nodes without solids and shells.
+    pub stresses: Vec<Stress>,
+}
+
+/// Solutions of a body under unit forces on its attachments.
+pub struct Recovery {
+    model: ElasticModel,
+    /// Nodes of the attachments.
+    attachments: Vec<usize>,
+    /// Number of nodes that are not amplitudes or added for attachments.
+    shown: usize,
+    /// Motions of all nodes under a unit of each component of each attachment.
+    units: Vec<Vec<Six>>,
+    /// Nodes of each part that can move freely.
+    free_parts: Vec<Vec<usize>>,
+    _room: MemoryReservation,
+}
+
+impl Recovery {
+    /// Solves a model with attachments at these nodes; the first `shown` nodes are recovered.
+    ///
+    /// # Errors
+    /// E0992: the body has a mechanism, or needs more memory than the limit. Otherwise those of the
+    /// interrupt.
+    pub fn new(
+        mut model: ElasticModel,
+        attachments: Vec<usize>,
+        shown: usize,
+        interrupt: &Interrupt,
+    ) -> Result<Recovery, EngineError> {
+        let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
+        let columns = 6 * attachments.len();
+        let room = interrupt.reserve_memory((3 * 8 * 6 * columns * model.nodes.len()) as u64)?;
+        // Supports of the body do not move.
+        model.fixed.iter_mut().for_each(|fixed| fixed.value = 0.0);
+        let (free_parts, support) = {
+            let system = System::new(&model, &resources).map_err(engine_error)?;
+            let mut all = parts(&system);
+            all.retain(|part| !part.free_motions.is_empty());
+            let motions: Vec<Vec<f64>> = all.iter().flat_map(|part| part.free_motions.clone()).collect();
+            let support = determinate_support(&system, &motions);
+            (all.into_iter().map(|part| part.nodes).collect(), support)
+        };
+        let held = |dof: usize| FixedComponents {
+            node: dof / 6,
+            components: std::array::from_fn(|component| component == dof % 6),
+            value: 0.0,
+        };
+        let supports = model.fixed.len();
+        model.fixed.extend(support.into_iter().map(held));
+        let unit = |row: usize| {
+            let load = std::array::from_fn(|component| if component == row % 6 { 1.0 } else { 0.0 });
+            vec![NodalLoad { node: attachments[row / 6], load }]
+        };
+        let cases: Vec<Vec<NodalLoad>> = (0..columns).map(unit).collect();
+        let solved = System::new(&model, &resources)
+            .and_then(|system| statics::solve(&system, &cases, &resources))
+            .map_err(engine_error)?;
+        let along_basic =
+            |displacements: Vec<Six>| displacements.iter().zip(&model.nodes).map(in_basic_axes).collect();
+        let units = solved.into_iter().map(|solution| along_basic(solution.displacements)).collect();
+        model.fixed.truncate(supports);
+        Ok(Recovery { model, attachments, shown, units, free_parts, _room: room })
+    }
+
+    /// Returns the deformed body from the motions of its attachments and their condensed stiffness
+    /// (row-major; ground may be a last attachment).
+    ///
+    /// # Errors
+    /// An element is degenerate.
+    pub fn deformed(&self, stiffness: &[f64], motions: &[Six]) -> Result<DeformedElasticBody, EngineError> {
+        let values = motions.as_flattened();
+        let force = |row: usize| -> f64 {
+            let row = &stiffness[row * values.len()..(row + 1) * values.len()];
+            row.iter().zip(values).map(|(entry, value)| entry * value).sum()
+        };
+        let mut all = vec![[0.0; 6]; self.model.nodes.len()];
+        for (row, unit) in self.units.iter().enumerate() {
+            let force = force(row);
+            for (sum, part) in all.iter_mut().zip(unit) {
+                sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += force * part);
+            }
+        }
+        for part in &self.free_parts {
+            self.carry(part, motions, &mut all);
+        }
+        let refused =
+            |error: calyx_elastic::ElementError| EngineError::new("E0992", error.message, error.help);
+        let stresses = nodal_stresses_of(&self.model, &all).map_err(refused)?;
+        let shown = &self.model.nodes[..self.shown];
+        Ok(DeformedElasticBody {
+            points: shown.iter().map(|node| node.position).collect(),
+            cells: self.cells(),
+            displacements: all[..self.shown].iter().map(|&[x, y, z, ..]| [x, y, z]).collect(),
+            stresses: stresses.into_iter().take(self.shown).map(|at| at.unwrap_or([f64::NAN; 6])).collect(),
+        })
+    }
+
+    /// Adds the rigid-body motion of a part that takes its first attachment to its motion.
+    fn carry(&self, part: &[usize], motions: &[Six], all: &mut [Six]) {
+        let first = self.attachments.iter().position(|node| part.binary_search(node).is_ok());
+        let Some(index) = first else { return };
+        let reference = self.attachments[index];
+        let (target, found) = (motions[index], all[reference]);
+        let difference: Six = std::array::from_fn(|k| target[k] - found[k]);
+        let about = self.model.nodes[reference].position;
+        for &node in part {
+            let rigid = carried(minus(self.model.nodes[node].position, about));
+            for (sum, row) in all[node].iter_mut().zip(rigid) {
+                *sum += row.iter().zip(difference).map(|(part, by)| part * by).sum::<f64>();
+            }
+        }
+    }
+
+    fn cells(&self) -> Vec<(CellShape, Vec<usize>)> {
+        let cell = |element: &calyx_elastic::Element| {
+            let shape = match &element.kind {
+                ElementKind::Solid(shape) => CellShape::Solid(*shape),
+                ElementKind::Shell { shape, .. } => CellShape::Shell(*shape),
+                ElementKind::Beam(_) | ElementKind::Rod { .. } => CellShape::Line,
+                ElementKind::Spring { .. } | ElementKind::Mass { .. } => return None,
+            };
+            Some((shape, element.nodes.clone()))
+        };
+        self.model.elements.iter().filter_map(cell).collect()
+    }
+}
+
+/// Transforms the motion of a node from its displacement axes to the basic axes.
+fn in_basic_axes((motion, node): (&Six, &Node)) -> Six {
+    std::array::from_fn(|k| {
+        let first = 3 * (k / 3);
+        (0..3).map(|axis| motion[first + axis] * node.axes[axis][k % 3]).sum()
+    })
+}
