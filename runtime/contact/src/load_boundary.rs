@@ -57,26 +57,27 @@ pub fn participations(
     participations
 }
 
-/// Adds compliances to the diagonal of the compliance matrix of cells that participate in part
-/// (participations above 0), so that the stiffness of all cells is interpolated linearly between
-/// those with and without each of them. Returns `false` if the matrix is not positive definite.
+/// Returns what is added to the diagonal of the static compliance matrix for cells that participate
+/// in part (participations above 0): then the stiffness of all cells is interpolated linearly
+/// between those with and without each of them. `None` if the matrix is not positive definite.
 ///
 /// # Errors
 /// Those of the checkpoints.
-pub fn reduce_participation<C, E>(
-    compliance: &mut Mat<f64>,
+pub fn added_compliances<C, E>(
+    compliance: &Mat<f64>,
     participations: &[f64],
     dense: Interruptible<'_, C>,
-) -> Result<bool, E>
+) -> Result<Option<Vec<f64>>, E>
 where
     C: Fn() -> Result<(), E> + Sync,
     E: Send,
 {
+    let mut added = vec![0.0; participations.len()];
     let partial: Vec<usize> = (0..participations.len()).filter(|&cell| participations[cell] < 1.0).collect();
     if partial.is_empty() {
-        return Ok(true);
+        return Ok(Some(added));
     }
-    let Some(factor) = dense.cholesky(compliance.clone())? else { return Ok(false) };
+    let Some(factor) = dense.cholesky(compliance.clone())? else { return Ok(None) };
     let units = Mat::from_fn(participations.len(), partial.len(), |row, column| {
         f64::from(u8::from(row == partial[column]))
     });
@@ -84,9 +85,9 @@ where
     for (column, &cell) in partial.iter().enumerate() {
         // Force on the cell per unit displacement of it alone.
         let stiffness: f64 = solved.col(column).iter().map(|part| part * part).sum();
-        compliance[(cell, cell)] += (participations[cell].recip() - 1.0) / stiffness;
+        added[cell] = (participations[cell].recip() - 1.0) / stiffness;
     }
-    Ok(true)
+    Ok(Some(added))
 }
 
 #[cfg(test)]
@@ -134,7 +135,10 @@ mod tests {
                 Mat::from_fn(cells.len(), cells.len(), |i, j| problem.compliance[cells[i] * n + cells[j]]);
             let checkpoint = || Ok::<(), ()>(());
             let dense = Interruptible(&checkpoint);
-            assert_eq!(reduce_participation(&mut compliance, &of_cells, dense), Ok(true));
+            let added = added_compliances(&compliance, &of_cells, dense).expect("no interrupt");
+            for (cell, added) in added.expect("it is definite").into_iter().enumerate() {
+                compliance[(cell, cell)] += added;
+            }
             let factor = dense.cholesky(compliance).expect("no interrupt").expect("it is definite");
             let ones = Mat::from_fn(cells.len(), 1, |_, _| 1.0);
             let solved = dense.solve_lower(factor.as_ref(), ones).expect("no interrupt");

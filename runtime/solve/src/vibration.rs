@@ -15,7 +15,7 @@ use crate::integration::{check_inertia, coupling};
 use crate::step::{ContactGrid, Participating, StepResult};
 use crate::system::System;
 use crate::vibrations::Vibrations;
-use calyx_contact::load_boundary::reduce_participation;
+use calyx_contact::load_boundary::added_compliances;
 use calyx_fe::inertia::Inertia;
 use calyx_model::frames::solid_pose;
 use calyx_model::target::Examined;
@@ -175,14 +175,17 @@ impl System<'_> {
             Mat::from_fn(active.len(), count, |i, k| modal(active[i], k) / modes.squares[k].sqrt());
         let checkpoint = || self.interrupt.check();
         let dense = Interruptible(&checkpoint);
+        // Static compliance with and without modes is the same.
+        for (cell, added) in
+            added_compliances(&residual, &participations, dense).ok()??.into_iter().enumerate()
+        {
+            residual[(cell, cell)] += added;
+        }
         dense.add_product_lower(residual.as_mut(), -1.0, answered.as_ref(), answered.transpose()).ok()?;
         let arms = Mat::from_fn(active.len(), m + count, |i, k| match k.checked_sub(m) {
             None => problem.arms[active[i] * m + k],
             Some(mode) => modal(active[i], mode),
         });
-        if !reduce_participation(&mut residual, &participations, dense).ok()? {
-            return None;
-        }
         let factor = dense.cholesky(residual).ok()??;
         let pressed = dense.solve_lower(factor.as_ref(), arms).ok()?;
         dense.add_product_lower(stiffness.as_mut(), 1.0, pressed.transpose(), pressed.as_ref()).ok()?;

@@ -3,7 +3,7 @@
 //! See `docs/theory/equilibrium.md`.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
-use calyx_contact::load_boundary::reduce_participation;
+use calyx_contact::load_boundary::added_compliances;
 use calyx_model::dof::Dof;
 use calyx_model::ids::{BodyId, PairId};
 use calyx_model::observed::Observed;
@@ -166,8 +166,9 @@ fn contact_stiffness(
     let checkpoint = || at.system.interrupt.check();
     let dense = Interruptible(&checkpoint);
     let mut compliance = at.step.compliance_of(cells);
-    if !reduce_participation(&mut compliance, participations, dense).ok()? {
-        return None;
+    for (cell, added) in added_compliances(&compliance, participations, dense).ok()??.into_iter().enumerate()
+    {
+        compliance[(cell, cell)] += added;
     }
     let factor = dense.cholesky(compliance).ok()??;
     let solved = dense.solve_lower(factor.as_ref(), arms).ok()?;

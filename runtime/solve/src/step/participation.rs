@@ -9,7 +9,7 @@ pub struct Participating {
     /// Indices in the contact problem, ascending.
     pub cells: Vec<usize>,
     /// Participation of each, above 0 and up to 1, for
-    /// [`calyx_contact::load_boundary::reduce_participation`].
+    /// [`calyx_contact::load_boundary::added_compliances`].
     pub participations: Vec<f64>,
 }
 
