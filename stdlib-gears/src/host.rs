@@ -291,8 +291,8 @@ impl ModelHost {
         })
     }
 
-    /// Replaces the remedy of an error about a free body that is an attachment of an elastic body: a
-    /// model cannot state its degrees of freedom.
+    /// Replaces the remedy of an error about a free body that is an attachment of an elastic body:
+    /// such a body has no argument `free`.
     fn about_attachment(&self, error: EngineError) -> EngineError {
         let Some(Subject::Body(body)) = error.subject else { return error };
         if !matches!(error.code, "E0714" | "E0715") {

@@ -312,7 +312,7 @@ pub(crate) fn bearing_mounting(
     let radius = 0.5 * shaft.largest_diameter();
     if point.beside > BESIDE * radius {
         let message = format!(
-            "the bearing is {} beside the axis of the shaft \"{name}\", whose largest radius is {}",
+            "the bearing is {} off the axis of the shaft \"{name}\", whose largest radius is {}",
             shown(point.beside, host.length_unit),
             shown(radius, host.length_unit)
         );

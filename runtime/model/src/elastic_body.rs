@@ -92,8 +92,8 @@ pub trait ElasticBody: Any + Send + Sync {
     /// matrices; a body without a key is condensed for each analysis.
     fn key(&self) -> Option<Key>;
 
-    /// Checks whether the body with its attachments can be condensed, as far as this is known before
-    /// the condensation.
+    /// Checks whether the body with its attachments can be condensed, as far as this is known
+    /// before the condensation.
     ///
     /// # Errors
     /// E0992: a part of the body can move freely.

@@ -323,8 +323,8 @@ fn touching(scene: &Mechanism) -> impl Iterator<Item = BodyId> {
     scene.pairs.iter().flat_map(|pair| pair.bodies)
 }
 
-/// Returns the bodies that loads act on: those in surface pairs. A scene without surface pairs is one
-/// of bodies on bearings and elastic connections, such as a rotor.
+/// Returns the bodies that loads act on: those in surface pairs. A scene without surface pairs is
+/// one of bodies on bearings and elastic connections, such as a rotor.
 fn loaded(scene: &Mechanism) -> Vec<BodyId> {
     if !scene.pairs.is_empty() {
         return touching(scene).collect();

@@ -127,7 +127,7 @@ fn axis_finding(
     let size = mm(radius);
     let (message, help) = if distance > OFF_AXIS * radius {
         let message = format!(
-            "the bearing \"{}\" is {} mm beside the axis of \"{name}\", a cylinder of radius {size} mm",
+            "the bearing \"{}\" is {} mm off the axis of \"{name}\", a cylinder of radius {size} mm",
             bearing.name,
             mm(distance)
         );

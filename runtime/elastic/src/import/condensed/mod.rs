@@ -209,8 +209,8 @@ fn check(
     Err((message, "check the signs of entries off the diagonal, and that no entry is missing".into()))
 }
 
-/// Returns the first row, if any, up to which a symmetric matrix with a diagonal of at least zero is
-/// not positive semidefinite. Rounding of printed digits is accepted.
+/// Returns the first row, if any, up to which a symmetric matrix with a diagonal of at least zero
+/// is not positive semidefinite. Rounding of printed digits is accepted.
 fn indefinite(matrix: &DMatrix<f64>) -> Option<usize> {
     let count = matrix.nrows();
     let scale: Vec<f64> = (0..count).map(|k| matrix[(k, k)].sqrt()).collect();
