@@ -4,7 +4,7 @@
 //!
 //! This crate is a facade. It re-exports the crates of the engine, each of which depends only on
 //! those before it: `calyx-numerics`, `calyx-fe`, `calyx-structure`, `calyx-contact`,
-//! `calyx-model`, `calyx-solve`, `calyx-analysis`.
+//! `calyx-rolling`, `calyx-model`, `calyx-solve`, `calyx-analysis`.
 //!
 //! # Example: two cylinders
 //!
@@ -91,6 +91,7 @@
 //! | [`resources`], [`cache`], [`interrupt`] | resources without influence on results: threads, stored structures, an interrupt |
 //! | [`elastic`] | finite-element models of bodies of any shape, and their import |
 //! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
+//! | [`rolling`] | rolling bearings with rigid rings |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
 //! | [`error`] | errors of the engine: code, message, remedy |
 //! | [`vec3`] | vectors in three dimensions |
@@ -132,6 +133,7 @@ pub use calyx_model::{
     observed, pairs, plan, position, prototype, resources, rigid, shaft, spline_contact, target,
 };
 pub use calyx_numerics::{error, interrupt, vec3};
+pub use calyx_rolling as rolling;
 pub use calyx_solve::{integration, restraint_check, step, system, vibrations};
 pub use calyx_structure as structure;
 pub use calyx_structure::{cache, profile, surface};

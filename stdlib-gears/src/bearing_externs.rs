@@ -72,6 +72,7 @@ calyx_abi::externs! {
             unloaded: six(unloaded_displacement, unloaded_rotation),
             load: six(force, moment),
             stops,
+            rolling: None,
         };
         let host = host(context)?;
         let misplaced = host.scene.misplaced(&bearing).map_err(|error| host.rejected(error.into(), place))?;

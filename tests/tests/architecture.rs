@@ -22,7 +22,15 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     (
         "calyx-model",
         "runtime/model",
-        &["calyx-abi", "calyx-contact", "calyx-elastic", "calyx-fe", "calyx-numerics", "calyx-structure"],
+        &[
+            "calyx-abi",
+            "calyx-contact",
+            "calyx-elastic",
+            "calyx-fe",
+            "calyx-numerics",
+            "calyx-rolling",
+            "calyx-structure",
+        ],
     ),
     (
         "calyx-solve",
@@ -44,6 +52,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
             "calyx-fe",
             "calyx-model",
             "calyx-numerics",
+            "calyx-rolling",
             "calyx-solve",
             "calyx-structure",
         ],

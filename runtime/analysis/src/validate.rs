@@ -15,7 +15,7 @@ use calyx_model::motion::axle;
 use calyx_model::observed::OutputRequest;
 use calyx_model::plan::{Plan, UnsupportedOutput};
 use calyx_model::target::Examined;
-use calyx_numerics::error::EngineError;
+use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::interrupt::Interrupt;
 use calyx_solve::integration::{check_in_section, check_inertia};
 use calyx_solve::modal::check_modes;
@@ -45,6 +45,18 @@ const AVOIDABLE: [&str; 12] = [
     "E0610", "E0611", "E0623", "E0676", "E0690", "E0756", "E0761", "E0771", "E0780", "E0781", "E0782",
     "E0783",
 ];
+
+/// Rejects rolling bearings in a method with inertia.
+fn refuse_rolling_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
+    let rolling = |&bearing: &usize| scene.bearings[bearing].rolling.is_some();
+    let Some(bearing) = plan.modelled_bearings().into_iter().find(rolling) else { return Ok(()) };
+    let message = format!(
+        "bearing \"{}\" has rolling elements, which dynamic analyses do not support",
+        scene.bearings[bearing].name
+    );
+    let help = "use a quasi-static analysis, or a bearing with the stiffness at the operating point";
+    Err(EngineError::new("E0727", message, help).about(Subject::Bearing(bearing)))
+}
 
 impl<'a> Request<'a> {
     /// Creates the request of an analysis with these options.
@@ -107,6 +119,7 @@ impl<'a> Request<'a> {
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             check_in_section(&plan)?;
+            refuse_rolling_bearings(scene, &plan)?;
         }
         if method.has_inertia() || modes || scene.examines_modes() {
             self.check_vibrations(&plan)?;

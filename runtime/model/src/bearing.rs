@@ -19,9 +19,11 @@
 //! See `docs/theory/bearings.md`.
 
 mod bearing_state;
+mod rolling;
 mod springs;
 
 pub use bearing_state::BearingState;
+pub use rolling::{RollingElements, RollingState, Tangent, five, rejected};
 pub use springs::{Springs, damping, springs};
 
 use crate::body::Body;
@@ -30,6 +32,7 @@ use crate::ids::BodyId;
 use calyx_numerics::error::EngineError;
 use nalgebra::{Matrix6, SymmetricEigen};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Bearing matrix by rows, in the order of [`DOF_NAMES`]. Units of stiffness: N/m, N (per rad, or N
 /// m per m) and N m/rad; damping: these times s.
@@ -66,6 +69,8 @@ pub struct Bearing {
     pub load: [f64; 6],
     /// Stops: unilateral springs behind clearances.
     pub stops: Vec<Stop>,
+    /// Rolling elements, whose load adds to that of the springs.
+    pub rolling: Option<Arc<RollingElements>>,
 }
 
 /// Unilateral spring with a clearance.
@@ -195,6 +200,7 @@ impl Bearing {
             unloaded: [0.0; 6],
             load: [0.0; 6],
             stops: Vec::new(),
+            rolling: None,
         }
     }
 

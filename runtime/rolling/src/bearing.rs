@@ -230,6 +230,18 @@ impl RollingBearing {
         &self.rows
     }
 
+    /// Returns a displacement beyond all clearances at which the elements carry load, m.
+    pub fn reach(&self) -> f64 {
+        let of = |row: &Row| {
+            let (clearance, diameter) = match &row.elements {
+                Elements::Balls(row) => (row.clearance(), row.geometry.ball_diameter),
+                Elements::Rollers(row) => (row.clearance(), row.geometry.roller_diameter),
+            };
+            clearance.max(0.0) + 4.0 * (-row.offset).max(0.0) + 1e-3 * diameter
+        };
+        self.rows.iter().map(of).fold(0.0, f64::max)
+    }
+
     /// Returns a stiffness typical of the bearing under load, N/m.
     pub(crate) fn typical_stiffness(&self) -> f64 {
         self.stiffness

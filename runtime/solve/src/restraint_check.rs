@@ -46,7 +46,7 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
     }
     let mut springs = {
         let planned = plan.modelled_bearings();
-        springs(&scene.bodies, &scene.bearings, &planned, &dofs, |_| 1.0, time)?
+        springs(&scene.bodies, &scene.bearings, &planned, &dofs, |_| 1.0, time, &[])?
     };
     // Elastic bodies are not condensed for the check.
     let connections = connections_as_links(scene)?;

@@ -17,6 +17,7 @@ mod participation;
 mod patch;
 mod plane;
 mod relinearization;
+mod rolling;
 mod solid;
 
 pub use participation::Participating;
@@ -26,7 +27,7 @@ use crate::modal::ModalElimination;
 use crate::system::{Bodies, System};
 use crate::vibrations::Vibrations;
 use calyx_contact::problem::{Certificate, ContactProblem};
-use calyx_model::bearing::Springs;
+use calyx_model::bearing::{Springs, Tangent};
 use calyx_numerics::error::EngineError;
 use contact_layout::{Conditions, Solver};
 use plane::Plane;
@@ -123,17 +124,26 @@ impl System<'_> {
         elastic: Option<&ModalElimination<'_>>,
         sizing: Option<&[f64]>,
     ) -> Result<StepResult, EngineError> {
-        let springs = &self.springs_at(time)?;
-        let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
-        let under = Conditions { direction, springs, start: &[], elastic, sizing, in_time: false };
-        match &self.bodies {
-            Bodies::Plane(bodies) => {
-                Solver { system: self, space: &Plane { system: self, bodies }, under }.solve(time, &load)
+        let solve = |tangents: &[Option<Tangent>]| {
+            let springs = &self.springs_with(time, tangents)?;
+            let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
+            let under = Conditions { direction, springs, start: &[], elastic, sizing, in_time: false };
+            match &self.bodies {
+                Bodies::Plane(bodies) => {
+                    Solver { system: self, space: &Plane { system: self, bodies }, under }.solve(time, &load)
+                }
+                Bodies::Solid(bodies) => {
+                    Solver { system: self, space: &Solid { system: self, bodies }, under }.solve(time, &load)
+                }
             }
-            Bodies::Solid(bodies) => {
-                Solver { system: self, space: &Solid { system: self, bodies }, under }.solve(time, &load)
-            }
+        };
+        // In the limit without load, and with rigid bodies, rolling bearings have their typical
+        // stiffness.
+        let loaded = load.iter().any(|&load| load != 0.0);
+        if self.has_rolling_bearings() && loaded && !self.rigid {
+            return self.with_rolling_bearings(time, solve);
         }
+        solve(&[])
     }
 
     /// Solves the end of a time step (s) that starts with the deviations `start` from the

@@ -5,7 +5,7 @@ use crate::derived::DerivedResults;
 use crate::modal::Modes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
-use calyx_model::bearing::{Springs, springs};
+use calyx_model::bearing::{Springs, Tangent, springs};
 use calyx_model::connection::{ElasticConnection, add_connection_mass, add_connection_stiffness};
 use calyx_model::connection_building::build_connections;
 use calyx_model::fidelity::Fidelity;
@@ -282,10 +282,18 @@ impl<'s> System<'s> {
 
     /// Returns stiffness and forces of bearings, elastic connections and spline teeth with
     /// clearance at a time, per [`System::width`].
+    /// Rolling elements have their typical stiffness.
     pub fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
+        self.springs_with(time, &[])
+    }
+
+    /// Returns the springs of [`System::springs_at`] with linearized rolling elements, by bearing of
+    /// the scene.
+    pub fn springs_with(&self, time: f64, tangents: &[Option<Tangent>]) -> Result<Springs, EngineError> {
         let mut springs = {
             let Mechanism { bodies, bearings, .. } = self.scene;
-            springs(bodies, bearings, &self.bearings, &self.dofs, |body| self.width(body), time)?
+            let width = |body| self.width(body);
+            springs(bodies, bearings, &self.bearings, &self.dofs, width, time, tangents)?
         };
         add_connection_stiffness(
             &mut springs.stiffness,

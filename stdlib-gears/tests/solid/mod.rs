@@ -10,4 +10,5 @@ mod ladder;
 mod load_factors;
 mod misaligned;
 pub mod pairs;
+mod rolling_bearings;
 mod runout;

@@ -1,7 +1,7 @@
 //! Contribution of all bearings to the contact problem: stiffness and loads on the DOFs, and gap
 //! equations of the stops, followed by those of spline teeth ([`crate::spline_contact`]).
 
-use super::{Bearing, BearingMatrix, BearingState};
+use super::{Bearing, BearingMatrix, BearingState, Tangent};
 use crate::body::Body;
 use crate::dof::Dof;
 use calyx_contact::problem::ContactProblem;
@@ -29,7 +29,8 @@ pub struct Springs {
 }
 
 /// Assembles the planned bearings of a scene at a time (s) on these DOFs. `width` (m) is that of a
-/// body in a plane model, and 1 in three dimensions.
+/// body in a plane model, and 1 in three dimensions. `tangents` has the linearized rolling elements
+/// of the bearings of the scene, if their deflections are known.
 ///
 /// # Errors
 /// Those of [`BearingState::at`].
@@ -40,17 +41,28 @@ pub fn springs(
     dofs: &[Dof],
     width: impl Fn(usize) -> f64,
     time: f64,
+    tangents: &[Option<Tangent>],
 ) -> Result<Springs, EngineError> {
     let m = dofs.len();
-    let modelled = || planned.iter().filter_map(|&bearing| bearings.get(bearing));
-    let walls: usize = modelled().map(Bearing::walls).sum();
+    let modelled = || planned.iter().filter_map(|&bearing| Some((bearing, bearings.get(bearing)?)));
+    let walls: usize = modelled().map(|(_, bearing)| bearing.walls()).sum();
     let mut springs = Springs { compliance: vec![0.0; walls * walls], ..Springs::none(m) };
-    for bearing in modelled() {
+    for (index, bearing) in modelled() {
         let placed = BearingState::at(bodies, bearing, time)?;
         let width = width(bearing.body.0);
         let columns: Vec<[f64; 6]> = dofs.iter().map(|dof| placed.deflection(dof)).collect();
-        let pushed = |x: &[f64; 6]| stiffly(bearing, x);
-        let own = bearing.own_load();
+        let typical = bearing.typical_tangent();
+        let tangent = tangents.get(index).and_then(Option::as_ref).or(typical.as_ref());
+        let pushed = |x: &[f64; 6]| {
+            let springs = stiffly(bearing, x);
+            let Some(tangent) = tangent else { return springs };
+            let rolling = symmetric(&tangent.stiffness, x);
+            std::array::from_fn(|k| springs[k] + rolling[k])
+        };
+        let mut own = bearing.own_load();
+        for (own, load) in own.iter_mut().zip(tangent.iter().flat_map(|tangent| tangent.load)) {
+            *own += load;
+        }
         for (k, column) in columns.iter().enumerate() {
             springs.load[k] += dot(column, &own) / width;
             let force = pushed(column);
@@ -219,7 +231,7 @@ impl Bearing {
         symmetric(&self.damping, rate)
     }
 
-    /// Returns the force of springs and stops on the first race at a deflection and at forces on
+    /// Returns the force of springs, stops and rolling elements on the first race at a deflection and at forces on
     /// the walls (N), along the bearing's axes, N and N m.
     pub fn push(&self, deflection: &[f64; 6], walls: &[f64]) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
@@ -228,6 +240,11 @@ impl Bearing {
         for ((_, direction), force) in rows.zip(walls) {
             for (sum, part) in push.iter_mut().zip(direction) {
                 *sum += part * force;
+            }
+        }
+        if let Some(rolling) = &self.rolling {
+            for (sum, part) in push.iter_mut().zip(rolling.push(deflection)) {
+                *sum += part;
             }
         }
         push

@@ -206,6 +206,11 @@ impl BallRow {
         if groove.inner { slope } else { -slope }
     }
 
+    /// Returns the diametral clearance, m.
+    pub(crate) fn clearance(&self) -> f64 {
+        self.geometry.kind.angle_and_clearance().1
+    }
+
     /// Returns the mass of a ball, kg.
     pub fn ball_mass(&self) -> f64 {
         let d = self.geometry.ball_diameter;

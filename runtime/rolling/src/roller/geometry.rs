@@ -216,6 +216,14 @@ impl RollerRow {
         Ok(())
     }
 
+    /// Returns the diametral clearance, m.
+    pub(crate) fn clearance(&self) -> f64 {
+        match self.geometry.kind {
+            RollerKind::Cylindrical { clearance } | RollerKind::Spherical { clearance, .. } => clearance,
+            RollerKind::Tapered { .. } => 0.0,
+        }
+    }
+
     /// Returns the dimensions.
     pub fn geometry(&self) -> &RollerGeometry {
         &self.geometry

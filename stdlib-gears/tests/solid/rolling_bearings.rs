@@ -1,0 +1,189 @@
+//! A helical pair whose first gear is on rolling bearings: displacements against the equilibrium of
+//! the bearings alone under the contact forces, tangent bearings, clearance and reversal.
+
+use super::pairs::{FIRST, MESH, Options};
+use crate::common::built;
+use calyx_gears::helix::Hand;
+use calyx_runtime::bearing::{Bearing, RollingElements};
+use calyx_runtime::observables::{Equilibrium, MeshStiffness, Observe};
+use calyx_runtime::rolling::{
+    BallGeometry, BallKind, BallRow, Conditions, Elements, Material, Motion, Profile, Rib, RollerGeometry,
+    RollerKind, RollerRow, RollingBearing, Row,
+};
+use calyx_runtime::scene::{Component, Fidelity, GearMesh, Scene, StructureOptions};
+use calyx_runtime::step::StepResult;
+use calyx_runtime::system::System;
+use std::sync::Arc;
+
+const FREE: [Component; 5] =
+    [Component::Ux, Component::Uy, Component::Uz, Component::ThetaX, Component::ThetaY];
+/// Positions of two bearings next to an overhung gear, m.
+const PLACES: [f64; 2] = [0.03, 0.075];
+const MOTION: Motion = Motion { azimuth: 0.2, ..Motion::REST };
+
+fn tapered() -> Elements {
+    let geometry = RollerGeometry {
+        kind: RollerKind::Tapered { outer_angle: 0.244, rib: Rib { end_radius: 0.12, height: 3.2e-3 } },
+        count: 18,
+        roller_diameter: 10e-3,
+        length: 13e-3,
+        pitch_diameter: 60e-3,
+        profile: Profile::Logarithmic,
+        laminae: 31,
+        rings: Material::STEEL,
+        rollers: Material::STEEL,
+    };
+    RollerRow::new(geometry).expect("valid").into()
+}
+
+fn balls(kind: BallKind) -> Elements {
+    let geometry = BallGeometry {
+        kind,
+        count: 9,
+        ball_diameter: 11.906e-3,
+        pitch_diameter: 60e-3,
+        inner_conformity: 0.52,
+        outer_conformity: 0.52,
+        rings: Material::STEEL,
+        balls: Material::STEEL,
+    };
+    BallRow::new(geometry).expect("valid").into()
+}
+
+/// Rows of both bearings, the second mirrored, with an axial offset.
+fn rows(elements: [Elements; 2], offset: f64) -> [Row; 2] {
+    let [near, far] = elements;
+    [Row { offset, ..Row::new(near) }, Row { offset, mirrored: true, ..Row::new(far) }]
+}
+
+fn arrangements() -> Vec<[Row; 2]> {
+    let angle = 0.7;
+    let deep = |clearance| balls(BallKind::DeepGroove { clearance });
+    vec![
+        rows([tapered(), tapered()], 2e-6),
+        rows([tapered(), tapered()], -10e-6),
+        rows([balls(BallKind::AngularContact { angle }), balls(BallKind::AngularContact { angle })], 0.0),
+        rows([deep(12e-6), deep(20e-6)], 0.0),
+        rows([balls(BallKind::FourPoint { angle, clearance: 5e-6 }), deep(0.0)], 0.0),
+    ]
+}
+
+fn scene(rows: &[Row; 2], torque: f64) -> (Scene, GearMesh) {
+    let options = Options::helical(0.35, Hand::Right);
+    let options = Options { free: FREE.to_vec(), backed: false, torque, ..options };
+    let (mut scene, mesh) = options.scene();
+    for (index, row) in rows.iter().enumerate() {
+        let bearing = RollingBearing::new(vec![row.clone()]).expect("valid");
+        let elements = RollingElements::new(bearing, MOTION).expect("valid");
+        let name = ["near", "far"][index];
+        let bearing = Bearing::new(name, FIRST, PLACES[index], [[0.0; 6]; 6]);
+        scene.add_bearing(Bearing { rolling: Some(Arc::new(elements)), ..bearing }).expect("a bearing");
+    }
+    (scene, mesh)
+}
+
+fn solved<T>(
+    fidelity: Fidelity,
+    (scene, mesh): &(Scene, GearMesh),
+    look: impl FnOnce(&System<'_>, &StepResult) -> T,
+) -> T {
+    let system = built(scene, fidelity, StructureOptions::default());
+    let step = system.solve(mesh.start + 0.45 * mesh.period).expect("it can be solved");
+    assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
+    look(&system, &step)
+}
+
+/// The displacement of the gear is that of both bearings as one under the contact forces, which a
+/// search of its own finds.
+#[test]
+fn displacement_is_that_of_the_bearings_under_the_contact_forces() {
+    for (index, rows) in arrangements().iter().enumerate() {
+        let placed = [0, 1].map(|k| Row { position: PLACES[k], ..rows[k].clone() });
+        let together = RollingBearing::new(placed.to_vec()).expect("valid");
+        solved(Fidelity::Analytic, &scene(rows, 100.0), |system, step| {
+            let [fx, fy, fz, mx, my, _] = system.contact_force(step, FIRST);
+            let conditions =
+                Conditions { load: [fx, fy, fz, mx, my], prescribed: [false; 5], start: [0.0; 5] };
+            let expected = together.equilibrium(&conditions, &MOTION).expect("solved").displacement;
+            for k in 0..5 {
+                let unit = if k < 3 { 1.0 } else { 30e-3 };
+                let error = unit * (step.motion[k] - expected[k]);
+                assert!(error.abs() < 1e-12, "{index} {k}: {} {}", step.motion[k], expected[k]);
+            }
+            let support = Equilibrium::new(system, step).support(FIRST);
+            for (k, force) in support[..5].iter().enumerate() {
+                let unit = if k < 3 { 1.0 } else { 30e-3 };
+                assert!((force / unit).abs() < 1e-6 * fx.hypot(fy), "{index} {k}: {force}");
+            }
+        });
+    }
+}
+
+/// Linear bearings with the tangents at the solution have the same mesh stiffness.
+#[test]
+fn mesh_stiffness_has_the_tangents() {
+    let rows = &arrangements()[0];
+    let nonlinear = scene(rows, 100.0);
+    let (motion, stiffness) = solved(Fidelity::Analytic, &nonlinear, |system, step| {
+        (step.motion.clone(), system.value(step, &MeshStiffness(MESH)).value)
+    });
+    let mut linear = scene(rows, 100.0);
+    for (index, bearing) in linear.0.bearings.iter_mut().enumerate() {
+        let elements = bearing.rolling.take().expect("rolling elements");
+        let [ux, uy, uz, about_x, about_y] = [0, 1, 2, 3, 4].map(|k| motion[k]);
+        let place = PLACES[index];
+        let deflection = [ux + place * about_y, uy - place * about_x, uz, about_x, about_y];
+        let state = elements.state(deflection).expect("finite");
+        let tangent = state.tangent(&elements, 0.0);
+        (bearing.stiffness, bearing.load) = (tangent.stiffness, tangent.load);
+    }
+    let expected = solved(Fidelity::Analytic, &linear, |system, step| {
+        for k in 0..5 {
+            let error = step.motion[k] - motion[k];
+            assert!(error.abs() < 1e-11, "{k}: {} {}", step.motion[k], motion[k]);
+        }
+        system.value(step, &MeshStiffness(MESH)).value
+    });
+    assert!((stiffness / expected - 1.0).abs() < 1e-6, "{stiffness} {expected}");
+}
+
+/// A small load closes the clearances of the bearings, and the displacement grows with the load.
+#[test]
+fn small_loads_close_the_clearance() {
+    let rows = &arrangements()[3];
+    let radial = |torque: f64| {
+        solved(Fidelity::Analytic, &scene(rows, torque), |_, step| step.motion[0].hypot(step.motion[1]))
+    };
+    let [light, small, full] = [1e-2, 1.0, 100.0].map(radial);
+    assert!(light > 0.0 && light < small && small < full && full < 200e-6, "{light} {small} {full}");
+}
+
+/// Prints the time of a position with linear bearings and with tapered roller bearings.
+#[test]
+#[ignore = "measures time"]
+fn time_of_a_position() {
+    let nonlinear = scene(&arrangements()[0], 100.0);
+    let mut linear = scene(&arrangements()[0], 100.0);
+    for bearing in &mut linear.0.bearings {
+        let elements = bearing.rolling.take().expect("rolling elements");
+        bearing.stiffness = *elements.typical_stiffness();
+    }
+    for (name, (scene, mesh)) in [("linear", &linear), ("tapered", &nonlinear)] {
+        let system = built(scene, Fidelity::Analytic, StructureOptions::default());
+        let mut best = f64::INFINITY;
+        for k in 0..20 {
+            let start = std::time::Instant::now();
+            system.solve(mesh.start + 0.01 * f64::from(k) * mesh.period).expect("solved");
+            best = best.min(start.elapsed().as_secs_f64());
+        }
+        println!("{name}: {:.2} ms", best * 1e3);
+    }
+}
+
+/// Rigid bodies have bearings at rest.
+#[test]
+fn rigid_bodies_do_not_deflect_bearings() {
+    solved(Fidelity::Rigid, &scene(&arrangements()[0], 100.0), |_, step| {
+        assert!(step.motion[..5].iter().all(|motion| motion.abs() < 1e-12), "{:?}", step.motion);
+    });
+}
