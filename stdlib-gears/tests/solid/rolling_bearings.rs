@@ -171,9 +171,9 @@ fn time_of_a_position() {
     for (name, (scene, mesh)) in [("linear", &linear), ("tapered", &nonlinear)] {
         let system = built(scene, Fidelity::Analytic, StructureOptions::default());
         let mut best = f64::INFINITY;
-        for k in 0..20 {
+        for k in 0..6 {
             let start = std::time::Instant::now();
-            system.solve(mesh.start + 0.01 * f64::from(k) * mesh.period).expect("solved");
+            system.solve(mesh.start + 0.15 * f64::from(k) * mesh.period).expect("solved");
             best = best.min(start.elapsed().as_secs_f64());
         }
         println!("{name}: {:.2} ms", best * 1e3);

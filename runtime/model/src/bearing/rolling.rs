@@ -92,8 +92,8 @@ impl RollingElements {
         self.bearing.elements(&five(deflection), &self.motion).map_err(rejected)
     }
 
-    /// Returns force and moment of the elements on the first race at a deflection, N and N m; NaN if
-    /// the deflection is not finite.
+    /// Returns force and moment of the elements on the first race at a deflection, N and N m; NaN
+    /// if the deflection is not finite.
     pub fn push(&self, deflection: &[f64; 6]) -> [f64; 6] {
         match self.state(five(deflection)) {
             Ok(state) => six(&state.evaluation.load.map(|load| -load)),

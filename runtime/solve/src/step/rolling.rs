@@ -1,9 +1,10 @@
 //! Outer Newton iteration for rolling bearings.
 //!
 //! The contact problem has the tangents of all rolling bearings; its solution gives their next
-//! deflections. The potential energy of the whole is convex (nearly so with balls). A multiple of the
-//! typical stiffness is added about the last deflection, a proximal term, which keeps steps short
-//! while clearances close. It decreases where the linearized load agrees with that of the elements.
+//! deflections. The potential energy of the whole is convex (nearly so with balls). A multiple of
+//! the typical stiffness is added about the last deflection, a proximal term, which keeps steps
+//! short while clearances close. It decreases where the linearized load agrees with that of the
+//! elements.
 
 use super::StepResult;
 use crate::system::System;
@@ -17,6 +18,8 @@ const ROUNDS: usize = 120;
 /// Difference between the load of the elements and its linearization, relative to the loads of the
 /// elements and of the contact problem.
 const TOLERANCE: f64 = 1e-11;
+/// Difference below which rounding may end the iteration.
+const STALLED: f64 = 1e-8;
 /// First and least multiple of the typical stiffness.
 const ADDITIONS: [f64; 2] = [1e-2, 1e-12];
 /// Multiple of the typical stiffness with which a solution is accepted.
@@ -50,8 +53,8 @@ impl System<'_> {
         self.bearings.iter().any(|&bearing| self.scene.bearings[bearing].rolling.is_some())
     }
 
-    /// Solves the equilibrium with rolling bearings at a time (s). `solve` solves the contact problem
-    /// with given tangents, by bearing of the scene.
+    /// Solves the equilibrium with rolling bearings at a time (s). `solve` solves the contact
+    /// problem with given tangents, by bearing of the scene.
     ///
     /// # Errors
     /// E0726: the rolling bearings do not balance their loads. Those of `solve`.
@@ -62,7 +65,7 @@ impl System<'_> {
     ) -> Result<StepResult, EngineError> {
         let mut rolling = self.rolling_at(time)?;
         let mut addition = ADDITIONS[0];
-        let mut last = 0.0;
+        let mut last = f64::INFINITY;
         for _ in 0..ROUNDS {
             let mut tangents = vec![None; self.scene.bearings.len()];
             for own in &rolling {
@@ -71,18 +74,21 @@ impl System<'_> {
             let mut step = solve(&tangents)?;
             let next = rolling.iter().map(|own| own.next(&step.motion)).collect::<Result<Vec<_>, _>>()?;
             let agreement = agreement(&rolling, &next, &tangents);
+            // Rounding of the contact problem may leave a residual that the certificate states.
+            let is_stalled = agreement.residual <= STALLED && agreement.residual >= 0.5 * last;
             last = agreement.residual;
-            if agreement.residual <= TOLERANCE && addition <= NEGLIGIBLE {
+            if (agreement.residual <= TOLERANCE || is_stalled) && addition <= NEGLIGIBLE {
                 let certificate = &mut step.certificate;
                 certificate.equilibrium = certificate.equilibrium.max(agreement.residual);
                 return Ok(step);
             }
             // The elements are stiffer than their linearization: the step would gain no energy.
-            if agreement.excess > 0.5 * agreement.work {
+            // Near the solution, rounding decides the sign of both.
+            if agreement.residual > STALLED && agreement.excess > 0.5 * agreement.work {
                 addition = 8.0 * addition.max(1e-4);
                 continue;
             }
-            let close = agreement.excess.abs() <= 0.25 * agreement.work;
+            let close = agreement.residual <= STALLED || agreement.excess.abs() <= 0.25 * agreement.work;
             addition = (addition * if close { 1e-2 } else { 0.25 }).max(ADDITIONS[1]);
             for (own, next) in rolling.iter_mut().zip(next) {
                 own.state = next;
