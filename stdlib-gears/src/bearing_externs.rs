@@ -27,17 +27,7 @@ calyx_abi::externs! {
         unloaded_displacement: [f64; 3], unloaded_rotation: [f64; 3], force: [f64; 3], moment: [f64; 3],
         gap_clearances: Vec<f64>, gap_directions: Vec<[f64; 3]>, gap_arms: Vec<[f64; 3]>, gap_stiffness: f64,
     ) -> Handle {
-        let place = context.place;
-        before_analysis(context, format_args!("the bearing \"{name}\""))?;
-        if to == body && body != GROUND {
-            let help = "give the other body, or leave `to` out: then the second race is on ground";
-            return Err(refusal("E0685", "to", &format!("bearing \"{name}\" has both races on one body"), help));
-        }
-        let (first, at) = bearing_seat(context, body, at)?;
-        let to = match to == GROUND {
-            true => Support::Ground,
-            false => Support::Body(bearing_mounting(context, to, (first, at))?),
-        };
+        let Mounting { name, body, to, at } = Mounting::new(context, name, body, to, at)?;
         for (argument, clearance) in [("radial_clearance", radial_clearance), ("axial_clearance", axial_clearance)] {
             if clearance < 0.0 {
                 return Err(refusal("E0688", argument, "a clearance of the bearing is negative",
@@ -63,8 +53,8 @@ calyx_abi::externs! {
         let mut stops = clearances([radial_clearance, axial_clearance], [radial_stiffness, axial_stiffness]);
         stops.extend(gaps(&gap_clearances, &gap_directions, &gap_arms, gap_stiffness)?);
         let bearing = Bearing {
-            name: context.name_in_instance(name),
-            body: first,
+            name,
+            body,
             to,
             at,
             stiffness,
@@ -74,15 +64,7 @@ calyx_abi::externs! {
             stops,
             rolling: None,
         };
-        let host = host(context)?;
-        let misplaced = host.scene.misplaced(&bearing).map_err(|error| host.rejected(error.into(), place))?;
-        let id = host.scene.add_bearing(bearing).map_err(|error| host.rejected(error.into(), place))?;
-        check_planets(host, &host.scene.bearings[id.0]).map_err(externs::engine)?;
-        if let Some(EngineError { code, message, help, .. }) = misplaced.map(|found| found.error) {
-            host.warn(code, message, &help, place);
-        }
-        host.bearing_places.push(place);
-        Ok(Handle(id.0 as u64))
+        add(context, bearing)
     }
 
     Scene fn calyx_gears_bearing_force(context, bearing: Handle, axis: String) -> Handle {
@@ -122,7 +104,65 @@ fn check_planets(host: &ModelHost, bearing: &Bearing) -> Result<(), EngineError>
     Ok(())
 }
 
-fn bearing(context: &mut Context, bearing: Handle) -> Result<BearingId, RuntimeError> {
+/// Position of a bearing between a body and its mounting.
+pub(crate) struct Mounting {
+    /// Name in results.
+    pub(crate) name: String,
+    /// Body of the first race.
+    pub(crate) body: BodyId,
+    /// Body or ground of the second race.
+    pub(crate) to: Support,
+    /// Origin in the coordinates of the first body's frame, m.
+    pub(crate) at: [f64; 3],
+}
+
+impl Mounting {
+    /// Converts the arguments of a bearing.
+    ///
+    /// # Errors
+    /// E0685: both races are on one body. E0859: the position is beside the axis of a shaft. A body
+    /// does not belong to the scene.
+    pub(crate) fn new(
+        context: &mut Context,
+        name: String,
+        body: Handle,
+        to: Handle,
+        at: [f64; 3],
+    ) -> Result<Mounting, RuntimeError> {
+        before_analysis(context, format_args!("the bearing \"{name}\""))?;
+        if to == body && body != GROUND {
+            let message = format!("bearing \"{name}\" has both races on one body");
+            let help = "give the other body, or leave `to` out: then the second race is on ground";
+            return Err(refusal("E0685", "to", &message, help));
+        }
+        let (first, at) = bearing_seat(context, body, at)?;
+        let to = match to == GROUND {
+            true => Support::Ground,
+            false => Support::Body(bearing_mounting(context, to, (first, at))?),
+        };
+        Ok(Mounting { name: context.name_in_instance(name), body: first, to, at })
+    }
+}
+
+/// Adds a bearing to the scene.
+///
+/// # Errors
+/// Those of [`Bearing::check`].
+pub(crate) fn add(context: &mut Context, bearing: Bearing) -> Result<Handle, RuntimeError> {
+    let place = context.place;
+    let host = host(context)?;
+    let misplaced = host.scene.misplaced(&bearing).map_err(|error| host.rejected(error.into(), place))?;
+    let id = host.scene.add_bearing(bearing).map_err(|error| host.rejected(error.into(), place))?;
+    check_planets(host, &host.scene.bearings[id.0]).map_err(externs::engine)?;
+    if let Some(EngineError { code, message, help, .. }) = misplaced.map(|found| found.error) {
+        host.warn(code, message, &help, place);
+    }
+    host.bearing_places.push(place);
+    Ok(Handle(id.0 as u64))
+}
+
+/// Returns the bearing of a handle.
+pub(crate) fn bearing(context: &mut Context, bearing: Handle) -> Result<BearingId, RuntimeError> {
     entry(&host(context)?.scene.bearings, bearing)?;
     Ok(BearingId(bearing.0 as usize))
 }

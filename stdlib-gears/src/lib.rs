@@ -167,6 +167,8 @@ pub mod prototype;
 mod protuberance;
 pub mod rack;
 mod relief;
+pub mod rolling_catalogue;
+pub mod rolling_externs;
 mod root_finding;
 pub mod roughing;
 pub mod sector_mesh;

@@ -75,6 +75,8 @@ const TABLES: &[&[Extern]] = &[
     crate::modification_externs::EXTERNS,
     crate::observable_externs::EXTERNS,
     crate::carrier_externs::EXTERNS,
+    crate::rolling_catalogue::EXTERNS,
+    crate::rolling_externs::EXTERNS,
     crate::shaft_externs::EXTERNS,
     crate::signal_externs::EXTERNS,
     crate::stated_geometry::EXTERNS,

@@ -23,6 +23,7 @@ mod published_blocks;
 mod ratings;
 mod reference;
 mod report;
+mod rolling_bearings;
 mod rust_scene;
 mod same_scene;
 mod shafts;

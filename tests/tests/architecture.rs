@@ -40,7 +40,15 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     (
         "calyx-analysis",
         "runtime/analysis",
-        &["calyx-contact", "calyx-fe", "calyx-model", "calyx-numerics", "calyx-solve", "calyx-structure"],
+        &[
+            "calyx-contact",
+            "calyx-fe",
+            "calyx-model",
+            "calyx-numerics",
+            "calyx-rolling",
+            "calyx-solve",
+            "calyx-structure",
+        ],
     ),
     (
         "calyx-runtime",

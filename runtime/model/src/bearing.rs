@@ -69,7 +69,7 @@ pub struct Bearing {
     pub load: [f64; 6],
     /// Stops: unilateral springs behind clearances.
     pub stops: Vec<Stop>,
-    /// Rolling elements, whose load adds to that of the springs.
+    /// Rolling elements, whose load adds to that of the springs and stops.
     pub rolling: Option<Arc<RollingElements>>,
 }
 
@@ -227,7 +227,8 @@ impl Bearing {
     /// Returns whether the bearing carries no load at zero deflection.
     pub fn is_unloaded_without_motion(&self) -> bool {
         let still = self.unloaded.iter().chain(&self.load).all(|&entry| entry == 0.0);
-        still && !self.stops.iter().any(Stop::is_preloaded)
+        let rolling = self.rolling.as_ref().is_some_and(|elements| elements.is_preloaded());
+        still && !rolling && !self.stops.iter().any(Stop::is_preloaded)
     }
 
     /// Checks whether these bodies can have this bearing in addition to the other bearings.

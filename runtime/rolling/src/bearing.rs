@@ -345,6 +345,14 @@ impl ElementState {
         }
     }
 
+    /// Returns whether the element carries load between both rings.
+    pub fn is_loaded(&self) -> bool {
+        match &self.contacts {
+            Contacts::Ball(ball) => ball.inner.iter().any(|contact| contact.load > 0.0),
+            Contacts::Roller(roller) => roller.inner.load > 0.0,
+        }
+    }
+
     /// Returns the state of a ball.
     pub fn ball(&self) -> Option<&BallState> {
         match &self.contacts {

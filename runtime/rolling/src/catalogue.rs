@@ -60,7 +60,8 @@ impl CatalogueData {
                     self.bore * 1e3
                 ),
                 "give an outside diameter that exceeds the bore by both rings and the rolling elements",
-            ));
+            )
+            .of("outside_diameter"));
         }
         Ok(())
     }
@@ -86,6 +87,7 @@ impl CatalogueData {
             ),
             "check dimensions and load ratings, which must be those of one row, or give the internal geometry",
         )
+.of("dynamic_rating")
     }
 }
 

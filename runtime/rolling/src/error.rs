@@ -10,6 +10,8 @@ pub enum RollingError {
         message: String,
         /// Remedy, an imperative.
         help: String,
+        /// Name of the input, such as `ball_diameter`; empty if several contradict each other.
+        input: String,
     },
     /// No displacement of the inner ring balances the load.
     #[error("{message}")]
@@ -24,12 +26,28 @@ pub enum RollingError {
 impl RollingError {
     /// Creates an error of an input from its message and remedy.
     pub(crate) fn input(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self::Input { message: message.into(), help: help.into() }
+        Self::Input { message: message.into(), help: help.into(), input: String::new() }
+    }
+
+    /// Names the input of the error.
+    pub(crate) fn of(mut self, name: impl Into<String>) -> Self {
+        if let Self::Input { input, .. } = &mut self {
+            *input = name.into();
+        }
+        self
     }
 
     /// Creates an error of the equilibrium from its message and remedy.
     pub(crate) fn equilibrium(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Equilibrium { message: message.into(), help: help.into() }
+    }
+
+    /// Returns the name of the input that is invalid, such as `ball_diameter`.
+    pub fn invalid_input(&self) -> Option<&str> {
+        match self {
+            Self::Input { input, .. } if !input.is_empty() => Some(input),
+            _ => None,
+        }
     }
 
     /// Returns the remedy, an imperative.
@@ -51,7 +69,8 @@ pub(crate) fn positive(name: &str, value: f64) -> Result<(), RollingError> {
     Err(RollingError::input(
         format!("the {name} of a rolling bearing must be positive, but is {value}"),
         format!("give a positive {name}"),
-    ))
+    )
+    .of(name.replace(' ', "_")))
 }
 
 /// Checks that an input is finite.
@@ -65,5 +84,6 @@ pub(crate) fn finite(name: &str, value: f64) -> Result<(), RollingError> {
     Err(RollingError::input(
         format!("the {name} of a rolling bearing must be finite, but is {value}"),
         format!("give a finite {name}"),
-    ))
+    )
+    .of(name.replace(' ', "_")))
 }

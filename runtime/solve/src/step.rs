@@ -31,6 +31,7 @@ use calyx_model::bearing::{Springs, Tangent};
 use calyx_numerics::error::EngineError;
 use contact_layout::{Conditions, Solver};
 use plane::Plane;
+use rolling::RollingBearings;
 use solid::Solid;
 use std::sync::{Arc, OnceLock};
 
@@ -124,10 +125,11 @@ impl System<'_> {
         elastic: Option<&ModalElimination<'_>>,
         sizing: Option<&[f64]>,
     ) -> Result<StepResult, EngineError> {
-        let solve = |tangents: &[Option<Tangent>]| {
+        let solve = |tangents: &[Option<Tangent>], rolling: Option<&RollingBearings<'_>>| {
             let springs = &self.springs_with(time, tangents)?;
             let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
-            let under = Conditions { direction, springs, start: &[], elastic, sizing, in_time: false };
+            let under =
+                Conditions { direction, springs, rolling, start: &[], elastic, sizing, in_time: false };
             match &self.bodies {
                 Bodies::Plane(bodies) => {
                     Solver { system: self, space: &Plane { system: self, bodies }, under }.solve(time, &load)
@@ -137,13 +139,12 @@ impl System<'_> {
                 }
             }
         };
-        // In the limit without load, and with rigid bodies, rolling bearings have their typical
-        // stiffness.
-        let loaded = load.iter().any(|&load| load != 0.0);
-        if self.has_rolling_bearings() && loaded && !self.rigid {
-            return self.with_rolling_bearings(time, solve);
+        // With rigid bodies, rolling bearings do not deflect: they have their typical stiffness
+        // without load.
+        if self.has_rolling_bearings() && !self.rigid {
+            return self.with_rolling_bearings(time, load, solve);
         }
-        solve(&[])
+        solve(&[], None)
     }
 
     /// Solves the end of a time step (s) that starts with the deviations `start` from the
@@ -160,7 +161,8 @@ impl System<'_> {
         sizing: &[f64],
     ) -> Result<StepResult, EngineError> {
         let (direction, sizing) = (sizing, Some(sizing));
-        let under = Conditions { direction, springs, start, elastic, sizing, in_time: true };
+        let rolling = None;
+        let under = Conditions { direction, springs, rolling, start, elastic, sizing, in_time: true };
         match &self.bodies {
             Bodies::Plane(bodies) => {
                 Solver { system: self, space: &Plane { system: self, bodies }, under }.take(time, load)

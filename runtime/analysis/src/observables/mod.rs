@@ -20,6 +20,7 @@ mod mesh;
 mod mesh_cycle;
 mod mode_kind;
 mod pressure;
+mod rolling;
 mod shafts;
 mod sliding;
 mod spline_teeth;
@@ -48,6 +49,9 @@ pub use mode_kind::{
     ModeClassification, ModeEnergyShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet,
 };
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
+pub use rolling::{
+    BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingElementLoad, StaticSafety,
+};
 pub use shafts::{
     ConnectionLoad, NominalStress, SectionComponent, ShaftDisplacement, ShaftMoment, ShaftPosition,
     ShaftReaction, ShaftRotation, ShaftStress,

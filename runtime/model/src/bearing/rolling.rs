@@ -1,22 +1,26 @@
 //! Rolling elements between the races of a bearing: their load is a nonlinear function of the
-//! deflection, and the contact problem has its tangent.
+//! deflection, and contact problems have its tangent.
 
 use super::{Bearing, BearingMatrix};
 use calyx_numerics::error::EngineError;
+use calyx_rolling::rating::static_safety;
 use calyx_rolling::{Displacement, ElementState, Evaluation, Motion, RollingBearing, RollingError, Start};
+use nalgebra::{Matrix5, SymmetricEigen, Vector5};
 
-/// Rolling elements of a bearing with rigid rings. The inner ring is on the first race.
+/// Rolling elements of a bearing with rigid rings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollingElements {
     /// Rows of rolling elements.
     pub bearing: RollingBearing,
     /// Speeds of the rings and azimuth of the elements.
     pub motion: Motion,
+    /// The inner ring is on the second race.
+    is_inverted: bool,
     typical: BearingMatrix,
 }
 
 /// Linearized load of rolling elements at a deflection.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Tangent {
     /// Symmetric part of the stiffness by deflections, with an addition that keeps steps short.
     pub stiffness: BearingMatrix,
@@ -27,20 +31,21 @@ pub struct Tangent {
 /// State of the rolling elements of one bearing in the search for equilibrium.
 #[derive(Clone, Debug)]
 pub struct RollingState {
-    /// Deflection: displacement of the inner ring.
+    /// Deflection: displacement of the first race relative to the second.
     pub deflection: Displacement,
-    /// Load and stiffness there.
+    /// Load on the first race and stiffness there.
     pub evaluation: Evaluation,
     start: Start,
 }
 
 impl RollingElements {
-    /// Creates the elements of a bearing from its rows.
+    /// Creates the elements of a bearing from its rows. The inner ring is on the first race.
     ///
     /// # Errors
-    /// E0697: an element has no equilibrium, or an input is not finite.
+    /// E0697: an input is not finite, or the bearing without deflection would indent its raceways.
     pub fn new(bearing: RollingBearing, motion: Motion) -> Result<Self, EngineError> {
-        let mut elements = Self { bearing, motion, typical: [[0.0; 6]; 6] };
+        let mut elements = Self { bearing, motion, is_inverted: false, typical: [[0.0; 6]; 6] };
+        elements.check_preload()?;
         // Tangents on all sides of the clearance together resist all motions that any one resists.
         let reach = elements.bearing.reach();
         for direction in 0..3 {
@@ -64,14 +69,44 @@ impl RollingElements {
         &self.typical
     }
 
+    /// Moves the inner ring to the second race.
+    pub fn inverted(self) -> Self {
+        Self { is_inverted: !self.is_inverted, ..self }
+    }
+
+    /// Returns half of the largest pitch diameter, m, which makes moments comparable with forces.
+    pub fn radius(&self) -> f64 {
+        self.bearing.rows().iter().map(|row| 0.5 * row.pitch_diameter()).fold(0.0, f64::max)
+    }
+
+    /// Returns whether the elements carry load without deflection.
+    pub fn is_preloaded(&self) -> bool {
+        self.state([0.0; 5]).is_ok_and(|state| state.evaluation.scale > 0.0)
+    }
+
+    /// Rejects preload whose pressure exceeds the limit of ISO 76 without any deflection.
+    fn check_preload(&self) -> Result<(), EngineError> {
+        let elements = self.bearing.elements(&[0.0; 5], &self.motion).map_err(rejected)?;
+        if static_safety(&elements) >= 1.0 {
+            return Ok(());
+        }
+        let pressure = elements.iter().map(ElementState::pressure).fold(0.0, f64::max);
+        Err(EngineError::new(
+            "E0697",
+            format!(
+                "the bearing indents its raceways: without external load the pressure is {:.0} MPa",
+                1e-6 * pressure
+            ),
+            "reduce the preload, which is usually some micrometres, or the speed",
+        ))
+    }
+
     /// Evaluates the elements at a deflection.
     ///
     /// # Errors
     /// E0697: the deflection is not finite.
     pub fn state(&self, deflection: Displacement) -> Result<RollingState, EngineError> {
-        let mut start = Start::default();
-        let evaluation = self.bearing.evaluate(&deflection, &self.motion, &mut start).map_err(rejected)?;
-        Ok(RollingState { deflection, evaluation, start })
+        self.evaluate(deflection, Start::default())
     }
 
     /// Evaluates the elements at another deflection, starting from a state.
@@ -79,9 +114,19 @@ impl RollingElements {
     /// # Errors
     /// E0697: the deflection is not finite.
     pub fn moved(&self, from: &RollingState, deflection: Displacement) -> Result<RollingState, EngineError> {
-        let mut start = from.start.clone();
-        let evaluation = self.bearing.evaluate(&deflection, &self.motion, &mut start).map_err(rejected)?;
+        self.evaluate(deflection, from.start.clone())
+    }
+
+    fn evaluate(&self, deflection: Displacement, mut start: Start) -> Result<RollingState, EngineError> {
+        let inner = self.of_inner_ring(deflection);
+        let mut evaluation = self.bearing.evaluate(&inner, &self.motion, &mut start).map_err(rejected)?;
+        evaluation.load = self.of_inner_ring(evaluation.load);
         Ok(RollingState { deflection, evaluation, start })
+    }
+
+    /// Converts a displacement or load of the first race to that of the inner ring, or back.
+    fn of_inner_ring(&self, components: [f64; 5]) -> [f64; 5] {
+        if self.is_inverted { components.map(|part| -part) } else { components }
     }
 
     /// Returns the states of all elements at a deflection.
@@ -89,7 +134,7 @@ impl RollingElements {
     /// # Errors
     /// E0697: the deflection is not finite.
     pub fn elements(&self, deflection: &[f64; 6]) -> Result<Vec<ElementState>, EngineError> {
-        self.bearing.elements(&five(deflection), &self.motion).map_err(rejected)
+        self.bearing.elements(&self.of_inner_ring(five(deflection)), &self.motion).map_err(rejected)
     }
 
     /// Returns force and moment of the elements on the first race at a deflection, N and N m; NaN
@@ -102,20 +147,51 @@ impl RollingElements {
     }
 }
 
+impl Tangent {
+    /// Returns the linearized load on the first race at a deflection.
+    pub fn load_at(&self, deflection: &Displacement) -> [f64; 5] {
+        std::array::from_fn(|i| {
+            let sprung: f64 = (0..5).map(|j| self.stiffness[i][j] * deflection[j]).sum();
+            sprung - self.load[i]
+        })
+    }
+}
+
 impl RollingState {
     /// Linearizes the load, with `addition` times the typical stiffness added about this state.
+    ///
+    /// The stiffness is symmetric and positive semidefinite: gyroscopic moments make that of balls
+    /// slightly asymmetric, and large tilting under load can make it indefinite.
     pub fn tangent(&self, elements: &RollingElements, addition: f64) -> Tangent {
-        let at = &self.evaluation.stiffness;
-        let mut tangent = Tangent { stiffness: [[0.0; 6]; 6], load: [0.0; 6] };
+        let at = positive_part(&self.evaluation.stiffness, elements.radius());
+        let mut tangent = Tangent::default();
         for i in 0..5 {
             for j in 0..5 {
-                tangent.stiffness[i][j] = 0.5 * (at[i][j] + at[j][i]) + addition * elements.typical[i][j];
+                tangent.stiffness[i][j] = at[(i, j)] + addition * elements.typical[i][j];
                 tangent.load[i] += tangent.stiffness[i][j] * self.deflection[j];
             }
             tangent.load[i] -= self.evaluation.load[i];
         }
         tangent
     }
+}
+
+/// Returns the symmetric part of a stiffness without its negative eigenvalues. Rotations are
+/// compared with displacements at a radius, m.
+fn positive_part(stiffness: &[[f64; 5]; 5], radius: f64) -> Matrix5<f64> {
+    let symmetric = Matrix5::from_fn(|i, j| 0.5 * (stiffness[i][j] + stiffness[j][i]));
+    let lengths = Vector5::from_fn(|i, _| if i < 3 { 1.0 } else { radius });
+    let scaled = Matrix5::from_fn(|i, j| symmetric[(i, j)] / (lengths[i] * lengths[j]));
+    if !scaled.iter().all(|entry| entry.is_finite()) {
+        return symmetric;
+    }
+    let eigen = SymmetricEigen::new(scaled);
+    if eigen.eigenvalues.min() >= -1e-12 * eigen.eigenvalues.max() {
+        return symmetric;
+    }
+    let kept = eigen.eigenvalues.map(|value| value.max(0.0));
+    let positive = eigen.eigenvectors * Matrix5::from_diagonal(&kept) * eigen.eigenvectors.transpose();
+    Matrix5::from_fn(|i, j| 0.5 * (positive[(i, j)] + positive[(j, i)]) * lengths[i] * lengths[j])
 }
 
 impl Bearing {

@@ -101,7 +101,8 @@ impl BallRow {
                     format!(
                         "give a conformity of the {ring} groove between 0.5 and 1; usual is 0.51 to 0.53"
                     ),
-                ));
+                )
+.of(format!("{ring}_conformity")));
             }
         }
         let (angle, clearance) = g.kind.angle_and_clearance();
@@ -110,7 +111,8 @@ impl BallRow {
             return Err(RollingError::input(
                 format!("the contact angle of the ball bearing is {}°", angle.to_degrees()),
                 "give a contact angle of at least 0° and less than 90°",
-            ));
+            )
+            .of("contact_angle"));
         }
         let row = Self::build(geometry, angle, clearance)?;
         row.check_interference(clearance)?;
@@ -125,7 +127,8 @@ impl BallRow {
             return Err(RollingError::input(
                 format!("with a clearance of {} mm, the balls cannot touch both grooves", clearance * 1e3),
                 format!("reduce the clearance to less than {:.4} mm", 2e3 * spread * cos(angle)),
-            ));
+            )
+            .of("clearance"));
         }
         let groove = |inner: bool, side: f64| {
             let (sign, conformity) =
@@ -172,7 +175,8 @@ impl BallRow {
                     -clearance * 1e3
                 ),
                 format!("reduce the interference to at most {:.4} mm", allowed * 1e3),
-            ));
+            )
+            .of("clearance"));
         }
         Ok(())
     }
@@ -240,7 +244,8 @@ pub(crate) fn check_circle(
         return Err(RollingError::input(
             format!("the bearing has {count} {elements} per row"),
             format!("give a number of {elements} from 1 to 10000"),
-        ));
+        )
+        .of("count"));
     }
     if diameter >= pitch_diameter {
         return Err(RollingError::input(
@@ -250,7 +255,8 @@ pub(crate) fn check_circle(
                 pitch_diameter * 1e3
             ),
             "reduce the diameter of the rolling elements or enlarge the pitch diameter",
-        ));
+        )
+        .of("pitch_diameter"));
     }
     let spacing = pitch_diameter * sin(PI / count as f64);
     if count > 1 && spacing < diameter {
@@ -265,7 +271,8 @@ pub(crate) fn check_circle(
                 "reduce the number of {elements} to at most {most}, or their diameter to {:.4} mm",
                 spacing * 1e3
             ),
-        ));
+        )
+        .of("count"));
     }
     Ok(())
 }

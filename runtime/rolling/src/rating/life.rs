@@ -130,13 +130,15 @@ pub fn life_modification(balls: bool, viscosity_ratio: f64, load_ratio: f64) -> 
         return Err(RollingError::input(
             format!("the rating life of ISO 281 has no factor for the viscosity ratio {viscosity_ratio}"),
             "give a viscosity ratio of at least 0.1, by a more viscous lubricant or a higher speed",
-        ));
+        )
+        .of("viscosity_ratio"));
     }
     if load_ratio.is_nan() || load_ratio < 0.0 {
         return Err(RollingError::input(
             format!("the product of contamination factor and fatigue limit is {load_ratio} of the load"),
             "give a contamination factor from 0 to 1",
-        ));
+        )
+        .of("contamination"));
     }
     let (first, seconds, powers, root, exponent) = if balls {
         (2.5671, [2.2649, 1.9987, 1.9987], 0.83, 1.0 / 3.0, -9.3)
@@ -166,7 +168,8 @@ fn reliability_factor(reliability: f64) -> Result<f64, RollingError> {
         return Err(RollingError::input(
             format!("the rating life has no factor for the reliability {reliability}"),
             "give a reliability from 0.9 to 0.99",
-        ));
+        )
+        .of("reliability"));
     }
     let at = TABLE.partition_point(|row| row[0] < reliability).clamp(1, TABLE.len() - 1);
     let ([from, first], [to, second]) = (TABLE[at - 1], TABLE[at]);

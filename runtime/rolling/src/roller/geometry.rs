@@ -136,7 +136,8 @@ impl RollerRow {
             return Err(RollingError::input(
                 format!("a contact line of {} laminae", g.laminae),
                 "give a number of laminae from 2 to 1000; ISO/TS 16281 requires at least 30",
-            ));
+            )
+            .of("laminae"));
         }
         let modulus = composite_modulus(&g.rings, &g.rollers);
         let coefficient = line::coefficient(g.length, modulus) / g.laminae as f64;
@@ -211,7 +212,8 @@ impl RollerRow {
                     "reduce the interference to at most {:.4} mm",
                     4e3 * most / libm::cos(self.angles[1])
                 ),
-            ));
+            )
+            .of("clearance"));
         }
         Ok(())
     }
@@ -262,5 +264,6 @@ pub(super) fn check_angle(angle: f64, zero: bool) -> Result<(), RollingError> {
     Err(RollingError::input(
         format!("the contact angle of the roller bearing is {}°", angle.to_degrees()),
         format!("give a contact angle of {least} 0° and less than 90°"),
-    ))
+    )
+    .of("contact_angle"))
 }

@@ -45,7 +45,8 @@ impl Profile {
                         -0.5e3 * length,
                         0.5e3 * length
                     ),
-                ))
+                )
+.of("profile_relief"))
             }
         }
     }

@@ -106,7 +106,8 @@ impl RollerGeometry {
                     outer_angle.to_degrees()
                 ),
                 "reduce the roller diameter or enlarge the contact angle or pitch diameter",
-            ));
+            )
+.of("roller_diameter"));
         }
         let apex = pitch / sin(axis);
         let slant = apex * cos(taper);
@@ -114,7 +115,8 @@ impl RollerGeometry {
             return Err(RollingError::input(
                 "the tapered rollers extend beyond the apex of their cones",
                 "reduce the roller length or the contact angle",
-            ));
+            )
+            .of("roller_length"));
         }
         let (apex_z, angles) = (apex * cos(axis), [axis - taper, outer_angle]);
         let laminae = self.laminae(|position, inner| {
@@ -163,7 +165,8 @@ impl RollerGeometry {
                     rib.height * 1e3
                 ),
                 format!("give a height of at most {:.4} mm", 0.45e3 * self.roller_diameter),
-            ));
+            )
+            .of("rib_height"));
         }
         if rib.end_radius <= 0.5 * self.roller_diameter {
             return Err(RollingError::input(
@@ -172,7 +175,8 @@ impl RollerGeometry {
                     rib.end_radius * 1e3
                 ),
                 "give a larger radius of the roller end, usually 0.9 of the distance to the apex",
-            ));
+            )
+            .of("rib_end_radius"));
         }
         // Unit vectors: along the roller axis to the large end, and across it, outwards.
         let along = [sin(axis), -cos(axis)];
@@ -199,7 +203,8 @@ impl RollerGeometry {
                 return Err(RollingError::input(
                     format!("the {ring} osculation of the spherical rollers is {osculation}"),
                     "give a ratio of roller to raceway radius between 0.5 and 1; usual is 0.96 to 0.99",
-                ));
+                )
+                .of(format!("{ring}_osculation")));
             }
         }
         let pitch = 0.5 * self.pitch_diameter;
@@ -211,7 +216,8 @@ impl RollerGeometry {
             return Err(RollingError::input(
                 "the spherical rollers are longer than their profile permits",
                 format!("reduce the roller length to less than {:.4} mm", 1.8e3 * profile),
-            ));
+            )
+            .of("roller_length"));
         }
         let normal = [cos(angle), sin(angle)];
         let tangent = [sin(angle), -cos(angle)];

@@ -7,6 +7,7 @@
 use super::StepResult;
 use super::contact_geometry::{Approach, Candidate, ContactGeometry};
 use super::relinearization::{ContactReference, farthest};
+use super::rolling::RollingBearings;
 use crate::modal::ModalElimination;
 use crate::restraint_check;
 use crate::system::System;
@@ -44,6 +45,8 @@ pub(super) struct Conditions<'a> {
     pub(super) direction: &'a [f64],
     /// Terms of bearings at the position.
     pub(super) springs: &'a Springs,
+    /// Rolling bearings, whose tangents replace those of `springs` in contact problems.
+    pub(super) rolling: Option<&'a RollingBearings<'a>>,
     /// Deviations from the prescribed motions at which the contact grid is created, m or rad by
     /// DOF; empty if zero.
     pub(super) start: &'a [f64],

@@ -4,6 +4,7 @@
 use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells};
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
 use super::relinearization::ContactReference;
+use super::rolling::RollingBearings;
 use super::{ContactPatch, StepResult};
 use crate::restraint_check::{self, spins_freely};
 use crate::system::System;
@@ -77,13 +78,23 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let mut grids =
             (0..candidates.len()).map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
         let mut known: Option<KnownCompliance> = None;
+        let mut iteration = self.under.rolling.map(RollingBearings::unloaded).transpose()?;
         let (drags, mut problem, modal, solution) = loop {
             let (problem, modal, compliance) = self.problem(load, candidates, &grids, known.as_ref())?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let guess = self.guess(load, candidates, &problem, &grids);
-            let solved = solve_with_friction(problem, &works, Some(&guess), &self.system.interrupt);
-            let (problem, solution) = solved.map_err(|error| self.explain_on(candidates, &grids, &error))?;
+            let solve = |problem, guess: &[usize]| {
+                let solved = solve_with_friction(problem, &works, Some(guess), &self.system.interrupt);
+                solved.map_err(|error| self.explain_on(candidates, &grids, &error))
+            };
+            // Corrected grids start with the bearings of the former grids.
+            let (problem, solution) = match (self.under.rolling, &mut iteration) {
+                (Some(rolling), Some(iteration)) => {
+                    rolling.equilibrium(iteration, problem, self.under.start, guess, solve)?
+                }
+                _ => solve(problem, &guess)?,
+            };
             // Sizes that are not prescribed follow the forces of the patches.
             let better =
                 self.corrected_grid_sizes(candidates, (&grids[..], &sizes[..]), &solution, rounds <= growths);

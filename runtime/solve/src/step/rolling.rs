@@ -1,32 +1,50 @@
-//! Outer Newton iteration for rolling bearings.
+//! Rolling bearings in equilibrium with contact.
 //!
-//! The contact problem has the tangents of all rolling bearings; its solution gives their next
-//! deflections. The potential energy of the whole is convex (nearly so with balls). A multiple of
-//! the typical stiffness is added about the last deflection, a proximal term, which keeps steps
-//! short while clearances close. It decreases where the linearized load agrees with that of the
-//! elements.
+//! The load of a rolling bearing is a nonlinear function of its deflection. Each contact problem
+//! has the tangents of all rolling bearings, and its solution gives their next deflections: a
+//! proximal Newton method on the total potential energy, which is exact for contact and quadratic
+//! for bearings. The grids of contact do not change in this iteration, so the energy is one convex
+//! function (nearly so with balls). A step ends where the work of the bearings attains that of
+//! their linearization, which decreases an upper bound of the energy without another contact
+//! problem. A multiple of the typical stiffness restrains bearings within their clearances; it
+//! vanishes with the convergence.
+//!
+//! Where springs carry the load without contact, there are no cells, and the same iteration repeats
+//! the rigid-body limit.
+//!
+//! See `docs/theory/rolling-bearings.md`.
 
 use super::StepResult;
 use crate::system::System;
-use calyx_model::bearing::{BearingState, RollingElements, RollingState, Tangent};
+use calyx_contact::problem::{ContactProblem, Solution};
+use calyx_model::bearing::{BearingState, RollingElements, RollingState, Springs, Tangent};
 use calyx_model::dof::Dof;
 use calyx_numerics::error::{EngineError, Subject};
+use std::cell::Cell;
 use std::sync::Arc;
 
-/// Largest number of contact problems of a position.
-const ROUNDS: usize = 120;
+/// Largest number of contact problems with the same grids.
+const ROUNDS: usize = 100;
 /// Difference between the load of the elements and its linearization, relative to the loads of the
 /// elements and of the contact problem.
 const TOLERANCE: f64 = 1e-11;
 /// Difference below which rounding may end the iteration.
-const STALLED: f64 = 1e-8;
+const ROUNDING: f64 = 1e-9;
 /// First and least multiple of the typical stiffness.
 const ADDITIONS: [f64; 2] = [1e-2, 1e-12];
 /// Multiple of the typical stiffness with which a solution is accepted.
 const NEGLIGIBLE: f64 = 1e-9;
+/// Excess of the work of the bearings over that of their linearization, relative to the work of
+/// the step, that a step may have.
+const MOST_EXCESS: f64 = 0.25;
+/// Longest step, in multiples of the reach of a bearing
+/// (`calyx_rolling::RollingBearing::reach`).
+const LONGEST_STEP: f64 = 5.0;
+/// Largest number of evaluations in the search for the length of a step.
+const SEARCHES: usize = 30;
 
-/// A rolling bearing of the scene in the iteration.
-struct Rolling {
+/// A rolling bearing of the scene.
+struct Member {
     /// Index in the scene.
     bearing: usize,
     elements: Arc<RollingElements>,
@@ -34,17 +52,32 @@ struct Rolling {
     arms: Vec<[f64; 6]>,
     /// Length that makes moments comparable with forces, m.
     radius: f64,
-    state: RollingState,
+    /// Width to which forces of a plane model refer, m.
+    width: f64,
 }
 
-/// Agreement of the next loads of all bearings with their linearization.
-struct Agreement {
-    /// Largest difference relative to the loads.
+/// Rolling bearings of a system at a time, with the springs and loads besides them.
+pub(super) struct RollingBearings<'a> {
+    system: &'a System<'a>,
+    members: Vec<Member>,
+    /// Springs without rolling elements.
+    base: Springs,
+    /// External load.
+    load: Vec<f64>,
+    /// True once a contact problem had the tangents.
+    is_solved: Cell<bool>,
+}
+
+/// State of the iteration.
+#[derive(Clone)]
+pub(super) struct RollingIteration {
+    states: Vec<RollingState>,
+    /// Multiple of the typical stiffness in the tangents.
+    addition: f64,
+    /// Last residual.
     residual: f64,
-    /// Work of the difference on the step.
-    excess: f64,
-    /// Work of the linearized change of load on the step.
-    work: f64,
+    /// Index of the scene of the bearing with the largest residual.
+    worst: usize,
 }
 
 impl System<'_> {
@@ -53,115 +86,286 @@ impl System<'_> {
         self.bearings.iter().any(|&bearing| self.scene.bearings[bearing].rolling.is_some())
     }
 
-    /// Solves the equilibrium with rolling bearings at a time (s). `solve` solves the contact
-    /// problem with given tangents, by bearing of the scene.
+    /// Solves the equilibrium with rolling bearings under a load at a time (s). `solve` solves the
+    /// position with given tangents, by bearing of the scene; without them, bearings have their
+    /// typical stiffness.
     ///
     /// # Errors
     /// E0726: the rolling bearings do not balance their loads. Those of `solve`.
     pub(super) fn with_rolling_bearings(
         &self,
         time: f64,
-        solve: impl Fn(&[Option<Tangent>]) -> Result<StepResult, EngineError>,
+        load: &[f64],
+        solve: impl Fn(&[Option<Tangent>], Option<&RollingBearings<'_>>) -> Result<StepResult, EngineError>,
     ) -> Result<StepResult, EngineError> {
-        let mut rolling = self.rolling_at(time)?;
-        let mut addition = ADDITIONS[0];
-        let mut last = f64::INFINITY;
+        let bearings = RollingBearings::new(self, time, load)?;
+        let mut iteration = bearings.unloaded()?;
+        let is_preloaded = iteration.states.iter().any(|state| state.evaluation.scale > 0.0);
+        // In the limit without load, bearings keep the middle of their clearance.
+        if !is_preloaded && load.iter().all(|&load| load == 0.0) {
+            return solve(&[], None);
+        }
+        let step = solve(&[], Some(&bearings))?;
+        if bearings.is_solved.get() {
+            return Ok(step);
+        }
         for _ in 0..ROUNDS {
-            let mut tangents = vec![None; self.scene.bearings.len()];
-            for own in &rolling {
-                tangents[own.bearing] = Some(own.state.tangent(&own.elements, addition));
+            let tangents = bearings.tangents(&iteration);
+            let mut by_scene = vec![None; self.scene.bearings.len()];
+            for (member, tangent) in bearings.members.iter().zip(&tangents) {
+                by_scene[member.bearing] = Some(tangent.clone());
             }
-            let mut step = solve(&tangents)?;
-            let next = rolling.iter().map(|own| own.next(&step.motion)).collect::<Result<Vec<_>, _>>()?;
-            let agreement = agreement(&rolling, &next, &tangents);
-            // Rounding of the contact problem may leave a residual that the certificate states.
-            let is_stalled = agreement.residual <= STALLED && agreement.residual >= 0.5 * last;
-            last = agreement.residual;
-            if (agreement.residual <= TOLERANCE || is_stalled) && addition <= NEGLIGIBLE {
-                let certificate = &mut step.certificate;
-                certificate.equilibrium = certificate.equilibrium.max(agreement.residual);
+            let mut step = solve(&by_scene, Some(&bearings))?;
+            let is_solved = bearings.is_solved.get();
+            if is_solved || bearings.advance(&mut iteration, &tangents, &step.motion)? {
+                if !is_solved {
+                    step.certificate.equilibrium = step.certificate.equilibrium.max(iteration.residual);
+                }
                 return Ok(step);
             }
-            // The elements are stiffer than their linearization: the step would gain no energy.
-            // Near the solution, rounding decides the sign of both.
-            if agreement.residual > STALLED && agreement.excess > 0.5 * agreement.work {
-                addition = 8.0 * addition.max(1e-4);
-                continue;
-            }
-            let close = agreement.residual <= STALLED || agreement.excess.abs() <= 0.25 * agreement.work;
-            addition = (addition * if close { 1e-2 } else { 0.25 }).max(ADDITIONS[1]);
-            for (own, next) in rolling.iter_mut().zip(next) {
-                own.state = next;
-            }
         }
-        Err(self.unbalanced(&rolling, last))
-    }
-
-    /// Returns the rolling bearings without deflection.
-    fn rolling_at(&self, time: f64) -> Result<Vec<Rolling>, EngineError> {
-        let mut rolling = Vec::new();
-        for &bearing in &self.bearings {
-            let own = &self.scene.bearings[bearing];
-            let Some(elements) = &own.rolling else { continue };
-            let placed = BearingState::at(&self.scene.bodies, own, time)?;
-            let arms = self.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
-            let rows = elements.bearing.rows().iter();
-            let radius = rows.map(|row| 0.5 * row.pitch_diameter()).fold(0.0, f64::max);
-            let (elements, state) = (elements.clone(), elements.state([0.0; 5])?);
-            rolling.push(Rolling { bearing, elements, arms, radius, state });
-        }
-        Ok(rolling)
-    }
-
-    fn unbalanced(&self, rolling: &[Rolling], residual: f64) -> EngineError {
-        let name = rolling.first().map_or("", |own| self.scene.bearings[own.bearing].name.as_str());
-        let error = EngineError::new(
-            "E0726",
-            format!(
-                "the rolling bearings do not balance their loads: the difference is {residual:.1e} of the loads, among others at \"{name}\""
-            ),
-            "give bearings that carry the load in its direction, such as a second tapered roller bearing for the opposite axial load",
-        );
-        match rolling.first() {
-            Some(own) => error.about(Subject::Bearing(own.bearing)),
-            None => error,
-        }
+        Err(bearings.unbalanced(&iteration))
     }
 }
 
-impl Rolling {
-    /// Returns the state at the deflection of a solution.
-    fn next(&self, motion: &[f64]) -> Result<RollingState, EngineError> {
+impl<'a> RollingBearings<'a> {
+    fn new(system: &'a System<'a>, time: f64, load: &[f64]) -> Result<Self, EngineError> {
+        let mut members = Vec::new();
+        for &bearing in &system.bearings {
+            let own = &system.scene.bearings[bearing];
+            let Some(elements) = &own.rolling else { continue };
+            let placed = BearingState::at(&system.scene.bodies, own, time)?;
+            let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
+            let (radius, width) = (elements.radius(), system.width(own.body.0));
+            members.push(Member { bearing, elements: elements.clone(), arms, radius, width });
+        }
+        let none = vec![Some(Tangent::default()); system.scene.bearings.len()];
+        let base = system.springs_with(time, &none)?;
+        Ok(Self { system, members, base, load: load.to_vec(), is_solved: Cell::new(false) })
+    }
+
+    /// Returns the iteration at bearings without deflection.
+    pub(super) fn unloaded(&self) -> Result<RollingIteration, EngineError> {
+        let states = self.members.iter().map(|own| own.elements.state([0.0; 5]));
+        Ok(RollingIteration {
+            states: states.collect::<Result<_, _>>()?,
+            addition: ADDITIONS[0],
+            residual: f64::INFINITY,
+            worst: self.members.first().map_or(0, |own| own.bearing),
+        })
+    }
+
+    /// Solves a contact problem, whose motions are relative to `start`, with the bearings in
+    /// equilibrium. `solve` solves a problem from an active set. The iteration starts from the
+    /// given one and replaces it.
+    ///
+    /// # Errors
+    /// E0726: the rolling bearings do not balance their loads. Those of `solve`.
+    pub(super) fn equilibrium(
+        &self,
+        iteration: &mut RollingIteration,
+        mut problem: ContactProblem,
+        start: &[f64],
+        mut guess: Vec<usize>,
+        solve: impl Fn(ContactProblem, &[usize]) -> Result<(ContactProblem, Solution), EngineError>,
+    ) -> Result<(ContactProblem, Solution), EngineError> {
+        iteration.residual = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            let tangents = self.tangents(iteration);
+            self.put(&mut problem, &tangents, start);
+            let (solved, mut solution) = solve(problem, &guess)?;
+            let motion = self.absolute(&solution.motion, start);
+            if self.advance(iteration, &tangents, &motion)? {
+                self.is_solved.set(true);
+                let certificate = &mut solution.certificate;
+                certificate.equilibrium = certificate.equilibrium.max(iteration.residual);
+                return Ok((solved, solution));
+            }
+            (problem, guess) = (solved, solution.active);
+        }
+        Err(self.unbalanced(iteration))
+    }
+
+    fn absolute(&self, motion: &[f64], start: &[f64]) -> Vec<f64> {
+        let start = start.iter().copied().chain(std::iter::repeat(0.0));
+        motion.iter().zip(start).map(|(moved, start)| start + moved).collect()
+    }
+
+    fn tangents(&self, iteration: &RollingIteration) -> Vec<Tangent> {
+        let members = self.members.iter().zip(&iteration.states);
+        members.map(|(own, state)| state.tangent(&own.elements, iteration.addition)).collect()
+    }
+
+    /// Replaces stiffness and load of a contact problem, whose motions are relative to `start`.
+    fn put(&self, problem: &mut ContactProblem, tangents: &[Tangent], start: &[f64]) {
+        let m = self.load.len();
+        let (mut stiffness, mut load) = (self.base.stiffness.clone(), self.base.load.clone());
+        for (own, tangent) in self.members.iter().zip(tangents) {
+            for (k, column) in own.arms.iter().enumerate() {
+                let pushed: [f64; 6] = tangent.stiffness.map(|row| dot(&row, column));
+                load[k] += dot(column, &tangent.load) / own.width;
+                // Compute each entry and its mirror image once, so that the matrix is exactly
+                // symmetric.
+                for (l, other) in own.arms.iter().enumerate().skip(k) {
+                    let entry = dot(&pushed, other) / own.width;
+                    stiffness[k * m + l] += entry;
+                    if l > k {
+                        stiffness[l * m + k] += entry;
+                    }
+                }
+            }
+        }
+        for k in 0..m {
+            let row = &stiffness[k * m..(k + 1) * m];
+            let strained: f64 = row.iter().zip(start).map(|(entry, moved)| entry * moved).sum();
+            load[k] += self.load[k] - strained;
+        }
+        (problem.stiffness, problem.load) = (stiffness, load);
+    }
+
+    /// Moves the iteration toward the motions of a solution with these tangents; returns whether it
+    /// has converged.
+    fn advance(
+        &self,
+        iteration: &mut RollingIteration,
+        tangents: &[Tangent],
+        motion: &[f64],
+    ) -> Result<bool, EngineError> {
+        let deflections: Vec<[f64; 5]> = self.members.iter().map(|own| own.deflection(motion)).collect();
+        let steps: Vec<[f64; 5]> = iteration
+            .states
+            .iter()
+            .zip(&deflections)
+            .map(|(state, next)| std::array::from_fn(|i| next[i] - state.deflection[i]))
+            .collect();
+        let linear: Vec<[f64; 5]> =
+            tangents.iter().zip(&deflections).map(|(tangent, next)| tangent.load_at(next)).collect();
+        let work = inner(
+            &steps,
+            linear
+                .iter()
+                .zip(&iteration.states)
+                .map(|(linear, state)| std::array::from_fn(|i| linear[i] - state.evaluation.load[i])),
+        );
+        let limit = self.members.iter().zip(&steps).map(|(own, step)| own.longest(step)).fold(1.0, f64::min);
+        let target = inner(&steps, linear.iter().copied());
+        let of = |states: &[RollingState]| {
+            inner(&steps, states.iter().map(|state| state.evaluation.load)) - target
+        };
+        let mut length = limit;
+        let mut next = self.moved(iteration, &steps, length)?;
+        let mut excess = of(&next);
+        if length == 1.0 {
+            let last = iteration.residual;
+            (iteration.residual, iteration.worst) = self.residual(&iteration.states, &next, &linear);
+            // Rounding of the contact problem may leave a residual that the certificate states.
+            let is_stalled = iteration.residual <= ROUNDING && iteration.residual >= 0.5 * last;
+            if iteration.addition <= NEGLIGIBLE && (iteration.residual <= TOLERANCE || is_stalled) {
+                iteration.states = next;
+                return Ok(true);
+            }
+        }
+        // Near the solution, rounding decides the sign of both.
+        let is_near = length == 1.0 && iteration.residual <= ROUNDING;
+        let (mut low, mut high) = ([0.0, -work], [length, excess]);
+        for _ in 0..SEARCHES {
+            if is_near || excess <= MOST_EXCESS * work && (length == limit || excess >= -MOST_EXCESS * work) {
+                break;
+            }
+            if excess > 0.0 || excess.is_nan() {
+                high = [length, excess];
+                low[1] *= 0.5;
+            } else {
+                low = [length, excess];
+                high[1] *= 0.5;
+            }
+            let part = low[1] / (low[1] - high[1]);
+            let part = if part.is_finite() { part.clamp(0.02, 0.98) } else { 0.5 };
+            length = low[0] + part * (high[0] - low[0]);
+            next = self.moved(iteration, &steps, length)?;
+            excess = of(&next);
+        }
+        iteration.addition = match length {
+            1.0 => (1e-2 * iteration.addition).max(ADDITIONS[1]),
+            length if length < 0.5 => (10.0 * iteration.addition).clamp(1e-6, ADDITIONS[0]),
+            _ => iteration.addition,
+        };
+        iteration.states = next;
+        Ok(false)
+    }
+
+    /// Returns the states after a part of the steps.
+    fn moved(
+        &self,
+        iteration: &RollingIteration,
+        steps: &[[f64; 5]],
+        part: f64,
+    ) -> Result<Vec<RollingState>, EngineError> {
+        let members = self.members.iter().zip(&iteration.states).zip(steps);
+        let moved = members.map(|((own, state), step)| {
+            let deflection = std::array::from_fn(|i| state.deflection[i] + part * step[i]);
+            own.elements.moved(state, deflection)
+        });
+        moved.collect()
+    }
+
+    /// Returns the largest difference between the loads of states and their linearization, relative
+    /// to the loads of the elements, and its bearing.
+    fn residual(&self, states: &[RollingState], next: &[RollingState], linear: &[[f64; 5]]) -> (f64, usize) {
+        let mut largest = (0.0, self.members.first().map_or(0, |own| own.bearing));
+        for (k, own) in self.members.iter().enumerate() {
+            let mut scale = next[k].evaluation.scale + states[k].evaluation.scale;
+            let mut difference = 0.0f64;
+            for i in 0..5 {
+                let unit = if i < 3 { 1.0 } else { own.radius };
+                scale = scale.max(linear[k][i].abs() / unit);
+                difference = difference.max((next[k].evaluation.load[i] - linear[k][i]).abs() / unit);
+            }
+            if scale > 0.0 && (difference / scale).is_nan() {
+                return (f64::INFINITY, own.bearing);
+            }
+            if scale > 0.0 && difference / scale > largest.0 {
+                largest = (difference / scale, own.bearing);
+            }
+        }
+        largest
+    }
+
+    fn unbalanced(&self, iteration: &RollingIteration) -> EngineError {
+        let name = self.system.scene.bearings.get(iteration.worst).map_or("", |own| own.name.as_str());
+        EngineError::new(
+            "E0726",
+            format!("no deflection of the rolling bearings balances the load, among others at \"{name}\""),
+            "support the body in every direction of its load, for example by a second bearing for the opposite axial load; check the unit of the load",
+        )
+        .about(Subject::Bearing(iteration.worst))
+    }
+}
+
+impl Member {
+    fn deflection(&self, motion: &[f64]) -> [f64; 5] {
         let mut deflection = [0.0; 5];
         for (arm, motion) in self.arms.iter().zip(motion) {
             for (sum, part) in deflection.iter_mut().zip(arm) {
                 *sum += part * motion;
             }
         }
-        self.elements.moved(&self.state, deflection)
+        deflection
+    }
+
+    /// Returns the part of a step that is as long as a step may be.
+    fn longest(&self, step: &[f64; 5]) -> f64 {
+        let [x, y, z, about_x, about_y] = *step;
+        let length = x.hypot(y).hypot(z).hypot(self.radius * about_x.hypot(about_y));
+        LONGEST_STEP * self.elements.bearing.reach() / length
     }
 }
 
-fn agreement(rolling: &[Rolling], next: &[RollingState], tangents: &[Option<Tangent>]) -> Agreement {
-    let mut total = Agreement { residual: 0.0, excess: 0.0, work: 0.0 };
-    for (own, next) in rolling.iter().zip(next) {
-        let Some(tangent) = &tangents[own.bearing] else { continue };
-        let mut scale = next.evaluation.scale + own.state.evaluation.scale;
-        let mut difference = 0.0f64;
-        for i in 0..5 {
-            let unit = if i < 3 { 1.0 } else { own.radius };
-            let row = &tangent.stiffness[i];
-            let linear: f64 = (0..5).map(|j| row[j] * next.deflection[j]).sum::<f64>() - tangent.load[i];
-            let change = next.deflection[i] - own.state.deflection[i];
-            let apart = next.evaluation.load[i] - linear;
-            total.excess += apart * change;
-            total.work += (linear - own.state.evaluation.load[i]) * change;
-            scale = scale.max(linear.abs() / unit);
-            difference = difference.max(apart.abs() / unit);
-        }
-        if scale > 0.0 {
-            total.residual = total.residual.max(difference / scale);
-        }
-    }
-    total
+/// Returns the work of loads on the steps of all bearings.
+fn inner(steps: &[[f64; 5]], loads: impl Iterator<Item = [f64; 5]>) -> f64 {
+    steps.iter().zip(loads).map(|(step, load)| (0..5).map(|i| step[i] * load[i]).sum::<f64>()).sum()
+}
+
+fn dot(one: &[f64; 6], other: &[f64; 6]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| a * b).sum()
 }

@@ -1,0 +1,411 @@
+//! Rolling bearings for programs: the Rust side of `ball_bearing`, `tapered_roller_bearing` and the
+//! other rolling bearings of `gears.cx`.
+
+use crate::bearing_externs::{Mounting, bearing};
+use crate::externs::{self, entry, host, refusal};
+use crate::observable_externs::observe;
+use calyx_abi::externs::Handle;
+use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::bearing::{Bearing, RollingElements};
+use calyx_runtime::observables::{
+    BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingElementLoad, StaticSafety,
+};
+use calyx_runtime::rolling::rating::{LifeConditions, LoadDirection};
+use calyx_runtime::rolling::{
+    Arrangement, BallGeometry, BallKind, BallRow, Elements, Material, Motion, Profile, Rib, RollerGeometry,
+    RollerKind, RollerRow, RollingBearing, RollingError, Row,
+};
+use calyx_runtime::scene::BearingId;
+use std::sync::Arc;
+
+calyx_abi::externs! {
+    Scene fn calyx_gears_ball_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, ball_diameter: f64,
+        pitch_diameter: f64, inner_conformity: f64, outer_conformity: f64, clearance: f64, ring: String,
+        azimuth: f64, inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>,
+        element_material: Option<Handle>,
+    ) -> Handle {
+        let mounting = Mounting::new(context, name, body, to, at)?;
+        let geometry = BallGeometry {
+            kind: BallKind::DeepGroove { clearance },
+            count: whole("count", count)?,
+            ball_diameter,
+            pitch_diameter,
+            inner_conformity,
+            outer_conformity,
+            rings: material(context, ring_material)?,
+            balls: material(context, element_material)?,
+        };
+        let row = BallRow::new(geometry).map_err(rejected)?;
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        add(context, mounting, RollingBearing::single(row), (motion, &ring), "clearance")
+    }
+
+    Scene fn calyx_gears_angular_contact_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, ball_diameter: f64,
+        pitch_diameter: f64, contact_angle: f64, inner_conformity: f64, outer_conformity: f64, thrust: String,
+        arrangement: String, row_distance: Option<f64>, axial_preload: f64, ring: String, azimuth: f64,
+        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+    ) -> Handle {
+        let mounting = Mounting::new(context, name, body, to, at)?;
+        let geometry = BallGeometry {
+            kind: BallKind::AngularContact { angle: contact_angle },
+            count: whole("count", count)?,
+            ball_diameter,
+            pitch_diameter,
+            inner_conformity,
+            outer_conformity,
+            rings: material(context, ring_material)?,
+            balls: material(context, element_material)?,
+        };
+        let row = BallRow::new(geometry).map_err(rejected)?;
+        let rows = arranged(row.into(), (&arrangement, row_distance), (&thrust, &ring), axial_preload)?;
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        add(context, mounting, rows, (motion, &ring), "axial_preload")
+    }
+
+    Scene fn calyx_gears_four_point_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, ball_diameter: f64,
+        pitch_diameter: f64, contact_angle: f64, inner_conformity: f64, outer_conformity: f64, clearance: f64,
+        ring: String, azimuth: f64, inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>,
+        element_material: Option<Handle>,
+    ) -> Handle {
+        let mounting = Mounting::new(context, name, body, to, at)?;
+        let geometry = BallGeometry {
+            kind: BallKind::FourPoint { angle: contact_angle, clearance },
+            count: whole("count", count)?,
+            ball_diameter,
+            pitch_diameter,
+            inner_conformity,
+            outer_conformity,
+            rings: material(context, ring_material)?,
+            balls: material(context, element_material)?,
+        };
+        let row = BallRow::new(geometry).map_err(rejected)?;
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        add(context, mounting, RollingBearing::single(row), (motion, &ring), "clearance")
+    }
+
+    Scene fn calyx_gears_cylindrical_roller_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
+        roller_length: f64, pitch_diameter: f64, clearance: f64, profile: String, crown_radius: Option<f64>,
+        profile_positions: Vec<f64>, profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64,
+        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+    ) -> Handle {
+        let mounting = Mounting::new(context, name, body, to, at)?;
+        let geometry = RollerGeometry {
+            kind: RollerKind::Cylindrical { clearance },
+            count: whole("count", count)?,
+            roller_diameter,
+            length: roller_length,
+            pitch_diameter,
+            profile: profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?,
+            laminae: whole("laminae", laminae)?,
+            rings: material(context, ring_material)?,
+            rollers: material(context, element_material)?,
+        };
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        cylindrical(context, mounting, geometry, (motion, &ring))
+    }
+
+    /// Needles are thin cylindrical rollers.
+    Scene fn calyx_gears_needle_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
+        roller_length: f64, pitch_diameter: f64, clearance: f64, profile: String, crown_radius: Option<f64>,
+        profile_positions: Vec<f64>, profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64,
+        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+    ) -> Handle {
+        let mounting = Mounting::new(context, name, body, to, at)?;
+        let geometry = RollerGeometry {
+            kind: RollerKind::Cylindrical { clearance },
+            count: whole("count", count)?,
+            roller_diameter,
+            length: roller_length,
+            pitch_diameter,
+            profile: profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?,
+            laminae: whole("laminae", laminae)?,
+            rings: material(context, ring_material)?,
+            rollers: material(context, element_material)?,
+        };
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        cylindrical(context, mounting, geometry, (motion, &ring))
+    }
+
+    Scene fn calyx_gears_tapered_roller_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
+        roller_length: f64, pitch_diameter: f64, contact_angle: f64, rib_end_radius: Option<f64>,
+        rib_height: Option<f64>, thrust: String, arrangement: String, row_distance: Option<f64>,
+        axial_preload: f64, profile: String, crown_radius: Option<f64>, profile_positions: Vec<f64>,
+        profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64, inner_speed: f64,
+        outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+    ) -> Handle {
+        let mounting = Mounting::new(context, name, body, to, at)?;
+        let rib = rib(roller_diameter, pitch_diameter, contact_angle);
+        let rib = Rib {
+            end_radius: rib_end_radius.unwrap_or(rib.end_radius),
+            height: rib_height.unwrap_or(rib.height),
+        };
+        let geometry = RollerGeometry {
+            kind: RollerKind::Tapered { outer_angle: contact_angle, rib },
+            count: whole("count", count)?,
+            roller_diameter,
+            length: roller_length,
+            pitch_diameter,
+            profile: profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?,
+            laminae: whole("laminae", laminae)?,
+            rings: material(context, ring_material)?,
+            rollers: material(context, element_material)?,
+        };
+        let row = RollerRow::new(geometry).map_err(rejected)?;
+        let rows = arranged(row.into(), (&arrangement, row_distance), (&thrust, &ring), axial_preload)?;
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        add(context, mounting, rows, (motion, &ring), "axial_preload")
+    }
+
+    Scene fn calyx_gears_spherical_roller_bearing(
+        context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
+        roller_length: f64, pitch_diameter: f64, contact_angle: f64, inner_osculation: f64,
+        outer_osculation: f64, clearance: f64, laminae: f64, ring: String, azimuth: f64, inner_speed: f64,
+        outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+    ) -> Handle {
+        let mounting = Mounting::new(context, name, body, to, at)?;
+        let geometry = RollerGeometry {
+            kind: RollerKind::Spherical { angle: contact_angle, outer_osculation, inner_osculation, clearance },
+            count: whole("count", count)?,
+            roller_diameter,
+            length: roller_length,
+            pitch_diameter,
+            profile: Profile::Straight,
+            laminae: whole("laminae", laminae)?,
+            rings: material(context, ring_material)?,
+            rollers: material(context, element_material)?,
+        };
+        let row = RollerRow::new(geometry).map_err(rejected)?;
+        // Both rows have the centre of the outer sphere in common.
+        let distance = pitch_diameter * contact_angle.tan();
+        let rows = RollingBearing::pair(row, Arrangement::FaceToFace, distance, 0.0).map_err(rejected)?;
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        add(context, mounting, rows, (motion, &ring), "clearance")
+    }
+
+    Scene fn calyx_gears_max_bearing_pressure(context, bearing: Handle) -> Handle {
+        let bearing = rolling(context, bearing)?.0;
+        observe(context, BearingPressure(bearing))
+    }
+
+    Scene fn calyx_gears_max_rolling_element_load(context, bearing: Handle) -> Handle {
+        let bearing = rolling(context, bearing)?.0;
+        observe(context, MaxElementLoad(bearing))
+    }
+
+    Scene fn calyx_gears_rolling_element_load(context, bearing: Handle, element: f64) -> Handle {
+        let (bearing, elements) = rolling(context, bearing)?;
+        let number = whole("element", element)?;
+        let count: usize = elements.bearing.rows().iter().map(Row::count).sum();
+        if number > count {
+            let message = format!("the bearing has {count} rolling elements and none of number {number}");
+            let help = "elements have the numbers from 1, row by row";
+            return Err(refusal("E0698", "element", &message, help));
+        }
+        observe(context, RollingElementLoad(bearing, number - 1))
+    }
+
+    Scene fn calyx_gears_loaded_rolling_elements(context, bearing: Handle) -> Handle {
+        let bearing = rolling(context, bearing)?.0;
+        observe(context, LoadedElements(bearing))
+    }
+
+    Scene fn calyx_gears_bearing_static_safety(context, bearing: Handle) -> Handle {
+        let bearing = rolling(context, bearing)?.0;
+        observe(context, StaticSafety(bearing))
+    }
+
+    Scene fn calyx_gears_bearing_life(
+        context, bearing: Handle, dynamic_rating: Option<f64>, rotating_ring: String,
+    ) -> Handle {
+        let conditions = LifeConditions {
+            dynamic_rating,
+            direction: load_direction(&rotating_ring),
+            ..LifeConditions::default()
+        };
+        life(context, bearing, conditions, false)
+    }
+
+    Scene fn calyx_gears_modified_bearing_life(
+        context, bearing: Handle, viscosity_ratio: f64, contamination: f64, reliability: f64,
+        dynamic_rating: Option<f64>, fatigue_limit: Option<f64>, rotating_ring: String,
+    ) -> Handle {
+        let conditions = LifeConditions {
+            dynamic_rating,
+            fatigue_limit,
+            reliability,
+            viscosity_ratio,
+            contamination,
+            direction: load_direction(&rotating_ring),
+        };
+        life(context, bearing, conditions, true)
+    }
+}
+
+/// Adds a rolling bearing. `cause` is the argument that presses the elements without load.
+pub(crate) fn add(
+    context: &mut Context,
+    mounting: Mounting,
+    rows: RollingBearing,
+    (motion, ring): (Motion, &str),
+    cause: &'static str,
+) -> Result<Handle, RuntimeError> {
+    let elements = RollingElements::new(rows, motion).map_err(|error| externs::engine(error.blame(cause)))?;
+    let elements = if ring == "outer" { elements.inverted() } else { elements };
+    let none = [[0.0; 6]; 6];
+    let Mounting { name, body, to, at } = mounting;
+    let bearing =
+        Bearing { to, at, rolling: Some(Arc::new(elements)), ..Bearing::new(name, body, 0.0, none) };
+    crate::bearing_externs::add(context, bearing)
+}
+
+/// Adds a bearing with a row of cylindrical rollers.
+fn cylindrical(
+    context: &mut Context,
+    mounting: Mounting,
+    geometry: RollerGeometry,
+    motion: (Motion, &str),
+) -> Result<Handle, RuntimeError> {
+    let row = RollerRow::new(geometry).map_err(rejected)?;
+    add(context, mounting, RollingBearing::single(row), motion, "clearance")
+}
+
+/// Returns a bearing with its rolling elements.
+fn rolling(context: &mut Context, handle: Handle) -> Result<(BearingId, Arc<RollingElements>), RuntimeError> {
+    let id = bearing(context, handle)?;
+    let own = &host(context)?.scene.bearings[id.0];
+    match &own.rolling {
+        Some(elements) => Ok((id, elements.clone())),
+        None => {
+            let message = format!("bearing \"{}\" has no rolling elements", own.name);
+            let help = "create it by `ball_bearing`, `tapered_roller_bearing` or another rolling bearing";
+            Err(refusal("E0698", "bearing", &message, help))
+        }
+    }
+}
+
+fn life(
+    context: &mut Context,
+    bearing: Handle,
+    conditions: LifeConditions,
+    modified: bool,
+) -> Result<Handle, RuntimeError> {
+    let (bearing, elements) = rolling(context, bearing)?;
+    let life = BearingLife { bearing, conditions, modified };
+    // Conditions are checked before any solution.
+    life.check(&elements).map_err(rejected)?;
+    observe(context, life)
+}
+
+/// Returns the ring relative to which the load is steady: the one that does not rotate.
+fn load_direction(rotating_ring: &str) -> LoadDirection {
+    match rotating_ring {
+        "outer" => LoadDirection::InnerRing,
+        _ => LoadDirection::OuterRing,
+    }
+}
+
+/// Converts an error of a rolling bearing, located at the argument of the same name.
+pub(crate) fn rejected(error: RollingError) -> RuntimeError {
+    let message = error.to_string();
+    match error.invalid_input() {
+        Some("distance_of_the_rows") => refusal("E0697", "row_distance", &message, error.help()),
+        Some("radius_of_the_roller_end") => refusal("E0697", "rib_end_radius", &message, error.help()),
+        Some("dynamic_load_rating") => refusal("E0697", "dynamic_rating", &message, error.help()),
+        Some("fatigue_load_limit") => refusal("E0697", "fatigue_limit", &message, error.help()),
+        Some(input) => refusal("E0697", input, &message, error.help()),
+        None => RuntimeError::new("E0697", message, error.help()),
+    }
+}
+
+/// Returns a positive number without a fraction.
+fn whole(argument: &str, number: f64) -> Result<usize, RuntimeError> {
+    if number.fract() == 0.0 && (1.0..=1e6).contains(&number) {
+        return Ok(number as usize);
+    }
+    let message = format!("`{argument}` of a rolling bearing is {number}");
+    Err(refusal("E0697", argument, &message, "give a whole number of at least 1"))
+}
+
+/// Returns a material; bearing steel if none is given.
+fn material(context: &mut Context, material: Option<Handle>) -> Result<Material, RuntimeError> {
+    let Some(material) = material else { return Ok(Material::STEEL) };
+    let given = *entry(&host(context)?.materials, material)?;
+    Ok(Material {
+        youngs_modulus: given.youngs_modulus,
+        poissons_ratio: given.poissons_ratio,
+        density: given.density,
+    })
+}
+
+/// Returns a rib at usual proportions: the radius of the roller end is 0.95 of the distance to the
+/// apex, and the contact is at a third of the roller diameter from the roller axis.
+pub(crate) fn rib(roller_diameter: f64, pitch_diameter: f64, contact_angle: f64) -> Rib {
+    let apex = 0.5 * pitch_diameter / contact_angle.sin();
+    Rib { end_radius: 0.95 * apex, height: roller_diameter / 3.0 }
+}
+
+fn profile_of(
+    profile: &str,
+    crown_radius: Option<f64>,
+    (positions, relief): (&[f64], &[f64]),
+) -> Result<Profile, RuntimeError> {
+    match (profile, crown_radius) {
+        ("straight", _) => Ok(Profile::Straight),
+        ("crowned", Some(radius)) => Ok(Profile::Crowned { radius }),
+        ("crowned", None) => {
+            let message = "crowned rollers have no crown radius";
+            Err(refusal("E0697", "profile", message, "give `crown_radius`, or another profile"))
+        }
+        ("table", _) => {
+            if positions.len() != relief.len() {
+                let message = format!(
+                    "`profile_relief` has {} entries, and `profile_positions` has {}",
+                    relief.len(),
+                    positions.len()
+                );
+                let help = "give the relief at each position";
+                return Err(refusal("E0697", "profile_relief", &message, help));
+            }
+            let points = positions.iter().zip(relief).map(|(&position, &relief)| [position, relief]);
+            Ok(Profile::Table { points: points.collect() })
+        }
+        _ => Ok(Profile::Logarithmic),
+    }
+}
+
+/// Arranges one or two equal rows that carry axial load.
+pub(crate) fn arranged(
+    elements: Elements,
+    (arrangement, distance): (&str, Option<f64>),
+    (thrust, ring): (&str, &str),
+    offset: f64,
+) -> Result<RollingBearing, RuntimeError> {
+    // The inner ring carries axial load towards +z; the opposite acts on the outer ring.
+    let mirrored = (thrust == "-z") != (ring == "outer");
+    let arrangement = match arrangement {
+        "back_to_back" => Arrangement::BackToBack,
+        "face_to_face" => Arrangement::FaceToFace,
+        "tandem" => Arrangement::Tandem,
+        _ => {
+            let row = Row { mirrored, offset, ..Row::new(elements) };
+            return RollingBearing::new(vec![row]).map_err(rejected);
+        }
+    };
+    let Some(distance) = distance else {
+        let message = "a bearing of two rows has no distance between them";
+        let help = "give `row_distance`, the axial distance between the centres of the elements";
+        return Err(refusal("E0697", "arrangement", message, help));
+    };
+    let pair = RollingBearing::pair(elements, arrangement, distance, offset).map_err(rejected)?;
+    if arrangement != Arrangement::Tandem {
+        return Ok(pair);
+    }
+    let rows = pair.rows().iter().map(|row| Row { mirrored, ..row.clone() });
+    RollingBearing::new(rows.collect()).map_err(rejected)
+}

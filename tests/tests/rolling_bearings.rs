@@ -1,0 +1,184 @@
+//! Rolling bearings as models describe them: against the bearing alone, turned as a whole, with
+//! exchanged rings, without load, and reversed.
+
+use calyx::{Engine, Module, check_text};
+use std::collections::BTreeMap;
+
+/// Largest and smallest value of each output over the positions, SI.
+fn solved(text: &str) -> BTreeMap<String, [f64; 2]> {
+    let module =
+        Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
+    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
+    let outputs = text.lines().filter_map(|line| line.trim().strip_prefix("output "));
+    let of = |name: &str| {
+        let summary = results.summary_si(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+        (name.to_owned(), [summary.min, summary.max])
+    };
+    outputs.filter_map(|line| line.split(" :=").next()).map(of).collect()
+}
+
+#[track_caller]
+fn close(what: &str, found: f64, expected: f64, tolerance: f64, scale: f64) {
+    let difference = (found - expected).abs();
+    assert!(difference <= tolerance * scale.max(expected.abs()), "{what}: {found} instead of {expected}");
+}
+
+/// Bearings of the pinion in the model, in a language with `{at}` for positions.
+const TAPERED: &str = "count = 17, roller_diameter = 8 mm, roller_length = 12 mm, pitch_diameter = 52 mm,
+    contact_angle = 15 deg, axial_preload = 3 um";
+const BALLS: &str = "count = 9, ball_diameter = 11.9 mm, pitch_diameter = 60 mm, clearance = 12 um";
+
+/// A helical pair whose pinion is on bearings; `bearings` creates `near` and `far`. The whole is
+/// turned by an angle in degrees.
+fn helical(bearings: &str, torque: f64, turned: f64) -> String {
+    format!(
+        "import gears;
+units mm_N_s;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
+var turned = {turned} deg;
+var module = 2 mm;
+function blank(in teeth, in hand) {{
+    var diameter = teeth * module / cos(15 deg);
+    return gears.external(
+        teeth = teeth,
+        rack = gears.rack(module = module, tip_radius = 0.5 mm, plane = \"normal\"),
+        face_width = 20 mm,
+        outer_diameter = diameter + 2 * module,
+        root_diameter = diameter - 2.5 * module,
+        material = steel,
+        modifications = [gears.lead_crown(3 um)],
+        helix_angle = 15 deg,
+        hand = hand);
+}}
+var speed = 600 rpm;
+var center_distance = 0.5 * (23 + 38) * module / cos(15 deg) + 0.05 mm;
+var pinion = gears.body(
+    \"pinion\",
+    blank(23, \"right\"),
+    free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\", \"theta_z\"],
+    moment = {torque} N*m * e3,
+    frame := Rotate(turned, e3) * Rotate(speed * Time, e3));
+var gear = gears.body(
+    \"gear\",
+    blank(38, \"left\"),
+    frame := Rotate(-speed * 23 / 38 * Time, e3) * Translate(center_distance * e1) * Rotate(turned, e3));
+{bearings}
+var mesh = gears.mesh(pinion, gear);
+output near_radial := gears.bearing_force(near, \"radial\");
+output far_radial := gears.bearing_force(far, \"radial\");
+output near_axial := gears.bearing_force(near, \"axial\");
+output tilt := gears.bearing_tilt(near, \"radial\");
+output radial := gears.bearing_deflection(far, \"radial\");
+output pressure := gears.max_bearing_pressure(near);
+output largest := gears.max_rolling_element_load(near);
+output first := gears.rolling_element_load(near, 1);
+output loaded := gears.loaded_rolling_elements(far);
+output safety := gears.bearing_static_safety(near);
+output life := gears.bearing_life(near);
+output transmission_error := gears.transmission_error(mesh);
+analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 3), fidelity = \"analytic\");
+"
+    )
+}
+
+fn tapered(azimuth: f64) -> String {
+    format!(
+        "var near = gears.tapered_roller_bearing(\"near\", pinion, at = 40 mm * e3, {TAPERED}, azimuth = {azimuth} deg);
+var far = gears.tapered_roller_bearing(\"far\", pinion, at = 120 mm * e3, {TAPERED}, thrust = \"-z\", azimuth = {azimuth} deg);"
+    )
+}
+
+fn balls(azimuth: f64) -> String {
+    format!(
+        "var near = gears.ball_bearing(\"near\", pinion, at = 40 mm * e3, {BALLS}, azimuth = {azimuth} deg);
+var far = gears.ball_bearing(\"far\", pinion, at = 120 mm * e3, {BALLS}, azimuth = {azimuth} deg);"
+    )
+}
+
+/// Model and elements turned by the same angle have the same results.
+#[test]
+fn the_turned_whole_has_the_same_results() {
+    for bearings in [tapered, balls] {
+        let expected = solved(&helical(&bearings(7.0), 100.0, 0.0));
+        let found = solved(&helical(&bearings(7.0 + 37.0), 100.0, 37.0));
+        assert_eq!(expected.len(), 12);
+        for (name, expected) in &expected {
+            for (found, expected) in found[name].iter().zip(expected) {
+                close(name, *found, *expected, 1e-6, 0.0);
+            }
+        }
+    }
+}
+
+/// Reversed torque loads the other flanks and the other sense of the axial force.
+#[test]
+fn reversed_and_vanishing_torque() {
+    let forward = solved(&helical(&tapered(0.0), 100.0, 0.0));
+    let backward = solved(&helical(&tapered(0.0), -100.0, 0.0));
+    for results in [&forward, &backward] {
+        assert!(results["near_radial"][0] > 1e3 && results["loaded"][1] > 2.0, "{results:?}");
+        assert!(results["safety"][0] > 1.0 && results["life"][0] > 1e6, "{results:?}");
+    }
+    // Without load, the preload of both bearings remains; both press each other.
+    let unloaded = solved(&helical(&tapered(0.0), 0.0, 0.0));
+    assert!(unloaded["pressure"][0] > 1e8 && unloaded["loaded"] == [17.0, 17.0], "{unloaded:?}");
+    // Without preload and load, no ball is loaded.
+    let idle = solved(&helical(&balls(0.0), 0.0, 0.0));
+    assert_eq!((idle["pressure"], idle["loaded"], idle["near_radial"]), ([0.0; 2], [0.0; 2], [0.0; 2]));
+}
+
+/// A sleeve in a housing: the inner ring on the sleeve, or the outer ring on the housing, with the
+/// bearing seen from the other body.
+#[test]
+fn exchanged_rings_are_the_same_bearing() {
+    let sleeve = |bearings: &str| {
+        let bearings = format!(
+            "var sleeve = gears.rigid_body(\"sleeve\", free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\"], frame := Translate(0 mm * e3));
+var housing = gears.rigid_body(\"housing\", frame := Translate(0 mm * e3));
+gears.bearing(\"shaft\", pinion, to = sleeve, at = 80 mm * e3, radial_stiffness = 1e9 N/m, axial_stiffness = 1e9 N/m,
+    tilting_stiffness = 1e7 N*m/rad);
+{bearings}"
+        );
+        solved(&helical(&bearings, 100.0, 0.0))
+    };
+    let inner = sleeve(&tapered(5.0).replace("pinion,", "sleeve, to = housing,"));
+    let outer = sleeve(
+        &tapered(5.0)
+            .replace("pinion,", "housing, to = sleeve, ring = \"outer\",")
+            // The force on the housing is opposite.
+            .replace("thrust = \"-z\", ", "")
+            .replace("\"near\", housing,", "\"near\", housing, thrust = \"-z\","),
+    );
+    for (name, expected) in &inner {
+        let sign = if name == "near_axial" { -1.0 } else { 1.0 };
+        let [low, high] = outer[name];
+        let found = if sign < 0.0 { [-high, -low] } else { [low, high] };
+        for (found, expected) in found.iter().zip(expected) {
+            close(name, *found, *expected, 1e-8, 0.0);
+        }
+    }
+}
+
+/// Invalid bearings are rejected at the argument that is wrong.
+#[test]
+fn invalid_bearings_are_rejected_at_their_argument() {
+    let good = balls(0.0);
+    for (from, to, code, at) in [
+        ("count = 9", "count = 17", "E0697", "17"),
+        ("count = 9", "count = 8.5", "E0697", "8.5"),
+        ("clearance = 12 um", "clearance = -300 um", "E0697", "-300 um"),
+        ("clearance = 12 um", "clearance = 5 mm", "E0697", "5 mm"),
+        ("clearance = 12 um", "inner_conformity = 0.5", "E0697", "0.5"),
+        ("pitch_diameter = 60 mm", "pitch_diameter = 11 mm", "E0697", "11 mm"),
+    ] {
+        let text = helical(&good.replacen(from, to, 1), 100.0, 0.0);
+        let found = check_text("model.cx", &text).diagnostics;
+        let error =
+            found.iter().find(|found| found.code == code).unwrap_or_else(|| panic!("{to}: {found:?}"));
+        let span = &text[error.primary.span.start as usize..error.primary.span.end as usize];
+        assert!(span.contains(at), "{to}: {span}");
+    }
+    let crushed = tapered(0.0).replace("axial_preload = 3 um", "axial_preload = 500 um");
+    let found = check_text("model.cx", &helical(&crushed, 100.0, 0.0)).diagnostics;
+    assert!(found.iter().any(|found| found.code == "E0697"), "{found:?}");
+}
