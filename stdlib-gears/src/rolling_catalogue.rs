@@ -106,5 +106,9 @@ fn estimated(
 }
 
 fn agreement(dimensions: &str, [dynamic, fixed]: [f64; 2]) -> String {
-    format!("{dimensions}; C is {:+.1} % and C0 {:+.1} % off", 1e2 * dynamic, 1e2 * fixed)
+    format!(
+        "{dimensions}; their load ratings are within {:.1} % of C and {:.1} % of C0",
+        1e2 * dynamic.abs(),
+        1e2 * fixed.abs()
+    )
 }

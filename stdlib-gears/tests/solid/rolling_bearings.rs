@@ -122,8 +122,8 @@ fn displacement_is_that_of_the_bearings_under_the_contact_forces() {
 }
 
 /// Linear bearings with the tangents at the solution, and their preload, have the same solution on
-/// the same contact grids. Solved from the start, their grids differ slightly: the sizes follow from
-/// the solution on the first grids, where the bearings are not at their tangent.
+/// the same contact grids. Solved from the start they would have other grids, because the sizes
+/// follow from the solution on the first grids, where the bearings are not at their tangent.
 #[test]
 fn linear_bearings_with_the_tangents_have_the_same_solution() {
     for rows in [&arrangements()[0], &arrangements()[3]] {
@@ -150,8 +150,6 @@ fn linear_bearings_with_the_tangents_have_the_same_solution() {
                 let unit = if k < 3 { 1.0 } else { 30e-3 };
                 let error = unit * (again.motion[k] + expected.start[k] - expected.motion[k]);
                 assert!(error.abs() < 1e-13, "{k}: {error}");
-                let error = (step.motion[k] - expected.motion[k]) / expected.motion[k];
-                assert!(error.abs() < 1e-4, "{k}: {} {}", step.motion[k], expected.motion[k]);
             }
         });
     }
