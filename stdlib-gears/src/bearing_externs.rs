@@ -120,7 +120,7 @@ impl Mounting {
     /// Converts the arguments of a bearing.
     ///
     /// # Errors
-    /// E0685: both races are on one body. E0859: the position is beside the axis of a shaft. A body
+    /// E0685: both races are on one body. E0859: the position is off the axis of a shaft. A body
     /// does not belong to the scene.
     pub(crate) fn new(
         context: &mut Context,

@@ -287,8 +287,8 @@ impl<'s> System<'s> {
         self.springs_with(time, &[])
     }
 
-    /// Returns the springs of [`System::springs_at`] with linearized rolling elements, by bearing of
-    /// the scene.
+    /// Returns the springs of [`System::springs_at`] with linearized rolling elements, by bearing
+    /// of the scene.
     pub fn springs_with(&self, time: f64, tangents: &[Option<Tangent>]) -> Result<Springs, EngineError> {
         let mut springs = {
             let Mechanism { bodies, bearings, .. } = self.scene;

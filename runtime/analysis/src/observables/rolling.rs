@@ -125,7 +125,7 @@ pub struct BearingLife {
     pub bearing: BearingId,
     /// Conditions of the rating life.
     pub conditions: LifeConditions,
-    /// Whether the life is modified by lubrication, contamination and reliability.
+    /// True for the life that accounts for lubrication, contamination and reliability.
     pub modified: bool,
 }
 

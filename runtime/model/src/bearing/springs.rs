@@ -231,8 +231,8 @@ impl Bearing {
         symmetric(&self.damping, rate)
     }
 
-    /// Returns the force of springs, stops and rolling elements on the first race at a deflection and at forces on
-    /// the walls (N), along the bearing's axes, N and N m.
+    /// Returns the force of springs, stops and rolling elements on the first race at a deflection
+    /// and at forces on the walls (N), along the bearing's axes, N and N m.
     pub fn push(&self, deflection: &[f64; 6], walls: &[f64]) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
         let mut push: [f64; 6] = std::array::from_fn(|k| own[k] - sprung[k]);

@@ -9,7 +9,7 @@
 //! problem. A multiple of the typical stiffness restrains bearings within their clearances; it
 //! vanishes with the convergence.
 //!
-//! Where springs carry the load without contact, there are no cells, and the same iteration repeats
+//! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
 //!
 //! See `docs/theory/rolling-bearings.md`.
