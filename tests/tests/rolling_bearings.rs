@@ -159,6 +159,51 @@ gears.bearing(\"shaft\", pinion, to = sleeve, at = 80 mm * e3, radial_stiffness 
     }
 }
 
+/// Two rows of a bearing are two bearings with one row each.
+#[test]
+fn two_rows_are_two_bearings() {
+    let balls = "count = 14, ball_diameter = 9 mm, pitch_diameter = 50 mm, contact_angle = 25 deg, axial_preload = 4 um";
+    let far = format!("var far = gears.ball_bearing(\"far\", pinion, at = 120 mm * e3, {BALLS});");
+    let one = |name: &str, at: &str, thrust: &str, rows: &str| {
+        format!(
+            "var {name} = gears.angular_contact_bearing(\"{name}\", pinion, at = {at} * e3, {balls}, thrust = \"{thrust}\"{rows});\n"
+        )
+    };
+    for (arrangement, [first, second]) in [
+        ("back_to_back", ["+z", "-z"]),
+        ("face_to_face", ["-z", "+z"]),
+        ("tandem", ["+z", "+z"]),
+        ("tandem", ["-z", "-z"]),
+    ] {
+        let rows = format!(", arrangement = \"{arrangement}\", row_distance = 14 mm");
+        let pair = one("near", "40 mm", first, &rows);
+        let single = one("near", "33 mm", first, "") + &one("_other", "47 mm", second, "");
+        let results = [pair, single].map(|near| solved(&helical(&format!("{near}{far}"), 100.0, 0.0)));
+        for name in ["far_radial", "radial", "tilt", "transmission_error"] {
+            for (found, expected) in results[1][name].iter().zip(results[0][name]) {
+                close(&format!("{arrangement} {first} {name}"), *found, expected, 1e-6, 0.0);
+            }
+        }
+    }
+}
+
+/// The load of a spherical roller bearing passes through the centre of its outer sphere: it does
+/// not resist tilting.
+#[test]
+fn spherical_roller_bearings_do_not_resist_tilting() {
+    let bearing = |name: &str, at: f64| {
+        format!(
+            "var {name} = gears.spherical_roller_bearing(\"{name}\", pinion, at = {at} mm * e3, count = 14, roller_diameter = 8 mm,
+    roller_length = 8 mm, pitch_diameter = 50 mm, contact_angle = 11 deg, clearance = 10 um);\n"
+        )
+    };
+    let text = helical(&(bearing("near", 40.0) + &bearing("far", 120.0)), 100.0, 0.0)
+        .replace("output tilt ", "output moment := gears.bearing_moment(near, \"radial\");\noutput tilt ");
+    let results = solved(&text);
+    let (moment, force) = (results["moment"][1], results["near_radial"][0]);
+    assert!(results["tilt"][0] > 1e-4 && moment < 0.02 * force * 25e-3, "{results:?}");
+}
+
 /// Invalid bearings are rejected at the argument that is wrong.
 #[test]
 fn invalid_bearings_are_rejected_at_their_argument() {

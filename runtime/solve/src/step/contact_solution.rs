@@ -4,7 +4,7 @@
 use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells};
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
 use super::relinearization::ContactReference;
-use super::rolling::RollingBearings;
+use super::rolling::{RollingBearings, RollingIteration};
 use super::{ContactPatch, StepResult};
 use crate::restraint_check::{self, spins_freely};
 use crate::system::System;
@@ -84,17 +84,9 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let guess = self.guess(load, candidates, &problem, &grids);
-            let solve = |problem, guess: &[usize]| {
-                let solved = solve_with_friction(problem, &works, Some(guess), &self.system.interrupt);
-                solved.map_err(|error| self.explain_on(candidates, &grids, &error))
-            };
             // Corrected grids start with the bearings of the former grids.
-            let (problem, solution) = match (self.under.rolling, &mut iteration) {
-                (Some(rolling), Some(iteration)) => {
-                    rolling.equilibrium(iteration, problem, self.under.start, guess, solve)?
-                }
-                _ => solve(problem, &guess)?,
-            };
+            let laid = (candidates, &grids[..]);
+            let (problem, solution) = self.solve_problem(problem, &works, guess, laid, &mut iteration)?;
             // Sizes that are not prescribed follow the forces of the patches.
             let better =
                 self.corrected_grid_sizes(candidates, (&grids[..], &sizes[..]), &solution, rounds <= growths);
@@ -156,6 +148,28 @@ impl<S: ContactGeometry> Solver<'_, S> {
             warnings,
         };
         Ok(LaidOutContact { step, references })
+    }
+
+    /// Solves a contact problem, with rolling bearings in equilibrium; `guess` is an initial active
+    /// set.
+    fn solve_problem(
+        &self,
+        problem: ContactProblem,
+        works: &[f64],
+        guess: Vec<usize>,
+        (candidates, grids): (&[&Candidate<S::Site>], &[S::Grid]),
+        iteration: &mut Option<RollingIteration>,
+    ) -> Result<(ContactProblem, Solution), EngineError> {
+        let solve = |problem, guess: &[usize]| {
+            let solved = solve_with_friction(problem, works, Some(guess), &self.system.interrupt);
+            solved.map_err(|error| self.explain_on(candidates, grids, &error))
+        };
+        match (self.under.rolling, iteration) {
+            (Some(rolling), Some(iteration)) => {
+                rolling.equilibrium(iteration, problem, self.under.start, guess, solve)
+            }
+            _ => solve(problem, &guess),
+        }
     }
 
     /// Rigid-body limit as the load that springs do not carry vanishes: rigid contact at the
