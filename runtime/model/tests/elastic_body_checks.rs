@@ -1,10 +1,19 @@
 //! Checks of elastic bodies before they are condensed.
 
 use crate::bars::bar;
+use calyx_contact::solid::Pose;
 use calyx_elastic::attachment::{Attachment, Connection, Region};
+use calyx_elastic::import::{CondensedMatrices, CondensedNode};
 use calyx_elastic::{ElasticModel, FixedComponents, NodalLoad, Node};
-use calyx_model::elastic_body::{ElasticBody, FiniteElementBody};
+use calyx_model::bearing::{Bearing, axisymmetric};
+use calyx_model::body::Body;
+use calyx_model::connection::ElasticConnection;
+use calyx_model::elastic_body::{ElasticBody, FiniteElementBody, MatrixBody};
+use calyx_model::mechanism::Mechanism;
+use calyx_model::motion::{RelocatedMotion, SteadyRotation};
+use calyx_model::rigid::RigidBody;
 use calyx_structure::cache::Key;
+use nalgebra::DMatrix;
 use std::sync::Arc;
 
 #[test]
@@ -52,4 +61,37 @@ fn parts_that_nothing_holds_are_rejected() {
     assert!(error.message.contains("8 nodes, with node 1001,"), "{}", error.message);
     model.fixed.push(FixedComponents { node: nodes, components: [true; 6], value: 0.0 });
     assert_eq!(checked(&model, false), Ok(()));
+}
+
+/// Attachments of condensed matrices are points, and have a quarter of the size of their body.
+#[test]
+fn bearings_are_compared_with_nodes_of_condensed_matrices() {
+    let node = |(label, x): (&str, f64)| CondensedNode { label: label.into(), position: Some([x, 0.0, 0.0]) };
+    let matrices = CondensedMatrices {
+        nodes: [("left", 0.0), ("right", 0.2)].map(node).to_vec(),
+        components: (0..12).map(|row| (row / 6, row % 6)).collect(),
+        stiffness: DMatrix::identity(12, 12) * 1e8,
+        mass: None,
+    };
+    let mut body = MatrixBody::new(Arc::new(matrices), Key::of("two nodes").finish());
+    for label in ["left", "right"] {
+        body.attach(label, label, None).expect("a node");
+    }
+    let mut scene = Mechanism::default();
+    let at_rest = || SteadyRotation::at_rest([0.0; 2]);
+    let placed = |name: &str, x: f64| {
+        let pose = Pose { origin: [x, 0.0, 0.0], ..Pose::IDENTITY };
+        Body::new(name, Arc::new(RigidBody), RelocatedMotion { motion: Arc::new(at_rest()), pose })
+    };
+    let attached = [("left", 0.0), ("right", 0.2)].map(|(name, x)| scene.add_body(placed(name, x)));
+    let connection = ElasticConnection::of_body("body".into(), Arc::new(body), &attached, [0.0; 3]);
+    scene.add_connection(connection).expect("a connection");
+    for (x, misplaced) in [(0.0, None), (0.004, None), (0.03, Some(false)), (0.2, Some(true))] {
+        let shaft = scene.add_body(placed("shaft", x));
+        let stiffness = axisymmetric(1e8, 0.0, 0.0, 0.0);
+        let bearing = Bearing::new(format!("at {x}"), shaft, 0.0, stiffness).between(attached[0]);
+        let found = scene.misplaced(&bearing).expect("frames");
+        assert_eq!(found.as_ref().map(|found| found.impossible), misplaced, "{x}: {found:?}");
+        assert_eq!(scene.add_bearing(bearing).is_err(), misplaced == Some(true), "{x}");
+    }
 }
