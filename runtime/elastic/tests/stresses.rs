@@ -1,4 +1,4 @@
-//! Stresses at nodes: uniform strains of solids, stretched and bent shells, both surfaces of shells.
+//! Stresses at nodes: uniform strains of solids, stretched and bent shells, surfaces of shells.
 
 use crate::meshes::{SHAPES, block, nodes, steel};
 use calyx_elastic::model::ShellShape;

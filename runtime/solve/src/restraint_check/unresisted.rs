@@ -83,8 +83,9 @@ pub(super) fn error(mut motion: Vec<f64>, dofs: &[Dof], load: &[f64]) -> Contact
 }
 
 /// Returns the work on each DOF of a force along the line of action, of one along the axis (zero
-/// for spur teeth), and of a couple about the normal of the plane of action (per [`RADIUS`]), on the
-/// second body of a mesh and, oppositely, on the first; `None` if the mesh may resist other motions.
+/// for spur teeth), and of a couple about the normal of the plane of action (per [`RADIUS`]), on
+/// the second body of a mesh and, oppositely, on the first; `None` if the mesh may resist other
+/// motions.
 fn resisted(
     scene: &Mechanism,
     pair: &SurfacePair,
