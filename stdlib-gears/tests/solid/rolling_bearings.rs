@@ -201,7 +201,7 @@ fn rigid_bodies_do_not_deflect_bearings() {
 ///
 /// Light loads on bearings with clearance are the hardest: some directions have no stiffness at
 /// all. An iteration that shortens its steps only by a stiffness of its own, without a search along
-/// the step, made 88 contact problems at one of these positions and failed at others.
+/// the step, made 88 contact problems at one of these positions, in cycles with little progress.
 #[test]
 fn equilibrium_at_all_positions() {
     for (index, rows) in arrangements().iter().enumerate() {
