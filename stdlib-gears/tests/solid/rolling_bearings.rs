@@ -246,3 +246,32 @@ fn a_missing_axial_support_is_an_error() {
     assert_eq!(code, "E0726", "{message}");
     assert!(message.contains("\"near\"") || message.contains("\"far\""), "{message}");
 }
+
+/// A further bearing whose clearance stays open, and one that barely touches, leave the equilibrium
+/// of the others as it is.
+#[test]
+fn bearings_without_load_do_not_prevent_the_equilibrium() {
+    let rows = &arrangements()[0];
+    let motion = |clearances: &[f64]| {
+        let (mut scene, mesh) = scene(rows, 10.0);
+        for &clearance in clearances {
+            let row = Row::new(balls(BallKind::DeepGroove { clearance }));
+            let alone = RollingBearing::new(vec![row]).expect("valid");
+            let elements = RollingElements::new(alone, MOTION).expect("valid");
+            let name = format!("{clearance}");
+            let bearing = Bearing::new(name, FIRST, PLACES[0], [[0.0; 6]; 6]);
+            scene.add_bearing(Bearing { rolling: Some(Arc::new(elements)), ..bearing }).expect("a bearing");
+        }
+        solved(Fidelity::Analytic, &(scene, mesh), |_, step| step.motion.clone())
+    };
+    let [alone, open] = [motion(&[]), motion(&[100e-6])];
+    for k in 0..5 {
+        assert!((alone[k] - open[k]).abs() <= 1e-6 * alone[k].abs(), "{k}: {} {}", alone[k], open[k]);
+    }
+    // The bearing touches at a clearance of twice the displacement at its place.
+    let place = PLACES[0];
+    let displacement = (alone[0] + place * alone[4]).hypot(alone[1] - place * alone[3]);
+    for part in [0.99, 1.0, 1.01] {
+        motion(&[2.0 * part * displacement]);
+    }
+}

@@ -25,8 +25,8 @@ use std::sync::Arc;
 
 /// Largest number of contact problems with the same grids.
 const ROUNDS: usize = 100;
-/// Difference between the load of the elements and its linearization, relative to the loads of the
-/// elements and of the contact problem.
+/// Difference between the load of the elements and its linearization, relative to the largest load
+/// of the elements of a bearing and to the external load.
 const TOLERANCE: f64 = 1e-11;
 /// Difference below which rounding may end the iteration.
 const ROUNDING: f64 = 1e-9;
@@ -64,6 +64,8 @@ pub(super) struct RollingBearings<'a> {
     base: Springs,
     /// External load.
     load: Vec<f64>,
+    /// Largest external force, N; moments count by the radius of the largest bearing.
+    scale: f64,
     /// True once a contact problem had the tangents.
     is_solved: Cell<bool>,
 }
@@ -141,7 +143,13 @@ impl<'a> RollingBearings<'a> {
         }
         let none = vec![Some(Tangent::default()); system.scene.bearings.len()];
         let base = system.springs_with(time, &none)?;
-        Ok(Self { system, members, base, load: load.to_vec(), is_solved: Cell::new(false) })
+        let radius = members.iter().map(|own: &Member| own.radius).fold(0.0, f64::max);
+        let force = |(load, dof): (&f64, &Dof)| {
+            let unit = if dof.component < 3 { 1.0 } else { radius };
+            system.width(dof.body) * load.abs() / unit
+        };
+        let scale = load.iter().zip(&system.dofs).map(force).fold(0.0, f64::max);
+        Ok(Self { system, members, base, load: load.to_vec(), scale, is_solved: Cell::new(false) })
     }
 
     /// Returns the iteration at bearings without deflection.
@@ -310,25 +318,26 @@ impl<'a> RollingBearings<'a> {
     }
 
     /// Returns the largest difference between the loads of states and their linearization, relative
-    /// to the loads of the elements, and its bearing.
+    /// to the largest load, and its bearing. A bearing without load in its clearance has a
+    /// difference of rounding only, so its own load is no scale.
     fn residual(&self, states: &[RollingState], next: &[RollingState], linear: &[[f64; 5]]) -> (f64, usize) {
-        let mut largest = (0.0, self.members.first().map_or(0, |own| own.bearing));
+        let mut largest = (0.0f64, self.members.first().map_or(0, |own| own.bearing));
+        let mut scale = self.scale;
         for (k, own) in self.members.iter().enumerate() {
-            let mut scale = next[k].evaluation.scale + states[k].evaluation.scale;
-            let mut difference = 0.0f64;
+            scale = scale.max(next[k].evaluation.scale + states[k].evaluation.scale);
             for i in 0..5 {
                 let unit = if i < 3 { 1.0 } else { own.radius };
                 scale = scale.max(linear[k][i].abs() / unit);
-                difference = difference.max((next[k].evaluation.load[i] - linear[k][i]).abs() / unit);
-            }
-            if scale > 0.0 && (difference / scale).is_nan() {
-                return (f64::INFINITY, own.bearing);
-            }
-            if scale > 0.0 && difference / scale > largest.0 {
-                largest = (difference / scale, own.bearing);
+                let difference = (next[k].evaluation.load[i] - linear[k][i]).abs() / unit;
+                if difference.is_nan() {
+                    return (f64::INFINITY, own.bearing);
+                }
+                if difference > largest.0 {
+                    largest = (difference, own.bearing);
+                }
             }
         }
-        largest
+        if scale > 0.0 { (largest.0 / scale, largest.1) } else { (0.0, largest.1) }
     }
 
     fn unbalanced(&self, iteration: &RollingIteration) -> EngineError {
