@@ -127,7 +127,7 @@ mod tests {
         let solution = solve(&problem, None).expect("it is well posed");
         let is_active = |cell: usize| solution.active.contains(&cell);
         let alone: Vec<f64> = (0..n).map(|cell| f64::from(u8::from(is_active(cell)))).collect();
-        let participations = participations([0..n], &solution.forces, is_active);
+        let participations = participations(std::iter::once(0..n), &solution.forces, is_active);
         [alone, participations].map(|participations| {
             let cells: Vec<usize> = (0..n).filter(|&cell| participations[cell] > 0.0).collect();
             let of_cells: Vec<f64> = cells.iter().map(|&cell| participations[cell]).collect();
@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn rows_end_where_surfaces_do() {
         // Pressure grows towards the right end of the row.
-        let all = participations([0..4], &[1.0, 2.0, 3.0, 4.0], |_| true);
+        let all = participations(std::iter::once(0..4), &[1.0, 2.0, 3.0, 4.0], |_| true);
         assert_eq!(all[1..], [1.0, 1.0, 1.0]);
         assert!((0.5..=1.0).contains(&all[0]), "{all:?}");
         // Each row has boundaries of its own; single cells participate fully.

@@ -78,7 +78,7 @@ impl ContactPatch {
     /// Returns the cells of each row across the patch: of each slice, or all of a plane patch.
     fn rows(&self) -> Vec<Range<usize>> {
         match &self.grid {
-            ContactGrid::Plane { cells, .. } => vec![0..cells.len()],
+            ContactGrid::Plane { cells, .. } => std::iter::once(0..cells.len()).collect(),
             ContactGrid::Solid(grid) => grid.slices.iter().map(|slice| slice.cells.clone()).collect(),
         }
     }
