@@ -22,7 +22,7 @@ const PARTICIPATION: [f64; 3] = [0.5, 0.95, 0.48];
 const PARTICIPATIONS: [f64; 2] = [0.5, 1.5];
 
 /// Returns the participation of the cells of a patch in its stiffness, from 0 to 1. `rows` are rows
-/// of cells across the contact, `pressures` those of all cells, Pa, and `is_active` tells whether
+/// of cells across the contact, `pressures` those of all cells, Pa, and `is_active` states whether
 /// a cell is in the active set. Rows end abruptly where surfaces do: there cells participate fully.
 pub fn participations(
     rows: impl IntoIterator<Item = Range<usize>>,

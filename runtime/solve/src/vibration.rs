@@ -3,11 +3,12 @@
 //!
 //! For small motions of the DOFs x and modal coordinates q the stiffness is `K = diag(K_bearings,
 //! omega²) + C' A^-1 C`. C contains the arms of the cells and stops that carry load and remain in
-//! contact, those at the boundary of the load in part ([`calyx_contact::load_boundary`]). A is their compliance minus that of the modes, `sum phi phi' / omega²`, so that both
-//! together have the static compliance. The mass matrix contains the inertia of the bodies, with
-//! `phi' M r` between modes and frames. The frequencies are those at one position: stiffness and
-//! frequencies change as teeth enter and leave contact. These are the frequencies without rotation
-//! and without damping; those with gyroscopic terms follow from them, see [`crate::gyroscopic`].
+//! contact, those at the boundary of the load in part ([`calyx_contact::load_boundary`]). A is
+//! their compliance minus that of the modes, `sum phi phi' / omega²`, so that both together have
+//! the static compliance. The mass matrix contains the inertia of the bodies, with `phi' M r`
+//! between modes and frames. The frequencies are those at one position: stiffness and frequencies
+//! change as teeth enter and leave contact. These are the frequencies without rotation and without
+//! damping; those with gyroscopic terms follow from them, see [`crate::gyroscopic`].
 //!
 //! See `docs/theory/modes.md`.
 
