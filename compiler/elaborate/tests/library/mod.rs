@@ -2,7 +2,9 @@
 
 mod samples;
 
-use self::samples::{GEAR_DATA, MESHLESS, PAIR, SAMPLES, SCENE, SHAFT, sample_of, sample_of_gear_data};
+use self::samples::{
+    GEAR_DATA, MESHLESS, PAIR, ROLLING, SAMPLES, SCENE, SHAFT, sample_of, sample_of_gear_data,
+};
 use calyx_gears::library::{LibraryModule, MODULES, PRELUDE};
 use calyx_lang::ast::{Domain, FunctionDecl, Mode, Parameter, StmtKind, TypeExpr, TypeKind};
 use calyx_lang::dimension::Dimension;
@@ -204,6 +206,9 @@ pub fn model(function: &Function, arguments: &[String]) -> String {
     }
     if function.name == "mount" || function.name.starts_with("shaft_") {
         text += SHAFT;
+    }
+    if function.parameters.iter().any(|parameter| parameter.sample.as_deref() == Some("rolling")) {
+        text += ROLLING;
     }
     match (function.is_observable, function.name.as_str()) {
         (true, _) => text += &format!("output observed := {call}\n"),
