@@ -105,7 +105,11 @@ impl System<'_> {
         let is_preloaded = iteration.states.iter().any(|state| state.evaluation.scale > 0.0);
         // In the limit without load, bearings keep the middle of their clearance.
         if !is_preloaded && load.iter().all(|&load| load == 0.0) {
-            return solve(&[], None);
+            let mut step = solve(&[], None)?;
+            step.warnings.push(
+                "rolling bearings have neither load nor preload: stiffness and natural frequencies are those of bearings with a typical stiffness".to_owned(),
+            );
+            return Ok(step);
         }
         let step = solve(&[], Some(&bearings))?;
         if bearings.is_solved.get() {
