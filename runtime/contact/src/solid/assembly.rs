@@ -5,10 +5,11 @@
 //! for bit without averaging.
 
 use super::grid::Cell;
-use super::half_space::mean_inverse_distance;
+use super::half_space::HalfSpace;
 use super::image::{Images, PlacedMirror};
 use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
+use super::strips::add_influence;
 use crate::assembly::{FormerCompliance, is_symmetric, symmetric_of_blocks};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -120,37 +121,58 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
             }
         }
     }
-    let images: Vec<Images> = mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).collect();
-    let given = |first: &Cell, second: &Cell| {
-        let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
-        let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
-        direct * mean_inverse_distance(offset, halves[0], halves[1])
-    };
-    let mirrored = |first: &Cell, second: &Cell| -> f64 {
-        images.iter().map(|images| images.softness() * images.mean_inverse_distance(first, second)).sum()
-    };
-    // The half-space term depends on the difference of two cells' positions. The image term depends
-    // on the difference across and both positions along the patch, for upright mirrors only on
-    // their sum, and for inclined mirrors on more.
-    let [across, along] = [0, 1].map(|axis| Intervals::of(patch.cells, axis));
+    let (upright, inclined): (Vec<Images>, Vec<Images>) =
+        mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).partition(Images::is_upright);
+    let half_space = HalfSpace { softness: direct };
+    // The half-space term depends on the difference of two cells' positions. The image term of an
+    // upright mirror depends on the difference across and the sum of both positions along the patch,
+    // that of a level mirror on the difference across and both positions along.
+    let cells = patch.cells;
+    let [across, along] = [0, 1].map(|axis| Intervals::of(cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
     let mut direct_known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
-    let mut images_known = images.iter().all(|images| images.is_level).then(|| {
-        let is_upright = images.iter().all(Images::is_upright);
-        let rows = if is_upright { along.pairs(|one, other| one + other) } else { along.each_pair() };
-        RelationCache::new([across.pairs(apart), rows], n)
-    });
+    let given = |i: usize, j: usize| direct_known.get(i, j, || half_space.influence(&cells[i], &cells[j]));
+    // On general axes the columns differ from slice to slice. The decision must not depend on
+    // rounding, as the columns that cells share do.
+    if cells.iter().all(|cell| cell.slope == [0.0; 2]) {
+        add_pairs(n, block, interrupt, given)?;
+    } else {
+        add_influence(cells, &half_space, given, block, interrupt)?;
+    }
+    if !upright.is_empty() {
+        let rows = along.pairs(|one, other| one + other);
+        let mut known = RelationCache::new([across.pairs(apart), rows], n);
+        let all = |i: usize, j: usize| -> f64 {
+            upright.iter().map(|images| images.influence(&cells[i], &cells[j])).sum()
+        };
+        add_pairs(n, block, interrupt, |i, j| known.get(i, j, || all(i, j)))?;
+    }
+    // Rounding decides whether a mirror is level, so it must not decide how images are evaluated.
+    for images in &inclined {
+        let mut known =
+            images.is_level.then(|| RelationCache::new([across.pairs(apart), along.each_pair()], n));
+        let find = |i: usize, j: usize| images.influence(&cells[i], &cells[j]);
+        let pair = |i: usize, j: usize| match &mut known {
+            Some(known) => known.get(i, j, || find(i, j)),
+            None => find(i, j),
+        };
+        add_influence(cells, images, pair, block, interrupt)?;
+    }
+    Ok(())
+}
+
+/// Adds the influence between all pairs of `n` cells to a symmetric block, row-major. Each row is a
+/// checkpoint.
+fn add_pairs(
+    n: usize,
+    block: &mut [f64],
+    interrupt: &Interrupt,
+    mut pair: impl FnMut(usize, usize) -> f64,
+) -> Result<(), EngineError> {
     for i in 0..n {
         interrupt.check()?;
         for j in 0..=i {
-            let (first, second) = (&patch.cells[i], &patch.cells[j]);
-            let mut value = direct_known.get(i, j, || given(first, second));
-            if !images.is_empty() {
-                value += match &mut images_known {
-                    Some(known) => known.get(i, j, || mirrored(first, second)),
-                    None => mirrored(first, second),
-                };
-            }
+            let value = pair(i, j);
             block[i * n + j] += value;
             if j < i {
                 block[j * n + i] += value;

@@ -15,6 +15,8 @@
 //! half-plane, and the Gauss rule for the distribution of `x - x'` integrates the remainder to
 //! rounding. For distant rectangles this rule suffices in both directions.
 
+use super::grid::Cell;
+use super::strips::{Strip, StripInfluence, StripPoints};
 use calyx_structure::half_plane::mean_log_apart;
 use std::cell::OnceCell;
 
@@ -23,6 +25,36 @@ use std::cell::OnceCell;
 const RULE_FROM: f64 = 7.0;
 /// Distance beyond which the rule of three points is.
 const SHORT_RULE_FROM: f64 = 80.0;
+
+/// Half-spaces of both bodies of a patch.
+pub struct HalfSpace {
+    /// Surface displacement per 1/r, `1 / (pi E')`, summed over the bodies, m²/N.
+    pub softness: f64,
+}
+
+impl HalfSpace {
+    /// Returns the displacement of a cell by a force of 1 N on another, m/N.
+    pub fn influence(&self, first: &Cell, second: &Cell) -> f64 {
+        let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
+        let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
+        self.softness * mean_inverse_distance(offset, halves[0], halves[1])
+    }
+}
+
+impl StripInfluence for HalfSpace {
+    fn distance(&self, observe: &Strip, load: &Strip) -> f64 {
+        let gap =
+            |k: usize| ((observe.center[k] - load.center[k]).abs() - observe.half[k] - load.half[k]).max(0.0);
+        gap(0).hypot(gap(1))
+    }
+
+    fn between_lines(&self, observe: &StripPoints, load: &StripPoints) -> Vec<f64> {
+        let in_plane = |[x, y]: [f64; 2]| [x, y, 0.0];
+        let mut means = observe.mean_inverse_distances(load, in_plane, in_plane);
+        means.iter_mut().for_each(|mean| *mean *= self.softness);
+        means
+    }
+}
 
 /// Returns the average of 1/r between the points of two coplanar rectangles with parallel sides,
 /// 1/m: `offset` between their centres, `first` and `second` their half-sizes. Exchanging the

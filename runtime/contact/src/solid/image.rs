@@ -7,6 +7,7 @@
 use super::grid::Cell;
 use super::half_space::{mean_inverse_distance, rectangle_potential};
 use super::placement::{PatchFrame, Pose};
+use super::strips::{Strip, StripInfluence, StripPoints};
 use calyx_numerics::vec3::{Vector, cross, dot, length, minus, plus, scaled};
 use calyx_structure::solid::Mirror;
 
@@ -71,14 +72,18 @@ impl<'a> Images<'a> {
         self.upright.is_some()
     }
 
-    /// Returns the surface displacement of images per 1/r.
-    pub fn softness(&self) -> f64 {
-        self.mirror.softness
+    /// Returns the displacement of a cell by the image of a force of 1 N on another, m/N.
+    pub fn influence(&self, observe: &Cell, load: &Cell) -> f64 {
+        self.mirror.softness * self.mean_inverse_distance(observe, load)
+    }
+
+    fn image_of(&self, point: Vector) -> Vector {
+        minus(point, scaled(self.mirror.normal, 2.0 * self.mirror.height(point)))
     }
 
     /// Returns the average of 1/r between the points of a cell and of another's image, 1/m. It is
     /// symmetric in the cells, in the closed form bit for bit.
-    pub fn mean_inverse_distance(&self, observe: &Cell, load: &Cell) -> f64 {
+    fn mean_inverse_distance(&self, observe: &Cell, load: &Cell) -> f64 {
         if let Some(y) = self.upright {
             let halves = [observe, load].map(|cell| cell.size.map(|size| 0.5 * size));
             let offset = [observe.center[0] - load.center[0], (observe.center[1] - y) + (load.center[1] - y)];
@@ -93,9 +98,29 @@ impl<'a> Images<'a> {
     }
 
     fn image(&self, cell: &Cell) -> Panel {
-        let center = self.frame.at(cell.center);
-        let image = minus(center, scaled(self.mirror.normal, 2.0 * self.mirror.height(center)));
+        let image = self.image_of(self.frame.at(cell.center));
         Panel::new(image, self.axes, cell.size.map(|size| 0.5 * size))
+    }
+}
+
+impl StripInfluence for Images<'_> {
+    fn distance(&self, observe: &Strip, load: &Strip) -> f64 {
+        let radius = |strip: &Strip| strip.half[0].hypot(strip.half[1]);
+        let [place, other] = [observe, load].map(|strip| self.frame.at(strip.center));
+        let apart = length(minus(place, self.image_of(other))) - radius(observe) - radius(load);
+        // The strip and the image of one on the same side are on opposite sides of the mirror.
+        let slopes = [self.frame.across, self.frame.along].map(|axis| dot(axis, self.mirror.normal).abs());
+        let reach = |strip: &Strip| strip.half[0] * slopes[0] + strip.half[1] * slopes[1];
+        let heights = [place, other].map(|place| self.mirror.height(place));
+        let between = (heights[0] + heights[1]).abs() - reach(observe) - reach(load);
+        apart.max(between)
+    }
+
+    fn between_lines(&self, observe: &StripPoints, load: &StripPoints) -> Vec<f64> {
+        let image = |at: [f64; 2]| self.image_of(self.frame.at(at));
+        let mut means = observe.mean_inverse_distances(load, |at| self.frame.at(at), image);
+        means.iter_mut().for_each(|mean| *mean *= self.mirror.softness);
+        means
     }
 }
 
@@ -131,8 +156,9 @@ const RULES: [(f64, &[(f64, f64)]); 4] = [
 ];
 /// Distance, in sums of both halves of the long sides, from which quadrature points replace panels.
 const FAR: f64 = 2.0;
-/// Distance, in halves of the long side, from which points observe the potential of an image.
-const NEAR: f64 = 3.0;
+/// Distance, in halves of the long side, from which points observe the potential of an image. Cells
+/// of a lattice are at no such distance, so that rounding does not decide.
+const NEAR: f64 = 3.07;
 /// Maximum number of bisections of an observing panel. Where image and panel touch, the potential
 /// is continuous and only its slope is singular, so each bisection leaves a quarter of the error,
 /// down to 1e-6.
@@ -156,8 +182,11 @@ impl Panel {
         usize::from(self.half[1] > self.half[0])
     }
 
-    fn radius(&self) -> f64 {
-        self.half[0].hypot(self.half[1])
+    /// Returns the distance of a point from the rectangle.
+    fn distance_from(&self, point: Vector) -> f64 {
+        let from = minus(point, self.center);
+        let [x, y, z] = self.axes.map(|axis| dot(from, axis).abs());
+        length([(x - self.half[0]).max(0.0), (y - self.half[1]).max(0.0), z])
     }
 
     /// Returns the points that average 1/r accurately at a distance.
@@ -198,7 +227,7 @@ impl Panel {
 
     fn near(&self, image: &Panel, halvings: u32) -> f64 {
         let longer = self.longer();
-        let apart = length(minus(self.center, image.center)) - image.radius();
+        let apart = image.distance_from(self.center);
         if halvings > 0 && apart < NEAR * self.half[longer] {
             let mut part = *self;
             part.half[longer] *= 0.5;
@@ -221,10 +250,17 @@ impl Panel {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
+    impl PlacedMirror {
+        /// Returns the mirror in other ground coordinates.
+        pub fn rotated(self, turned: impl Fn(Vector) -> Vector) -> Self {
+            Self { point: turned(self.point), normal: turned(self.normal), ..self }
+        }
+    }
+
+    pub fn cell(center: [f64; 2], size: [f64; 2]) -> Cell {
         let (places, slope) = ([[0.0; 2]; 2], [0.0; 2]);
         Cell {
             center,
@@ -239,7 +275,7 @@ mod tests {
         }
     }
 
-    const FRAME: PatchFrame = PatchFrame {
+    pub const FRAME: PatchFrame = PatchFrame {
         point: [0.1, 0.2, 0.3],
         normal: [0.0, 0.0, 1.0],
         across: [1.0, 0.0, 0.0],
@@ -247,7 +283,7 @@ mod tests {
     };
 
     /// Side face at y = 2, inclined towards the normal of the patch.
-    fn face(lean: f64) -> PlacedMirror {
+    pub fn face(lean: f64) -> PlacedMirror {
         PlacedMirror { point: [0.0, 2.2, 0.3], normal: [0.0, lean.cos(), lean.sin()], softness: 1.0 }
     }
 

@@ -18,6 +18,7 @@ mod image;
 mod interval_pairs;
 mod placement;
 mod pressure;
+mod strips;
 mod surface_curvature;
 mod transverse_approach;
 
