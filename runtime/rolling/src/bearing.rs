@@ -1,9 +1,9 @@
 //! Rolling bearings as sets of rows between rigid rings.
 
-use crate::ball::{BallRow, BallState, Motion};
+use crate::ball::{BallKind, BallRow, BallState, Motion};
 use crate::element::{Local, Response};
 use crate::error::{RollingError, finite};
-use crate::roller::{RollerRow, RollerState};
+use crate::roller::{RollerKind, RollerRow, RollerState};
 use libm::{cos, sin};
 use std::f64::consts::TAU;
 
@@ -240,6 +240,42 @@ impl RollingBearing {
             clearance.max(0.0) + 4.0 * (-row.offset).max(0.0) + 1e-3 * diameter
         };
         self.rows.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// Returns whether the elements resist displacements of the inner ring to +z and to -z. Balls
+    /// resist both, also on the flanks that an angular contact bearing is not made for.
+    pub fn axial_supports(&self) -> [bool; 2] {
+        let of = |row: &Row| match &row.elements {
+            Elements::Balls(_) => [true, true],
+            Elements::Rollers(rollers) if rollers.free_axially => [false, false],
+            Elements::Rollers(_) => [!row.mirrored, row.mirrored],
+        };
+        self.rows.iter().map(of).fold([false, false], |all, row| [all[0] || row[0], all[1] || row[1]])
+    }
+
+    /// Returns whether radial forces cause axial ones: rows have a contact angle.
+    pub fn has_contact_angle(&self) -> bool {
+        self.rows.iter().any(|row| match &row.elements {
+            Elements::Balls(balls) => matches!(balls.geometry.kind, BallKind::AngularContact { .. }),
+            Elements::Rollers(rollers) => matches!(rollers.geometry.kind, RollerKind::Tapered { .. }),
+        })
+    }
+
+    /// Returns whether balls of angular contact rows carry load on the flanks that a groove with
+    /// shoulder does not have: those with a contact angle opposite to the nominal one. Loads below
+    /// a hundredth of the largest do not count.
+    pub fn is_loaded_on_opposite_flanks(&self, states: &[ElementState]) -> bool {
+        let largest = states.iter().map(ElementState::load).fold(0.0, f64::max);
+        states.iter().any(|state| {
+            let angular = self.rows.get(state.row).is_some_and(|row| match &row.elements {
+                Elements::Balls(balls) => matches!(balls.geometry.kind, BallKind::AngularContact { .. }),
+                Elements::Rollers(_) => false,
+            });
+            let opposite = |ball: &BallState| {
+                ball.inner.iter().any(|contact| contact.angle < 0.0 && contact.load > 0.01 * largest)
+            };
+            angular && state.ball().is_some_and(opposite)
+        })
     }
 
     /// Returns a stiffness typical of the bearing under load, N/m.

@@ -5,7 +5,7 @@ use crate::sample::{
 };
 use calyx_rolling::bearing::Contacts;
 use calyx_rolling::{
-    Arrangement, BallKind, BallRow, Conditions, Displacement, Load, Motion, RollerRow, RollingBearing,
+    Arrangement, BallKind, BallRow, Conditions, Displacement, Load, Motion, RollerRow, RollingBearing, Start,
 };
 
 fn tapered_pair(arrangement: Arrangement, offset: f64) -> RollingBearing {
@@ -214,4 +214,44 @@ fn random_loads_have_an_equilibrium() {
         }
     }
     assert!(most < 400, "{most} evaluations");
+}
+
+/// The senses that a bearing supports axially are those in which it has a load beyond all
+/// clearances.
+#[test]
+fn axial_supports_are_those_with_load() {
+    let bearings = [
+        (balls(deep_groove()), [true, true]),
+        (balls(angular_contact()), [true, true]),
+        (balls(four_point()), [true, true]),
+        (rollers(cylindrical()), [false, false]),
+        (rollers(tapered()), [true, false]),
+        (tapered_pair(Arrangement::Tandem, 0.0), [true, false]),
+        (tapered_pair(Arrangement::BackToBack, 0.0), [true, true]),
+        (tapered_pair(Arrangement::FaceToFace, 0.0), [true, true]),
+    ];
+    for (index, (bearing, expected)) in bearings.iter().enumerate() {
+        assert_eq!(bearing.axial_supports(), *expected, "{index}");
+        for (sense, supports) in [1.0, -1.0].into_iter().zip(expected) {
+            // Opposite flanks of angular contact balls are 0.6 mm away.
+            let at = [0.0, 0.0, sense * 0.7e-3, 0.0, 0.0];
+            let load = bearing.evaluate(&at, &Motion::REST, &mut Start::default()).expect("finite").load;
+            assert_eq!(sense * load[2] > 1.0, *supports, "{index} {sense}: {load:?}");
+        }
+    }
+}
+
+/// Angular contact balls under axial load against their contact angle touch the opposite flanks.
+#[test]
+fn opposite_flanks_are_found() {
+    let bearing = balls(angular_contact());
+    for (force, expected) in [(2e3, false), (-2e3, true)] {
+        let found = bearing.displacement(&[500.0, 0.0, force, 0.0, 0.0], &Motion::REST).expect("solved");
+        let states = bearing.elements(&found.displacement, &Motion::REST).expect("finite");
+        assert_eq!(bearing.is_loaded_on_opposite_flanks(&states), expected, "{force}");
+    }
+    let deep = balls(deep_groove());
+    let found = deep.displacement(&[500.0, 0.0, -2e3, 0.0, 0.0], &Motion::REST).expect("solved");
+    let states = deep.elements(&found.displacement, &Motion::REST).expect("finite");
+    assert!(!deep.is_loaded_on_opposite_flanks(&states));
 }

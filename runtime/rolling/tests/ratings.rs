@@ -2,13 +2,13 @@
 
 use crate::sample::{angular_contact, balls, close, cylindrical, deep_groove, rollers, tapered};
 use calyx_rolling::ball::BallGeometry;
-use calyx_rolling::catalogue::{CatalogueData, estimate_balls, estimate_rollers};
+use calyx_rolling::catalogue::{CatalogueData, Estimated, estimate_balls, estimate_rollers};
 use calyx_rolling::rating::{
     FrictionCoefficients, LifeConditions, LoadDirection, capacity, friction, life_modification, rating_life,
     static_safety,
 };
 use calyx_rolling::{
-    BallKind, BallRow, Load, Motion, Profile, RollerGeometry, RollerKind, RollingBearing, Row,
+    BallKind, BallRow, Load, Motion, Profile, Rib, RollerGeometry, RollerKind, RollingBearing, Row,
 };
 
 /// Factors f_c of ISO 281, table 2 (groove radii 0.52 D), for Dw cos α / Dpw.
@@ -161,45 +161,116 @@ fn friction_has_the_torque_of_the_formula() {
     assert!(friction(&coefficients, 60e-3, 5000.0, 1.0, -1.0).is_err());
 }
 
-/// Catalogue data of 6208: its balls have 11.906 mm and there are 9.
-#[test]
-fn catalogue_data_of_a_ball_bearing() {
-    let data = CatalogueData {
-        bore: 40e-3,
-        outside_diameter: 80e-3,
-        width: 18e-3,
-        dynamic_rating: 30.7e3,
-        static_rating: 19e3,
-    };
-    let estimate = estimate_balls(&data, BallKind::DeepGroove { clearance: 12e-6 }).expect("estimated");
-    assert!((8..=10).contains(&estimate.geometry.count), "{estimate:?}");
-    close(estimate.geometry.ball_diameter, 11.906e-3, 11.906e-3, 0.05, "ball diameter");
-    assert!(BallRow::new(estimate.geometry).is_ok());
-    let impossible = CatalogueData { dynamic_rating: 300e3, ..data };
-    let error = estimate_balls(&impossible, BallKind::DeepGroove { clearance: 0.0 }).unwrap_err();
-    assert!(error.to_string().contains("load ratings"), "{error}");
-    let swapped = CatalogueData { bore: 80e-3, outside_diameter: 40e-3, ..data };
-    assert!(estimate_balls(&swapped, BallKind::DeepGroove { clearance: 0.0 }).is_err());
+/// Data of a catalogue: bore, outside diameter and width, mm, C and C0, kN.
+fn data([bore, outside, width, dynamic, fixed]: [f64; 5]) -> CatalogueData {
+    CatalogueData {
+        bore: 1e-3 * bore,
+        outside_diameter: 1e-3 * outside,
+        width: 1e-3 * width,
+        dynamic_rating: 1e3 * dynamic,
+        static_rating: 1e3 * fixed,
+    }
 }
 
-/// The estimate recovers load ratings that were computed from a geometry.
+/// Deep groove ball bearings whose numbers and diameters of balls (mm) are published.
+const BALLS: [(&str, [f64; 5], usize, f64); 5] = [
+    ("6204", [20.0, 47.0, 14.0, 13.5, 6.55], 8, 7.938),
+    ("6205", [25.0, 52.0, 15.0, 14.8, 7.8], 9, 7.938),
+    ("6206", [30.0, 62.0, 16.0, 20.3, 11.2], 9, 9.525),
+    ("6208", [40.0, 80.0, 18.0, 32.5, 19.0], 9, 11.906),
+    ("6308", [40.0, 90.0, 23.0, 42.3, 24.0], 8, 15.081),
+];
+
+/// Cylindrical roller bearings; their diameters (mm) are half of the difference of the published
+/// raceway diameters E and F.
+const ROLLERS: [(&str, [f64; 5], f64); 5] = [
+    ("NU 205", [25.0, 52.0, 15.0, 32.5, 27.0], 7.5),
+    ("NU 206", [30.0, 62.0, 16.0, 44.0, 36.5], 9.0),
+    ("NU 208", [40.0, 80.0, 18.0, 62.0, 53.0], 11.0),
+    ("NU 210", [50.0, 90.0, 20.0, 73.5, 69.5], 11.0),
+    ("NU 2210", [50.0, 90.0, 23.0, 90.0, 88.0], 11.0),
+];
+
+/// Estimates of ball bearings have the published number of balls, or one more or less, and their
+/// diameter to 6 %.
 #[test]
-fn catalogue_data_of_rollers() {
-    for geometry in [cylindrical(), tapered()] {
-        let rating = capacity(&rollers(geometry.clone()).rows()[0]);
-        let data = CatalogueData {
-            bore: 40e-3,
-            outside_diameter: 80e-3,
-            width: 18e-3,
-            dynamic_rating: rating.dynamic,
-            static_rating: rating.static_load,
-        };
-        let estimate = estimate_rollers(&data, geometry.kind).expect("estimated");
-        assert!(estimate.dynamic_deviation.abs() < 1e-3 && estimate.static_deviation.abs() < 1e-3);
-        let found = capacity(&rollers(estimate.geometry.clone()).rows()[0]);
-        close(found.dynamic, rating.dynamic, rating.dynamic, 1e-3, "dynamic rating");
-        assert!(estimate.geometry.length < 18e-3);
-        let narrow = CatalogueData { width: 5e-3, ..data };
-        assert!(estimate_rollers(&narrow, geometry.kind).is_err());
+fn catalogue_data_of_ball_bearings() {
+    for (name, given, count, diameter) in BALLS {
+        let found = estimate_balls(&data(given), BallKind::DeepGroove { clearance: 12e-6 }).expect(name);
+        let g = &found.geometry;
+        println!(
+            "{name} {} {:.2} C {:+.1} % C0 {:+.1} %",
+            g.count,
+            1e3 * g.ball_diameter,
+            1e2 * found.dynamic_deviation,
+            1e2 * found.static_deviation
+        );
+        assert!(g.count.abs_diff(count) <= 1, "{name}: {found:?}");
+        close(1e3 * g.ball_diameter, diameter, diameter, 0.06, name);
+        assert!(found.static_deviation.abs() < 1e-6 && BallRow::new(found.geometry).is_ok(), "{name}");
+    }
+    let given = data(BALLS[3].1);
+    let rejected = |data: CatalogueData, text: &str| {
+        let error = estimate_balls(&data, BallKind::DeepGroove { clearance: 0.0 }).unwrap_err();
+        assert!(error.to_string().contains(text), "{error}");
+    };
+    rejected(CatalogueData { dynamic_rating: 40e3, ..given }, "and not 40 kN");
+    rejected(CatalogueData { static_rating: 190e3, ..given }, "the largest that fit have");
+    rejected(CatalogueData { bore: 80e-3, outside_diameter: 40e-3, ..given }, "outside diameter of 40");
+}
+
+/// Estimates of cylindrical roller bearings have the diameter from published raceways to 6 %.
+#[test]
+fn catalogue_data_of_cylindrical_roller_bearings() {
+    for (name, given, diameter) in ROLLERS {
+        let found = estimate_rollers(&data(given), RollerKind::Cylindrical { clearance: 20e-6 }).expect(name);
+        print(name, &found);
+        close(1e3 * found.geometry.roller_diameter, diameter, diameter, 0.06, name);
+        assert!(found.static_deviation.abs() < 1e-6, "{name}");
+    }
+    // Catalogues do not have the elements of these.
+    let tapered = |angle: f64| RollerKind::Tapered {
+        outer_angle: angle.to_radians(),
+        rib: Rib { end_radius: 0.1, height: 1e-3 },
+    };
+    for (name, given, kind) in [
+        ("30206", [30.0, 62.0, 17.25, 40.2, 44.0], tapered(14.04)),
+        ("32008", [40.0, 68.0, 19.0, 52.8, 71.0], tapered(14.17)),
+        ("32210", [50.0, 90.0, 24.75, 82.5, 100.0], tapered(15.64)),
+        ("NA 4906", [30.0, 47.0, 17.0, 25.5, 35.5], RollerKind::Cylindrical { clearance: 20e-6 }),
+    ] {
+        let found = estimate_rollers(&data(given), kind).expect(name);
+        print(name, &found);
+        assert!(found.static_deviation.abs() < 1e-6, "{name}");
+    }
+}
+
+fn print(name: &str, found: &Estimated<RollerGeometry>) {
+    let g = &found.geometry;
+    println!(
+        "{name} {} {:.2} x {:.2} on {:.1}, C {:+.1} %",
+        g.count,
+        1e3 * g.roller_diameter,
+        1e3 * g.length,
+        1e3 * g.pitch_diameter,
+        1e2 * found.dynamic_deviation
+    );
+}
+
+/// Rollers do not become longer than the bearing: its width limits the static load rating.
+#[test]
+fn width_limits_the_rollers() {
+    for kind in [cylindrical().kind, tapered().kind] {
+        let given = data([40.0, 80.0, 18.0, 60.0, 60.0]);
+        let found = estimate_rollers(&given, kind).expect("estimated");
+        let heavy = CatalogueData { dynamic_rating: 75e3, static_rating: 75e3, ..given };
+        let dense = estimate_rollers(&heavy, kind).expect("estimated");
+        for of in [&found, &dense] {
+            let fitting = of.geometry.count as f64 * of.geometry.roller_diameter;
+            assert!(of.geometry.length < 0.86 * 18e-3 && fitting < std::f64::consts::PI * 60e-3, "{of:?}");
+        }
+        let narrow = CatalogueData { width: 5e-3, ..given };
+        let error = estimate_rollers(&narrow, kind).unwrap_err();
+        assert!(error.to_string().contains("the largest that fit have"), "{error}");
     }
 }
