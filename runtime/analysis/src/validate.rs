@@ -9,6 +9,7 @@ use crate::method::{Method, QuasiStatic};
 use crate::options::AnalysisOptions;
 use crate::scene::Scene;
 use calyx_fe::inertia::Inertia;
+use calyx_model::dof::DOF_NAMES;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::frames::number_dofs;
 use calyx_model::motion::axle;
@@ -58,6 +59,41 @@ fn refuse_rolling_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError
     Err(EngineError::new("E0727", message, help).about(Subject::Bearing(bearing)))
 }
 
+/// Rejects bearings that no motion of their bodies can load, if outputs depend on these bodies.
+fn refuse_idle_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
+    for (index, bearing) in scene.bearings.iter().enumerate() {
+        let observed =
+            bearing.bodies().any(|body| plan.bodies.get(body.0).is_some_and(|plan| !plan.left_out));
+        let carries_own = bearing.rolling.is_none() && !bearing.is_unloaded_without_motion();
+        if !observed || carries_own {
+            continue;
+        }
+        let mobility = bearing.mobility(scene)?;
+        let resisted = (0..6).filter(|&k| mobility.resists[k]).map(|k| format!("\"{}\"", DOF_NAMES[k]));
+        let resisted: Vec<String> = resisted.collect();
+        if !mobility.is_idle || resisted.is_empty() {
+            continue;
+        }
+        let names: Vec<String> = bearing
+            .bodies()
+            .filter_map(|body| Some(format!("\"{}\"", scene.bodies.get(body.0)?.name)))
+            .collect();
+        let (it, its) =
+            if names.len() == 1 { ("is", "its frame carries") } else { ("are", "their frames carry") };
+        let message = format!(
+            "bearing \"{}\" can never carry load: {} {it} not free in any direction that it resists, and {its} all load",
+            bearing.name,
+            names.join(" and ")
+        );
+        let help = format!(
+            "let the body move, `free = [{}]`, so that the bearing supports it; or remove the bearing",
+            resisted.join(", ")
+        );
+        return Err(EngineError::new("E0728", message, help).about(Subject::Bearing(index)));
+    }
+    Ok(())
+}
+
 impl<'a> Request<'a> {
     /// Creates the request of an analysis with these options.
     pub fn new(
@@ -74,7 +110,7 @@ impl<'a> Request<'a> {
     ///
     /// # Errors
     /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676,
-    /// E0677, E0690, E0714, E0715, E0723, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to
+    /// E0677, E0690, E0714, E0715, E0723, E0728, E0729, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to
     /// E0783. Also those of the interrupt.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
@@ -116,6 +152,7 @@ impl<'a> Request<'a> {
         let planned = if method.has_inertia() { Plan::in_time } else { Plan::new };
         let plan = planned(scene, fidelity, structure)?;
         let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
+        refuse_idle_bearings(scene, &plan)?;
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             check_in_section(&plan)?;

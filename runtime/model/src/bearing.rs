@@ -19,10 +19,12 @@
 //! See `docs/theory/bearings.md`.
 
 mod bearing_state;
+mod immobile;
 mod rolling;
 mod springs;
 
 pub use bearing_state::BearingState;
+pub use immobile::Mobility;
 pub use rolling::{RollingElements, RollingState, Tangent, five, rejected};
 pub use springs::{Springs, damping, springs};
 

@@ -1,12 +1,14 @@
 //! Plan of an analysis: the modelled part of the scene, the models of its bodies, and the reasons.
 //! Parts that no observable depends on are left out.
 
+mod bearings;
 mod connections;
 mod unsupported_output;
 
 pub use self::connections::ConnectionPlan;
 pub use self::unsupported_output::UnsupportedOutput;
 
+use self::bearings::{ignored_bearing_inputs, plan_bearing};
 use crate::bearing::Bearing;
 use crate::body::Body;
 use crate::connection::ElasticConnection;
@@ -190,7 +192,9 @@ impl Plan {
         let bearings: Vec<BearingPlan> =
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
-        ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
+        ignored.extend(
+            modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(scene, bearing, three_dimensional)),
+        );
         let vibrations = targets.iter().any(|target| target.mode.is_some()) || modes_table;
         let treatment = (model == BodyModel::Rigid, vibrations);
         let connections = connections::plan_connections(scene, &bodies, treatment);
@@ -394,42 +398,6 @@ fn connected_bodies(scene: &Mechanism, bodies: impl Iterator<Item = BodyId>) -> 
         more.extend(pairs.flat_map(|pair| pair.bodies));
     }
     wanted
-}
-
-fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> BearingPlan {
-    let unwanted = bearing.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
-    let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
-    let idle = !bearing.bodies().any(moves) && bearing.is_unloaded_without_motion();
-    BearingPlan {
-        name: bearing.name.clone(),
-        reason: match (unwanted, idle) {
-            (true, _) => "left out: no output depends on the bodies that it connects",
-            (_, true) => "left out: the frames on both sides are constrained, and it carries no load",
-            _ => "a stiffness between the frames of its races",
-        },
-        left_out: unwanted || idle,
-    }
-}
-
-/// Returns the inputs of a bearing that the analysis ignores.
-fn ignored_bearing_inputs(bearing: &Bearing, three_dimensional: bool) -> Vec<Ignored> {
-    let mut unseen = Vec::new();
-    if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
-        unseen.push(Ignored {
-            input: DAMPING.into(),
-            reason: "a quasi-static analysis neglects velocities, so bearings have no damping".into(),
-        });
-    }
-    let out_of_plane = |row: &usize| bearing.stiffness[*row].iter().any(|&entry| entry != 0.0);
-    if !three_dimensional && [2, 3, 4].iter().any(out_of_plane) {
-        unseen.push(Ignored {
-            input: "bearing".into(),
-            reason:
-                "in a two-dimensional model bearings support u_x, u_y and theta_z; u_z, theta_x and theta_y are zero"
-                    .into(),
-        });
-    }
-    unseen
 }
 
 /// Rejects free out-of-plane components in a plane model, which has no forces to resist them.

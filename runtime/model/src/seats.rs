@@ -96,7 +96,7 @@ fn distance_finding(
     let impossible = distance > REJECTED * extent.size;
     let [x, y, z] = at.map(mm);
     let message = format!(
-        "the bearing \"{}\" is {} mm away from \"{name}\", on which it is mounted and whose region has {} mm: it is at ({x}, {y}, {z}) mm in the coordinates of the elastic body",
+        "the bearing \"{}\" is {} mm away from \"{name}\", on which it is mounted and whose region is {} mm wide: it is at ({x}, {y}, {z}) mm in the coordinates of the elastic body",
         bearing.name,
         mm(distance),
         mm(extent.size)

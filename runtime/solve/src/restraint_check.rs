@@ -8,11 +8,12 @@
 //!
 //! See `docs/theory/equilibrium.md`.
 
+mod one_sided;
 mod unresisted;
 
 use calyx_contact::problem::{ContactError, FreeMotion};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
-use calyx_model::bearing::springs;
+use calyx_model::bearing::{Bearing, springs};
 use calyx_model::connection::add_connection_stiffness;
 use calyx_model::connection_building::connections_as_links;
 use calyx_model::dof::DOF_NAMES;
@@ -37,13 +38,14 @@ const SPIN_ROUNDING: f64 = 1e-9;
 ///
 /// # Errors
 /// Those that solving this position would return: E0714 if a load drives a body away, E0715 if
-/// nothing resists a motion, E0723 if a load is NaN. Also those of the interrupt, because the check
+/// nothing resists a motion, E0729 if a body can leave its bearings along the axis, E0723 if a load is NaN. Also those of the interrupt, because the check
 /// of many bodies takes long.
 pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -> Result<(), EngineError> {
     let dofs = number_dofs(scene, plan);
     if dofs.is_empty() {
         return Ok(());
     }
+    one_sided::check(scene, plan, &dofs, time)?;
     let mut springs = {
         let planned = plan.modelled_bearings();
         springs(&scene.bodies, &scene.bearings, &planned, &dofs, |_| 1.0, time, &[])?
@@ -219,12 +221,25 @@ pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineE
             None => error,
         }
     };
+    let help = |motion: &FreeMotion, other: &str| {
+        let moving = moving_dofs(scene, dofs, &motion.motion);
+        let is_axial = moving.iter().all(|&at| dofs[at].component == 2);
+        let on_bearings =
+            |bearing: &Bearing| bearing.bodies().any(|body| moving.iter().any(|&at| dofs[at].body == body.0));
+        match is_axial && scene.bearings.iter().any(on_bearings) {
+            true => "support the body along its axis by a bearing that carries axial force: `axial_stiffness` of a `bearing`, or a ball or tapered roller bearing; cylindrical roller and needle bearings carry none. Or remove \"u_z\" from `free`".to_owned(),
+            false => other.to_owned(),
+        }
+    };
     match error {
         ContactError::Infeasible(motion) => about(
             EngineError::new(
                 "E0714",
                 format!("no contact can balance the load: it drives {}", named(motion)),
-                "constrain this degree of freedom (remove it from `free`) or add a bearing, or check the sign of the load and that the teeth are in mesh; a reversing load needs `coast_side_contact = TRUE` in `gears.mesh`",
+                help(
+                    motion,
+                    "constrain this degree of freedom (remove it from `free`) or add a bearing, or check the sign of the load and that the teeth are in mesh; a reversing load needs `coast_side_contact = TRUE` in `gears.mesh`",
+                ),
             ),
             motion,
         ),
@@ -232,7 +247,10 @@ pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineE
             EngineError::new(
                 "E0715",
                 format!("nothing constrains {}", named(motion)),
-                "constrain this degree of freedom (remove it from `free`), add a bearing, or apply a load",
+                help(
+                    motion,
+                    "constrain this degree of freedom (remove it from `free`), add a bearing, or apply a load",
+                ),
             ),
             motion,
         ),

@@ -3,7 +3,7 @@
 
 use super::{Bearing, BearingMatrix};
 use calyx_numerics::error::EngineError;
-use calyx_rolling::rating::static_safety;
+use calyx_rolling::rating::{capacity, static_safety};
 use calyx_rolling::{Displacement, ElementState, Evaluation, Motion, RollingBearing, RollingError, Start};
 use nalgebra::{Matrix5, SymmetricEigen, Vector5};
 
@@ -47,12 +47,15 @@ impl RollingElements {
         let mut elements = Self { bearing, motion, is_inverted: false, typical: [[0.0; 6]; 6] };
         elements.check_preload()?;
         // Tangents on all sides of the clearance together resist all motions that any one resists.
-        let reach = elements.bearing.reach();
+        // At high speed, centrifugal force opens a clearance at the inner ring beyond this reach.
+        let (reach, still) = (elements.bearing.reach(), without_speed(&elements.motion));
         for direction in 0..3 {
             for side in [reach, -reach] {
                 let mut deflection = [0.0; 5];
                 deflection[direction] = side;
-                let at = elements.state(deflection)?.evaluation.stiffness;
+                let mut start = Start::default();
+                let at =
+                    elements.bearing.evaluate(&deflection, &still, &mut start).map_err(rejected)?.stiffness;
                 for i in 0..5 {
                     for j in 0..5 {
                         elements.typical[i][j] += 0.5 * (at[i][j] + at[j][i]) / 6.0;
@@ -84,20 +87,73 @@ impl RollingElements {
         self.state([0.0; 5]).is_ok_and(|state| state.evaluation.scale > 0.0)
     }
 
-    /// Rejects preload whose pressure exceeds the limit of ISO 76 without any deflection.
+    /// Returns whether the elements resist displacements of the first race to +z and to -z.
+    pub fn axial_supports(&self) -> [bool; 2] {
+        let [positive, negative] = self.bearing.axial_supports();
+        if self.is_inverted { [negative, positive] } else { [positive, negative] }
+    }
+
+    /// Returns the static load rating of all rows, N.
+    pub fn static_rating(&self) -> f64 {
+        self.bearing.rows().iter().map(|row| capacity(row).static_load).sum()
+    }
+
+    /// Returns warnings about the elements at a deflection, each the end of a sentence about the
+    /// bearing. They name no numbers, so that the positions of an analysis have the same ones.
+    ///
+    /// # Errors
+    /// E0697: the deflection is not finite.
+    pub fn warnings(&self, deflection: &[f64; 6]) -> Result<Vec<&'static str>, EngineError> {
+        let states = self.elements(deflection)?;
+        let mut found = Vec::new();
+        if static_safety(&states) < 1.0 {
+            found.push(match states.first().and_then(ElementState::ball) {
+                Some(_) => {
+                    "indents its raceways: the contact pressure exceeds 4200 MPa, the limit of ISO 76 for balls; \
+                     `gears.bearing_static_safety` is below 1"
+                }
+                None => {
+                    "indents its raceways: the contact pressure exceeds 4000 MPa, the limit of ISO 76 for rollers; \
+                     `gears.bearing_static_safety` is below 1"
+                }
+            });
+        }
+        if self.bearing.is_loaded_on_opposite_flanks(&states) {
+            found.push(
+                "carries axial force against its `thrust`: balls touch the flanks opposite to the contact angle, where a real \
+                 angular contact bearing has no groove; reverse `thrust` or add a bearing for this sense",
+            );
+        }
+        Ok(found)
+    }
+
+    /// Rejects preload and centrifugal force whose pressure exceeds the limit of ISO 76 without any
+    /// deflection.
     fn check_preload(&self) -> Result<(), EngineError> {
-        let elements = self.bearing.elements(&[0.0; 5], &self.motion).map_err(rejected)?;
+        let state = |motion: &Motion| self.bearing.elements(&[0.0; 5], motion).map_err(rejected);
+        let elements = state(&self.motion)?;
         if static_safety(&elements) >= 1.0 {
             return Ok(());
         }
-        let pressure = elements.iter().map(ElementState::pressure).fold(0.0, f64::max);
+        let pressure = 1e-6 * elements.iter().map(ElementState::pressure).fold(0.0, f64::max);
+        if static_safety(&state(&without_speed(&self.motion))?) >= 1.0 {
+            let Motion { inner_speed, outer_speed, .. } = self.motion;
+            let inner = inner_speed.abs() >= outer_speed.abs();
+            return Err(EngineError::new(
+                "E0697",
+                format!(
+                    "the centrifugal force of the elements indents the outer raceway: without external load the pressure is {pressure:.0} MPa"
+                ),
+                "reduce the speed of the rings, and check its unit",
+            )
+            .blame(if inner { "inner_speed" } else { "outer_speed" }));
+        }
         Err(EngineError::new(
             "E0697",
             format!(
-                "the bearing indents its raceways: without external load the pressure is {:.0} MPa",
-                1e-6 * pressure
+                "the bearing indents its raceways: without external load the pressure is {pressure:.0} MPa"
             ),
-            "reduce the preload, which is usually some micrometres, or the speed",
+            "reduce the preload, which is usually some micrometres",
         ))
     }
 
@@ -174,6 +230,10 @@ impl RollingState {
         }
         tangent
     }
+}
+
+fn without_speed(motion: &Motion) -> Motion {
+    Motion { inner_speed: 0.0, outer_speed: 0.0, ..*motion }
 }
 
 /// Returns the symmetric part of a stiffness without its negative eigenvalues. Rotations are

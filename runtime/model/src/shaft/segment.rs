@@ -72,6 +72,13 @@ impl ShaftSegment {
     }
 }
 
+impl Section {
+    /// Returns the outside diameter and the bore, m.
+    pub(super) fn diameters(self) -> [f64; 2] {
+        [self.outside, self.bore]
+    }
+}
+
 /// Circular section with a bore, m.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section {

@@ -111,8 +111,9 @@ impl System<'_> {
             );
             return Ok(step);
         }
-        let step = solve(&[], Some(&bearings))?;
+        let mut step = solve(&[], Some(&bearings))?;
         if bearings.is_solved.get() {
+            bearings.warn(&mut step)?;
             return Ok(step);
         }
         for _ in 0..ROUNDS {
@@ -127,6 +128,7 @@ impl System<'_> {
                 if !is_solved {
                     step.certificate.equilibrium = step.certificate.equilibrium.max(iteration.residual);
                 }
+                bearings.warn(&mut step)?;
                 return Ok(step);
             }
         }
@@ -344,15 +346,45 @@ impl<'a> RollingBearings<'a> {
         if scale > 0.0 { (largest.0 / scale, largest.1) } else { (0.0, largest.1) }
     }
 
-    fn unbalanced(&self, iteration: &RollingIteration) -> EngineError {
-        let name = self.system.scene.bearings.get(iteration.worst).map_or("", |own| own.name.as_str());
-        EngineError::new(
-            "E0726",
-            format!("no deflection of the rolling bearings balances the load, among others at \"{name}\""),
-            "support the body in every direction of its load, for example by a second bearing for the opposite axial load; check the unit of the load",
-        )
-        .about(Subject::Bearing(iteration.worst))
+    /// Adds the warnings about the rolling elements at a solution.
+    fn warn(&self, step: &mut StepResult) -> Result<(), EngineError> {
+        for own in &self.members {
+            let [x, y, z, about_x, about_y] = own.deflection(&step.motion);
+            let name = &self.system.scene.bearings[own.bearing].name;
+            for warning in own.elements.warnings(&[x, y, z, about_x, about_y, 0.0])? {
+                step.warnings.push(format!("bearing \"{name}\" {warning}"));
+            }
+        }
+        Ok(())
     }
+
+    fn unbalanced(&self, iteration: &RollingIteration) -> EngineError {
+        let members = self.members.iter().zip(&iteration.states);
+        let worst = members.into_iter().find(|(own, _)| own.bearing == iteration.worst);
+        let Some((own, state)) = worst else {
+            return EngineError::new("E0726", "no deflection of the rolling bearings balances the load", "");
+        };
+        let [x, y, z, ..] = state.evaluation.load;
+        let (force, rating) = (x.hypot(y).hypot(z), own.elements.static_rating());
+        let message = format!(
+            "no deflection of the rolling bearings balances the load: the search ended with {} on \"{}\", {:.3} of its static load rating C0 = {}",
+            shown_force(force),
+            self.system.scene.bearings[own.bearing].name,
+            force / rating,
+            shown_force(rating)
+        );
+        let help = if force > rating {
+            "check the unit of the load, or choose larger bearings: the static load rating is the limit of permanent deformation (ISO 76)"
+        } else {
+            "support the body in every direction of its load: tapered roller bearings carry axial force in the sense of `thrust` only, cylindrical roller and needle bearings none"
+        };
+        EngineError::new("E0726", message, help).about(Subject::Bearing(own.bearing))
+    }
+}
+
+/// Formats a force in N or kN.
+fn shown_force(newtons: f64) -> String {
+    if newtons < 1e3 { format!("{newtons:.1} N") } else { format!("{:.2} kN", 1e-3 * newtons) }
 }
 
 impl Member {
