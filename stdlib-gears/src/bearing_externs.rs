@@ -3,7 +3,7 @@
 use crate::externs::{self, before_analysis, entry, host, refusal};
 use crate::host::ModelHost;
 use crate::observable_externs::observe;
-use crate::shaft_externs::{bearing_mounting, bearing_seat};
+use crate::shaft_externs::{as_shaft, bearing_mounting, bearing_seat};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::bearing::{Bearing, BearingMatrix, Stop, Support, axisymmetric};
@@ -27,7 +27,7 @@ calyx_abi::externs! {
         unloaded_displacement: [f64; 3], unloaded_rotation: [f64; 3], force: [f64; 3], moment: [f64; 3],
         gap_clearances: Vec<f64>, gap_directions: Vec<[f64; 3]>, gap_arms: Vec<[f64; 3]>, gap_stiffness: f64,
     ) -> Handle {
-        let Mounting { name, body, to, at } = Mounting::new(context, name, body, to, at)?;
+        let Mounting { name, body, to, at, .. } = Mounting::new(context, name, body, to, at)?;
         for (argument, clearance) in [("radial_clearance", radial_clearance), ("axial_clearance", axial_clearance)] {
             if clearance < 0.0 {
                 return Err(refusal("E0688", argument, "a clearance of the bearing is negative",
@@ -114,6 +114,10 @@ pub(crate) struct Mounting {
     pub(crate) to: Support,
     /// Origin in the coordinates of the first body's frame, m.
     pub(crate) at: [f64; 3],
+    /// Index of the shaft that the first body is a section of, and the position on it, m.
+    pub(crate) shaft: Option<(usize, f64)>,
+    /// Index of the shaft that the second body is a section of.
+    pub(crate) to_shaft: Option<usize>,
 }
 
 impl Mounting {
@@ -135,12 +139,14 @@ impl Mounting {
             let help = "give the other body, or leave `to` out: then the second race is on ground";
             return Err(refusal("E0685", "to", &message, help));
         }
+        let [shaft, to_shaft] = [as_shaft(host(context)?, body), as_shaft(host(context)?, to)];
+        let shaft = shaft.map(|index| (index, at[2]));
         let (first, at) = bearing_seat(context, body, at)?;
         let to = match to == GROUND {
             true => Support::Ground,
             false => Support::Body(bearing_mounting(context, to, (first, at))?),
         };
-        Ok(Mounting { name: context.name_in_instance(name), body: first, to, at })
+        Ok(Mounting { name: context.name_in_instance(name), body: first, to, at, shaft, to_shaft })
     }
 }
 

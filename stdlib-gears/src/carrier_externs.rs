@@ -2,7 +2,6 @@
 
 use crate::carriers::ModelCarrier;
 use crate::externs::{self, entry, host, refusal};
-use calyx_abi::RuntimeError;
 use calyx_abi::externs::Handle;
 use calyx_runtime::cache::Key;
 use calyx_runtime::connection::ElasticConnection;
@@ -53,7 +52,7 @@ calyx_abi::externs! {
             },
             element_size: element_size.unwrap_or(outside_diameter / ACROSS),
         };
-        shape.check().map_err(|error| RuntimeError::new("E0995", error.message, error.help))?;
+        shape.check().map_err(|(argument, error)| refusal("E0995", argument, &error.message, &error.help))?;
         let material = *entry(&host(context)?.materials, material)?;
         let hub = externs::body(context, "hub", hub)?;
         let pins = pins.into_iter().map(|pin| externs::body(context, "pins", pin)).collect::<Result<Vec<_>, _>>()?;

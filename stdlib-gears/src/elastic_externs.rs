@@ -177,7 +177,7 @@ fn warn_about_arm(host: &mut ModelHost, index: usize, name: &str) {
     }
     let mm = |metres: f64| (metres * 1e6).round() / 1e3;
     let message = format!(
-        "the position of the attachment \"{name}\" is {} mm away from its nodes, whose region has {} mm",
+        "the position of the attachment \"{name}\" is {} mm away from its nodes, whose region is {} mm wide",
         mm(distance),
         mm(extent.size)
     );

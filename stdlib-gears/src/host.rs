@@ -2,6 +2,7 @@
 //! created, and the scene.
 
 use crate::basic_rack::StatedRack;
+use crate::bearing_sizes::BearingSpace;
 use crate::blank::Rim;
 use crate::carriers::ModelCarrier;
 use crate::deviation::Deviation;
@@ -22,6 +23,7 @@ use calyx_abi::externs::Handle;
 use calyx_abi::{RuntimeError, SymbolicValue};
 use calyx_runtime::analyses::Analysis;
 use calyx_runtime::analysis::{AnalysisOptions, Observer, Position};
+use calyx_runtime::bearing::Support;
 use calyx_runtime::dynamics::TimeRange;
 use calyx_runtime::elastic::import::GmshPart;
 use calyx_runtime::error::{EngineError, Subject};
@@ -180,6 +182,10 @@ pub struct ModelHost {
     pub host_loaded: BTreeSet<usize>,
     /// Source locations of the calls that created each bearing.
     pub bearing_places: Vec<(u32, u32, u32)>,
+    /// Spaces that rolling bearings take.
+    pub bearing_spaces: Vec<BearingSpace>,
+    /// Load ratings C and C0 that catalogues state, by the indices of the bearings, N.
+    pub bearing_ratings: BTreeMap<usize, [f64; 2]>,
     /// Source locations of the calls that created each output.
     pub output_places: Vec<(u32, u32, u32)>,
     /// Requested gear meshes, including rejected ones.
@@ -303,11 +309,25 @@ impl ModelHost {
         else {
             return error;
         };
+        let fixed = |body: &BodyId| self.scene.bodies.get(body.0).is_some_and(|body| body.free == [false; 6]);
+        let on_ground = |body: &BodyId| {
+            let bearings = self.scene.bearings.iter();
+            bearings.filter(|bearing| bearing.to == Support::Ground).any(|bearing| bearing.body == *body)
+        };
+        let has_feet = elastic.attached.iter().any(|body| fixed(body) || on_ground(body));
+        // A body without feet moves as a whole, in all degrees of freedom of its attachments.
+        let message = match has_feet {
+            true => error.message.clone(),
+            false => format!(
+                "the elastic body \"{}\" has no feet: none of its attachments is fixed or mounted on ground",
+                elastic.name
+            ),
+        };
         let help = format!(
             "support the elastic body \"{}\" in this direction: attach its feet with `fixed = TRUE`, or mount them on ground by bearings with stiffness in all directions at several points",
             elastic.name
         );
-        EngineError { help, argument: None, ..error }
+        EngineError { message, help, argument: None, ..error }
     }
 
     /// Records the instance of a component that is being built.
@@ -355,6 +375,22 @@ impl ModelHost {
     pub(crate) fn warn(&mut self, code: &str, message: String, help: &str, place: (u32, u32, u32)) {
         let error = RuntimeError { place: Some(place), ..RuntimeError::new(code, message, help) };
         let finding = Finding { severity: Severity::Warning, error: self.in_instance(error) };
+        if !self.findings.contains(&finding) {
+            self.findings.push(finding);
+        }
+    }
+
+    /// Reports a warning about an argument of a call, once.
+    pub(crate) fn warn_of_argument(
+        &mut self,
+        (code, argument): (&str, &str),
+        message: String,
+        help: &str,
+        place: (u32, u32, u32),
+    ) {
+        let error = RuntimeError::new(code, message, help).of_argument(argument);
+        let error = self.in_instance(RuntimeError { place: Some(place), ..error });
+        let finding = Finding { severity: Severity::Warning, error };
         if !self.findings.contains(&finding) {
             self.findings.push(finding);
         }
@@ -464,4 +500,11 @@ pub struct Finding {
 pub fn keep<T>(table: &mut Vec<T>, thing: T) -> Handle {
     table.push(thing);
     Handle((table.len() - 1) as u64)
+}
+
+/// Formats a length in the model's unit.
+pub(crate) fn shown(metres: f64, LengthUnit { name, metres: unit }: LengthUnit) -> String {
+    let value = (metres / unit * 1e6).round() / 1e6;
+    // No negative zero.
+    format!("{} {name}", value + 0.0)
 }

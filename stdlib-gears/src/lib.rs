@@ -116,6 +116,7 @@ pub mod assembly;
 mod axes;
 pub mod basic_rack;
 pub mod bearing_externs;
+mod bearing_sizes;
 pub mod bevel_externs;
 pub mod blank;
 pub mod body_externs;

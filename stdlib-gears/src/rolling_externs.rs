@@ -2,6 +2,7 @@
 //! other rolling bearings of `gears.cx`.
 
 use crate::bearing_externs::{Mounting, bearing};
+use crate::bearing_sizes::{self, Boundary};
 use crate::externs::{self, entry, host, refusal};
 use crate::observable_externs::observe;
 use calyx_abi::externs::Handle;
@@ -26,42 +27,31 @@ calyx_abi::externs! {
         element_material: Option<Handle>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
-        let geometry = BallGeometry {
-            kind: BallKind::DeepGroove { clearance },
-            count: whole("count", count)?,
-            ball_diameter,
-            pitch_diameter,
-            inner_conformity,
-            outer_conformity,
-            rings: material(context, ring_material)?,
-            balls: material(context, element_material)?,
-        };
-        let row = BallRow::new(geometry).map_err(rejected)?;
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
-        add(context, mounting, RollingBearing::single(row), (motion, &ring), "clearance")
+        let conformities = [inner_conformity, outer_conformity];
+        let kind = BallKind::DeepGroove { clearance };
+        let size = (count, ball_diameter, pitch_diameter);
+        let row = balls(context, kind, size, conformities, [ring_material, element_material])?;
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        add(context, mounting, RollingBearing::single(row), &operation, None)
     }
 
     Scene fn calyx_gears_angular_contact_bearing(
         context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, ball_diameter: f64,
-        pitch_diameter: f64, contact_angle: f64, inner_conformity: f64, outer_conformity: f64, thrust: String,
-        arrangement: String, row_distance: Option<f64>, axial_preload: f64, ring: String, azimuth: f64,
-        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+        pitch_diameter: f64, contact_angle: f64, inner_conformity: f64, outer_conformity: f64,
+        thrust: Option<String>, arrangement: String, row_distance: Option<f64>, axial_preload: f64,
+        ring: String, azimuth: f64, inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>,
+        element_material: Option<Handle>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
-        let geometry = BallGeometry {
-            kind: BallKind::AngularContact { angle: contact_angle },
-            count: whole("count", count)?,
-            ball_diameter,
-            pitch_diameter,
-            inner_conformity,
-            outer_conformity,
-            rings: material(context, ring_material)?,
-            balls: material(context, element_material)?,
-        };
-        let row = BallRow::new(geometry).map_err(rejected)?;
-        let rows = arranged(row.into(), (&arrangement, row_distance), (&thrust, &ring), axial_preload)?;
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
-        add(context, mounting, rows, (motion, &ring), "axial_preload")
+        let conformities = [inner_conformity, outer_conformity];
+        let kind = BallKind::AngularContact { angle: contact_angle };
+        let size = (count, ball_diameter, pitch_diameter);
+        let row = balls(context, kind, size, conformities, [ring_material, element_material])?;
+        warn_about_arrangement(context, &mounting, (&arrangement, row_distance), thrust.as_deref())?;
+        let senses = (thrust.as_deref(), ring.as_str());
+        let rows = arranged(row.into(), (&arrangement, row_distance), senses, axial_preload)?;
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "axial_preload");
+        add(context, mounting, rows, &operation, None)
     }
 
     Scene fn calyx_gears_four_point_bearing(
@@ -71,19 +61,12 @@ calyx_abi::externs! {
         element_material: Option<Handle>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
-        let geometry = BallGeometry {
-            kind: BallKind::FourPoint { angle: contact_angle, clearance },
-            count: whole("count", count)?,
-            ball_diameter,
-            pitch_diameter,
-            inner_conformity,
-            outer_conformity,
-            rings: material(context, ring_material)?,
-            balls: material(context, element_material)?,
-        };
-        let row = BallRow::new(geometry).map_err(rejected)?;
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
-        add(context, mounting, RollingBearing::single(row), (motion, &ring), "clearance")
+        let conformities = [inner_conformity, outer_conformity];
+        let kind = BallKind::FourPoint { angle: contact_angle, clearance };
+        let size = (count, ball_diameter, pitch_diameter);
+        let row = balls(context, kind, size, conformities, [ring_material, element_material])?;
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        add(context, mounting, RollingBearing::single(row), &operation, None)
     }
 
     Scene fn calyx_gears_cylindrical_roller_bearing(
@@ -93,19 +76,11 @@ calyx_abi::externs! {
         inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
-        let geometry = RollerGeometry {
-            kind: RollerKind::Cylindrical { clearance },
-            count: whole("count", count)?,
-            roller_diameter,
-            length: roller_length,
-            pitch_diameter,
-            profile: profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?,
-            laminae: whole("laminae", laminae)?,
-            rings: material(context, ring_material)?,
-            rollers: material(context, element_material)?,
-        };
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
-        cylindrical(context, mounting, geometry, (motion, &ring))
+        let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
+        let size = (count, roller_diameter, roller_length, pitch_diameter);
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        let materials = [ring_material, element_material];
+        cylindrical(context, mounting, (size, clearance), (profile, laminae), materials, &operation)
     }
 
     /// Needles are thin cylindrical rollers.
@@ -116,25 +91,17 @@ calyx_abi::externs! {
         inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
-        let geometry = RollerGeometry {
-            kind: RollerKind::Cylindrical { clearance },
-            count: whole("count", count)?,
-            roller_diameter,
-            length: roller_length,
-            pitch_diameter,
-            profile: profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?,
-            laminae: whole("laminae", laminae)?,
-            rings: material(context, ring_material)?,
-            rollers: material(context, element_material)?,
-        };
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
-        cylindrical(context, mounting, geometry, (motion, &ring))
+        let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
+        let size = (count, roller_diameter, roller_length, pitch_diameter);
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        let materials = [ring_material, element_material];
+        cylindrical(context, mounting, (size, clearance), (profile, laminae), materials, &operation)
     }
 
     Scene fn calyx_gears_tapered_roller_bearing(
         context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
         roller_length: f64, pitch_diameter: f64, contact_angle: f64, rib_end_radius: Option<f64>,
-        rib_height: Option<f64>, thrust: String, arrangement: String, row_distance: Option<f64>,
+        rib_height: Option<f64>, thrust: Option<String>, arrangement: String, row_distance: Option<f64>,
         axial_preload: f64, profile: String, crown_radius: Option<f64>, profile_positions: Vec<f64>,
         profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64, inner_speed: f64,
         outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
@@ -145,21 +112,15 @@ calyx_abi::externs! {
             end_radius: rib_end_radius.unwrap_or(rib.end_radius),
             height: rib_height.unwrap_or(rib.height),
         };
-        let geometry = RollerGeometry {
-            kind: RollerKind::Tapered { outer_angle: contact_angle, rib },
-            count: whole("count", count)?,
-            roller_diameter,
-            length: roller_length,
-            pitch_diameter,
-            profile: profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?,
-            laminae: whole("laminae", laminae)?,
-            rings: material(context, ring_material)?,
-            rollers: material(context, element_material)?,
-        };
-        let row = RollerRow::new(geometry).map_err(rejected)?;
-        let rows = arranged(row.into(), (&arrangement, row_distance), (&thrust, &ring), axial_preload)?;
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
-        add(context, mounting, rows, (motion, &ring), "axial_preload")
+        let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
+        let kind = RollerKind::Tapered { outer_angle: contact_angle, rib };
+        let size = (count, roller_diameter, roller_length, pitch_diameter);
+        let row = rollers(context, kind, size, (profile, laminae), [ring_material, element_material])?;
+        warn_about_arrangement(context, &mounting, (&arrangement, row_distance), thrust.as_deref())?;
+        let senses = (thrust.as_deref(), ring.as_str());
+        let rows = arranged(row.into(), (&arrangement, row_distance), senses, axial_preload)?;
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "axial_preload");
+        add(context, mounting, rows, &operation, None)
     }
 
     Scene fn calyx_gears_spherical_roller_bearing(
@@ -169,23 +130,15 @@ calyx_abi::externs! {
         outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
-        let geometry = RollerGeometry {
-            kind: RollerKind::Spherical { angle: contact_angle, outer_osculation, inner_osculation, clearance },
-            count: whole("count", count)?,
-            roller_diameter,
-            length: roller_length,
-            pitch_diameter,
-            profile: Profile::Straight,
-            laminae: whole("laminae", laminae)?,
-            rings: material(context, ring_material)?,
-            rollers: material(context, element_material)?,
-        };
-        let row = RollerRow::new(geometry).map_err(rejected)?;
+        let kind = RollerKind::Spherical { angle: contact_angle, outer_osculation, inner_osculation, clearance };
+        let size = (count, roller_diameter, roller_length, pitch_diameter);
+        let materials = [ring_material, element_material];
+        let row = rollers(context, kind, size, (Profile::Straight, laminae), materials)?;
         // Both rows have the centre of the outer sphere in common.
         let distance = pitch_diameter * contact_angle.tan();
         let rows = RollingBearing::pair(row, Arrangement::FaceToFace, distance, 0.0).map_err(rejected)?;
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
-        add(context, mounting, rows, (motion, &ring), "clearance")
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        add(context, mounting, rows, &operation, None)
     }
 
     Scene fn calyx_gears_max_bearing_pressure(context, bearing: Handle) -> Handle {
@@ -247,32 +200,142 @@ calyx_abi::externs! {
     }
 }
 
-/// Adds a rolling bearing. `cause` is the argument that presses the elements without load.
-pub(crate) fn add(
-    context: &mut Context,
-    mounting: Mounting,
-    rows: RollingBearing,
-    (motion, ring): (Motion, &str),
+/// Arguments of all rolling bearings about their rings and motion.
+pub(crate) struct Operation<'a> {
+    ring: &'a str,
+    motion: Motion,
+    /// Argument that presses the elements without load.
     cause: &'static str,
-) -> Result<Handle, RuntimeError> {
-    let elements = RollingElements::new(rows, motion).map_err(|error| externs::engine(error.blame(cause)))?;
-    let elements = if ring == "outer" { elements.inverted() } else { elements };
-    let none = [[0.0; 6]; 6];
-    let Mounting { name, body, to, at } = mounting;
-    let bearing =
-        Bearing { to, at, rolling: Some(Arc::new(elements)), ..Bearing::new(name, body, 0.0, none) };
-    crate::bearing_externs::add(context, bearing)
 }
+
+impl<'a> Operation<'a> {
+    pub(crate) fn new(
+        ring: &'a str,
+        azimuth: f64,
+        [inner_speed, outer_speed]: [f64; 2],
+        cause: &'static str,
+    ) -> Self {
+        Self { ring, motion: Motion { inner_speed, outer_speed, azimuth, ..Motion::REST }, cause }
+    }
+}
+
+/// Creates a row of balls: number, ball and pitch diameter, conformities of the inner and the outer
+/// groove, and materials of rings and balls.
+fn balls(
+    context: &mut Context,
+    kind: BallKind,
+    (count, ball_diameter, pitch_diameter): (f64, f64, f64),
+    [inner_conformity, outer_conformity]: [f64; 2],
+    [rings, balls]: [Option<Handle>; 2],
+) -> Result<BallRow, RuntimeError> {
+    let geometry = BallGeometry {
+        kind,
+        count: whole("count", count)?,
+        ball_diameter,
+        pitch_diameter,
+        inner_conformity,
+        outer_conformity,
+        rings: material(context, rings)?,
+        balls: material(context, balls)?,
+    };
+    BallRow::new(geometry).map_err(rejected)
+}
+
+/// Creates a row of rollers: number, diameter, length and pitch diameter, profile and number of
+/// laminae, and materials of rings and rollers.
+fn rollers(
+    context: &mut Context,
+    kind: RollerKind,
+    (count, roller_diameter, length, pitch_diameter): RollerSize,
+    (profile, laminae): (Profile, f64),
+    [rings, rollers]: [Option<Handle>; 2],
+) -> Result<RollerRow, RuntimeError> {
+    let geometry = RollerGeometry {
+        kind,
+        count: whole("count", count)?,
+        roller_diameter,
+        length,
+        pitch_diameter,
+        profile,
+        laminae: whole("laminae", laminae)?,
+        rings: material(context, rings)?,
+        rollers: material(context, rollers)?,
+    };
+    RollerRow::new(geometry).map_err(rejected)
+}
+
+/// Dimensions of a row of rollers: number, diameter, length and pitch diameter.
+type RollerSize = (f64, f64, f64, f64);
 
 /// Adds a bearing with a row of cylindrical rollers.
 fn cylindrical(
     context: &mut Context,
     mounting: Mounting,
-    geometry: RollerGeometry,
-    motion: (Motion, &str),
+    (size, clearance): (RollerSize, f64),
+    profile: (Profile, f64),
+    materials: [Option<Handle>; 2],
+    operation: &Operation<'_>,
 ) -> Result<Handle, RuntimeError> {
-    let row = RollerRow::new(geometry).map_err(rejected)?;
-    add(context, mounting, RollingBearing::single(row), motion, "clearance")
+    let row = rollers(context, RollerKind::Cylindrical { clearance }, size, profile, materials)?;
+    add(context, mounting, RollingBearing::single(row), operation, None)
+}
+
+/// Adds a rolling bearing, with its boundary dimensions if a catalogue states them.
+pub(crate) fn add(
+    context: &mut Context,
+    mounting: Mounting,
+    rows: RollingBearing,
+    operation: &Operation<'_>,
+    boundary: Option<Boundary>,
+) -> Result<Handle, RuntimeError> {
+    let place = context.place;
+    let found = bearing_sizes::check(host(context)?, &mounting, (&rows, operation.ring), boundary);
+    for (message, help) in found {
+        host(context)?.warn("E0669", message, help, place);
+    }
+    let elements = RollingElements::new(rows, operation.motion).map_err(|error| {
+        let is_located = error.argument.is_some();
+        externs::engine(if is_located { error } else { error.blame(operation.cause) })
+    })?;
+    let elements = if operation.ring == "outer" { elements.inverted() } else { elements };
+    let none = [[0.0; 6]; 6];
+    let Mounting { name, body, to, at, .. } = mounting;
+    let bearing =
+        Bearing { to, at, rolling: Some(Arc::new(elements)), ..Bearing::new(name, body, 0.0, none) };
+    crate::bearing_externs::add(context, bearing)
+}
+
+/// Warns of arguments that an arrangement of rows does not use.
+fn warn_about_arrangement(
+    context: &mut Context,
+    mounting: &Mounting,
+    (arrangement, distance): (&str, Option<f64>),
+    thrust: Option<&str>,
+) -> Result<(), RuntimeError> {
+    if arrangement == "single" && distance.is_some() {
+        let reason = "it has a single row";
+        unused(context, mounting, "row_distance", reason, "choose an `arrangement` of two rows")?;
+    }
+    if matches!(arrangement, "back_to_back" | "face_to_face") && thrust.is_some() {
+        let reason = "its two rows carry axial force in both senses";
+        unused(context, mounting, "thrust", reason, "choose the `arrangement` \"single\" or \"tandem\"")?;
+    }
+    Ok(())
+}
+
+/// Warns of an argument that a bearing does not use.
+pub(crate) fn unused(
+    context: &mut Context,
+    mounting: &Mounting,
+    argument: &str,
+    reason: &str,
+    other: &str,
+) -> Result<(), RuntimeError> {
+    let message = format!("bearing \"{}\" does not use `{argument}`: {reason}", mounting.name);
+    let help = format!("leave `{argument}` out, or {other}");
+    let place = context.place;
+    host(context)?.warn_of_argument(("E0700", argument), message, &help, place);
+    Ok(())
 }
 
 /// Returns a bearing with its rolling elements.
@@ -296,6 +359,10 @@ fn life(
     modified: bool,
 ) -> Result<Handle, RuntimeError> {
     let (bearing, elements) = rolling(context, bearing)?;
+    // That of its catalogue includes the quality of steel and finish.
+    let stated = host(context)?.bearing_ratings.get(&bearing.0).map(|[dynamic, _]| *dynamic);
+    let dynamic_rating = conditions.dynamic_rating.or(stated);
+    let conditions = LifeConditions { dynamic_rating, ..conditions };
     let life = BearingLife { bearing, conditions, modified };
     // Conditions are checked before any solution.
     life.check(&elements).map_err(rejected)?;
@@ -383,11 +450,11 @@ fn profile_of(
 pub(crate) fn arranged(
     elements: Elements,
     (arrangement, distance): (&str, Option<f64>),
-    (thrust, ring): (&str, &str),
+    (thrust, ring): (Option<&str>, &str),
     offset: f64,
 ) -> Result<RollingBearing, RuntimeError> {
     // The inner ring carries axial load towards +z; the opposite acts on the outer ring.
-    let mirrored = (thrust == "-z") != (ring == "outer");
+    let mirrored = (thrust == Some("-z")) != (ring == "outer");
     let arrangement = match arrangement {
         "back_to_back" => Arrangement::BackToBack,
         "face_to_face" => Arrangement::FaceToFace,

@@ -5,7 +5,7 @@ use crate::bearing_externs::{GROUND, direction};
 use crate::body_externs::{BodyPlacement, named_components};
 use crate::dynamics_externs::lumped;
 use crate::externs::{self, entry, host, refusal};
-use crate::host::{LengthUnit, ModelHost, keep};
+use crate::host::{LengthUnit, ModelHost, keep, shown};
 use crate::observable_externs::observe;
 use crate::shafts::{ModelShaft, Mounted, position_on};
 use calyx_abi::externs::{Handle, SymbolicTransform};
@@ -173,13 +173,6 @@ calyx_abi::externs! {
         };
         observe(context, ShaftStress { shaft, body, at: at.map(|_| position), stress })
     }
-}
-
-/// Formats a length in the model's unit.
-fn shown(metres: f64, LengthUnit { name, metres: unit }: LengthUnit) -> String {
-    let value = (metres / unit * 1e6).round() / 1e6;
-    // No negative zero.
-    format!("{} {name}", value + 0.0)
 }
 
 fn on_shaft(

@@ -217,7 +217,9 @@ impl Problems {
                 (&known.code, known.primary.span) == (&problem.code, problem.primary.span)
             };
             match self.0.iter_mut().find(alike) {
-                Some((_, values)) => values.push(shown.clone()),
+                // Several calls on one line may have the same problem.
+                Some((_, values)) if !values.contains(&shown) => values.push(shown.clone()),
+                Some(_) => {}
                 None => self.0.push((problem, vec![shown.clone()])),
             }
         }

@@ -310,7 +310,7 @@ fn impossible_carriers_are_rejected() {
         ),
     ];
     for (shape, message) in cases {
-        let error = shape.check().expect_err(message);
+        let (_, error) = shape.check().expect_err(message);
         assert!(error.message.contains(message), "{message}: {}", error.message);
         assert!(!error.help.is_empty());
     }

@@ -108,35 +108,41 @@ impl CarrierShape {
     /// Checks the dimensions.
     ///
     /// # Errors
-    /// A dimension is not positive, or parts overlap.
-    pub fn check(&self) -> Result<(), ElementError> {
-        let refused = |message: String, help: &str| Err(ElementError::new(message, help));
+    /// A dimension is not positive, or parts overlap. With the name of the field to correct.
+    pub fn check(&self) -> Result<(), (&'static str, ElementError)> {
+        let refused = |field, message: String, help: &str| Err(refused(field, message, help));
         let mm = |metres: f64| (metres * 1e9).round() / 1e6;
         let mut positive = vec![
-            ("the circle of the pins", self.pin_circle_diameter),
-            ("the pins", self.pin_diameter),
-            ("the plates", self.outside_diameter),
-            ("the bore", self.bore_diameter),
-            ("the distance between the plates", self.gap),
-            ("the size of the elements", self.element_size),
+            ("pin_circle_diameter", "the circle of the pins", self.pin_circle_diameter),
+            ("pin_diameter", "the pins", self.pin_diameter),
+            ("outside_diameter", "the plates", self.outside_diameter),
+            ("bore_diameter", "the bore", self.bore_diameter),
+            ("gap", "the distance between the plates", self.gap),
+            ("element_size", "the size of the elements", self.element_size),
         ];
-        positive.extend(self.thickness.iter().map(|thickness| ("the thickness of a plate", *thickness)));
-        if let Some((what, value)) =
-            positive.into_iter().find(|(_, value)| !(value.is_finite() && *value > 0.0))
+        positive.extend(
+            self.thickness.iter().map(|thickness| ("thickness", "the thickness of a plate", *thickness)),
+        );
+        if let Some((field, what, value)) =
+            positive.into_iter().find(|(_, _, value)| !(value.is_finite() && *value > 0.0))
         {
-            return refused(format!("{what} cannot measure {} mm", mm(value)), "give a positive length");
+            return refused(
+                field,
+                format!("{what} cannot measure {} mm", mm(value)),
+                "give a positive length",
+            );
         }
         if self.planets < 2 {
             let message = format!("a carrier cannot have {} planets", self.planets);
-            return refused(message, "give at least two planets");
+            return refused("planets", message, "give at least two planets");
         }
         if !(self.pin_bore >= 0.0 && self.pin_bore < self.pin_diameter) {
             let message = format!("the bore of {} mm leaves no wall in the pins", mm(self.pin_bore));
-            return refused(message, "give a bore smaller than the diameter of the pins");
+            return refused("pin_bore", message, "give a bore smaller than the diameter of the pins");
         }
         if self.thickness.len() != 1 && self.thickness.len() != 2 {
             let message = format!("a carrier cannot have {} plates", self.thickness.len());
-            return refused(message, "give one plate, or two with webs between them");
+            return refused("thickness", message, "give one plate, or two with webs between them");
         }
         self.check_seats(&mm)?;
         self.check_webs(&mm)?;
@@ -148,7 +154,7 @@ impl CarrierShape {
                 mm(self.element_size)
             );
             let help = format!("use elements of at least {} mm", mm((volume / MOST_ELEMENTS).cbrt() * 1.001));
-            return refused(message, &help);
+            return refused("element_size", message, &help);
         }
         Ok(())
     }
@@ -159,22 +165,25 @@ impl CarrierShape {
         0.25 * PI * self.outside_diameter.powi(2) * height
     }
 
-    fn check_seats(&self, mm: &dyn Fn(f64) -> f64) -> Result<(), ElementError> {
+    fn check_seats(&self, mm: &dyn Fn(f64) -> f64) -> Result<(), (&'static str, ElementError)> {
         let (centre, seat) = (0.5 * self.pin_circle_diameter, 0.5 * (1.0 + WALL) * self.pin_diameter);
         if centre - seat <= 0.5 * self.bore_diameter {
-            return Err(ElementError::new(
+            return Err(refused(
+                "bore_diameter",
                 format!("the pins reach the bore of {} mm", mm(self.bore_diameter)),
                 "reduce the bore or the pins, or enlarge the circle of the pins",
             ));
         }
         if centre + seat >= 0.5 * self.outside_diameter {
-            return Err(ElementError::new(
+            return Err(refused(
+                "pin_diameter",
                 format!("the pins reach the outside diameter of {} mm", mm(self.outside_diameter)),
                 "enlarge the plates, or reduce the pins or their circle",
             ));
         }
         if (seat / centre).asin() >= self.free_angle() {
-            return Err(ElementError::new(
+            return Err(refused(
+                "pin_diameter",
                 "neighbouring pins, or pins and webs, overlap",
                 "reduce the pins or the angle of the webs, or enlarge the circle of the pins",
             ));
@@ -182,23 +191,25 @@ impl CarrierShape {
         Ok(())
     }
 
-    fn check_webs(&self, mm: &dyn Fn(f64) -> f64) -> Result<(), ElementError> {
+    fn check_webs(&self, mm: &dyn Fn(f64) -> f64) -> Result<(), (&'static str, ElementError)> {
         let Some(webs) = self.webs else {
             return match self.thickness.len() {
                 1 => Ok(()),
-                _ => Err(ElementError::new(
+                _ => Err(refused(
+                    "web_angle",
                     "two plates have no webs between them",
                     "give the dimensions of the webs, or one plate",
                 )),
             };
         };
         if self.thickness.len() == 1 {
-            return Err(ElementError::new("webs need two plates", "give two plates, or no webs"));
+            return Err(refused("web_angle", "webs need two plates", "give two plates, or no webs"));
         }
         let [inside, outside] = [webs.inside_diameter, webs.outside_diameter];
         let within = |d: f64| d.is_finite() && (self.bore_diameter..=self.outside_diameter).contains(&d);
         if !(within(inside) && within(outside) && inside < outside) {
-            return Err(ElementError::new(
+            return Err(refused(
+                "web_outside_diameter",
                 format!(
                     "webs from {} mm to {} mm in diameter are not on the plates",
                     mm(inside),
@@ -208,11 +219,21 @@ impl CarrierShape {
             ));
         }
         if !(webs.angle.is_finite() && webs.angle > 0.0) {
-            return Err(ElementError::new(
+            return Err(refused(
+                "web_angle",
                 format!("webs cannot have an angle of {} degrees", webs.angle.to_degrees()),
                 "give a positive angle",
             ));
         }
         Ok(())
     }
+}
+
+/// Returns an error about a field.
+fn refused(
+    field: &'static str,
+    message: impl Into<String>,
+    help: impl Into<String>,
+) -> (&'static str, ElementError) {
+    (field, ElementError::new(message, help))
 }
