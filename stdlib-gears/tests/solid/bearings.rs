@@ -24,8 +24,8 @@ const ANGLE: f64 = 0.35;
 /// Radial and axial stiffness, N/m.
 const K: [f64; 2] = [3e8, 1e8];
 /// Positions of two bearings next to an overhung gear, m.
-const PLACES: [f64; 2] = [0.03, 0.075];
-const FREE: [Component; 5] =
+pub(super) const PLACES: [f64; 2] = [0.03, 0.075];
+pub(super) const FREE: [Component; 5] =
     [Component::Ux, Component::Uy, Component::Uz, Component::ThetaX, Component::ThetaY];
 
 fn options(helical: bool) -> Options {
@@ -39,7 +39,7 @@ fn pair_of_bearings(factor: f64) -> [Bearing; 2] {
     [Bearing::new("near", FIRST, PLACES[0], matrix(K[1])), Bearing::new("far", FIRST, PLACES[1], matrix(0.0))]
 }
 
-fn scene(options: &Options, bearings: &[Bearing]) -> (Scene, GearMesh) {
+pub(super) fn scene(options: &Options, bearings: &[Bearing]) -> (Scene, GearMesh) {
     let (mut scene, mesh) = options.scene();
     for bearing in bearings {
         scene.add_bearing(bearing.clone()).expect("a bearing");
@@ -51,7 +51,7 @@ fn solved<T>(scene: &(Scene, GearMesh), look: impl FnOnce(&System<'_>, &StepResu
     solved_at(Fidelity::Solid(Template::Medium), scene, look)
 }
 
-fn solved_at<T>(
+pub(super) fn solved_at<T>(
     fidelity: Fidelity,
     (scene, mesh): &(Scene, GearMesh),
     look: impl FnOnce(&System<'_>, &StepResult) -> T,

@@ -1,6 +1,7 @@
 //! A helical pair whose first gear is on rolling bearings: displacements against the equilibrium of
 //! the bearings alone under the contact forces, tangent bearings, clearance and reversal.
 
+use super::bearings::{FREE, PLACES, scene as on_bearings, solved_at};
 use super::pairs::{FIRST, Options};
 use crate::common::built;
 use calyx_gears::helix::Hand;
@@ -12,15 +13,11 @@ use calyx_runtime::rolling::{
     BallGeometry, BallKind, BallRow, Conditions, Elements, Material, Motion, Profile, Rib, RollerGeometry,
     RollerKind, RollerRow, RollingBearing, Row,
 };
-use calyx_runtime::scene::{Component, Fidelity, GearMesh, Scene, StructureOptions};
+use calyx_runtime::scene::{Fidelity, GearMesh, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::sync::Arc;
 
-const FREE: [Component; 5] =
-    [Component::Ux, Component::Uy, Component::Uz, Component::ThetaX, Component::ThetaY];
-/// Positions of two bearings next to an overhung gear, m.
-const PLACES: [f64; 2] = [0.03, 0.075];
 const MOTION: Motion = Motion { azimuth: 0.2, ..Motion::REST };
 
 fn tapered() -> Elements {
@@ -73,26 +70,24 @@ fn arrangements() -> Vec<[Row; 2]> {
 fn scene(rows: &[Row; 2], torque: f64) -> (Scene, GearMesh) {
     let options = Options::helical(0.35, Hand::Right);
     let options = Options { free: FREE.to_vec(), backed: false, torque, ..options };
-    let (mut scene, mesh) = options.scene();
-    for (index, row) in rows.iter().enumerate() {
-        let bearing = RollingBearing::new(vec![row.clone()]).expect("valid");
-        let elements = RollingElements::new(bearing, MOTION).expect("valid");
-        let name = ["near", "far"][index];
-        let bearing = Bearing::new(name, FIRST, PLACES[index], [[0.0; 6]; 6]);
-        scene.add_bearing(Bearing { rolling: Some(Arc::new(elements)), ..bearing }).expect("a bearing");
-    }
-    (scene, mesh)
+    let bearing = |index: usize| {
+        let rows = RollingBearing::new(vec![rows[index].clone()]).expect("valid");
+        let elements = RollingElements::new(rows, MOTION).expect("valid");
+        let bearing = Bearing::new(["near", "far"][index], FIRST, PLACES[index], [[0.0; 6]; 6]);
+        Bearing { rolling: Some(Arc::new(elements)), ..bearing }
+    };
+    on_bearings(&options, &[bearing(0), bearing(1)])
 }
 
 fn solved<T>(
     fidelity: Fidelity,
-    (scene, mesh): &(Scene, GearMesh),
+    scene: &(Scene, GearMesh),
     look: impl FnOnce(&System<'_>, &StepResult) -> T,
 ) -> T {
-    let system = built(scene, fidelity, StructureOptions::default());
-    let step = system.solve(mesh.start + 0.45 * mesh.period).expect("it can be solved");
-    assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
-    look(&system, &step)
+    solved_at(fidelity, scene, |system, step| {
+        assert!(step.certificate.largest() <= 1e-10, "{:?}", step.certificate);
+        look(system, step)
+    })
 }
 
 /// The displacement of the gear is that of both bearings as one under the contact forces, which a
@@ -166,28 +161,6 @@ fn small_loads_close_the_clearance() {
     assert!(light > 0.0 && light < small && small < full && full < 200e-6, "{light} {small} {full}");
 }
 
-/// Prints the time of a position with linear bearings and with tapered roller bearings.
-#[test]
-#[ignore = "measures time"]
-fn time_of_a_position() {
-    let nonlinear = scene(&arrangements()[0], 100.0);
-    let mut linear = scene(&arrangements()[0], 100.0);
-    for bearing in &mut linear.0.bearings {
-        let elements = bearing.rolling.take().expect("rolling elements");
-        bearing.stiffness = *elements.typical_stiffness();
-    }
-    for (name, (scene, mesh)) in [("linear", &linear), ("tapered", &nonlinear)] {
-        let system = built(scene, Fidelity::Analytic, StructureOptions::default());
-        let mut best = f64::INFINITY;
-        for k in 0..6 {
-            let start = std::time::Instant::now();
-            system.solve(mesh.start + 0.15 * f64::from(k) * mesh.period).expect("solved");
-            best = best.min(start.elapsed().as_secs_f64());
-        }
-        println!("{name}: {:.2} ms", best * 1e3);
-    }
-}
-
 /// Rigid bodies have bearings at rest.
 #[test]
 fn rigid_bodies_do_not_deflect_bearings() {
@@ -245,6 +218,7 @@ fn a_missing_axial_support_is_an_error() {
     };
     assert_eq!(code, "E0726", "{message}");
     assert!(message.contains("\"near\"") || message.contains("\"far\""), "{message}");
+    assert!(message.contains("static load rating C0"), "{message}");
 }
 
 /// A further bearing whose clearance stays open, and one that barely touches, leave the equilibrium
