@@ -37,6 +37,7 @@ mod known_kernels;
 mod loader;
 pub mod nan;
 pub mod plan;
+mod planned_bearing;
 mod planned_elastic_body;
 mod printed;
 mod ranges;

@@ -1,6 +1,7 @@
 //! The plan of an analysis, for display: which parts are modelled or omitted, the reasons, and the
 //! cost.
 
+pub use crate::planned_bearing::PlannedBearing;
 use crate::planned_elastic_body::PlannedElasticBody;
 use crate::shown::{grouped, in_unit, of_thousands, rounded};
 use calyx_abi::description::ModelDescription;
@@ -184,19 +185,6 @@ pub struct PlannedMesh {
     pub overlap_ratio: f64,
 }
 
-/// A connection of bodies other than contact.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlannedBearing {
-    pub name: String,
-    /// The supported body, and the body or ground that supports it.
-    pub between: [String; 2],
-    /// Number of gap equations of its clearances.
-    pub walls: usize,
-    pub left_out: bool,
-    /// The reason for its model, or for omitting it.
-    pub reason: &'static str,
-}
-
 /// A shaft, or another elastic connection of bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedShaft {
@@ -293,29 +281,13 @@ impl Planned {
                 overlap_ratio: meeting.map_or(0.0, |meeting| meeting.geometry.overlap_ratio),
             }
         });
-        let bearings = scene.bearings.iter().zip(&plan.bearings).map(|(bearing, planned)| {
-            let name = |body: BodyId| {
-                scene.bodies.get(body.0).map_or_else(String::new, |b| format!("\"{}\"", b.name))
-            };
-            let to = match bearing.to {
-                Support::Ground => "ground".into(),
-                Support::Body(body) => name(body),
-            };
-            PlannedBearing {
-                name: bearing.name.clone(),
-                between: [name(bearing.body), to],
-                walls: bearing.walls(),
-                left_out: planned.left_out,
-                reason: planned.reason,
-            }
-        });
         let structures = numbers.iter().flatten().max().map_or(0, |last| last + 1);
         Planned {
             fidelity: plan.fidelity.name(),
             in_time: host.asked.is_some_and(|asked| asked.in_time),
             bodies: bodies.collect(),
             meshes: meshes.collect(),
-            bearings: bearings.collect(),
+            bearings: PlannedBearing::all(host, plan),
             shafts: PlannedShaft::all(scene, plan, host.length_unit),
             elastic_bodies: PlannedElasticBody::all(host, plan),
             outputs: host.outputs.iter().map(|output| output.name.clone()).collect(),
@@ -367,7 +339,7 @@ impl Planned {
         section("Structures", self.structure_lines(&sizes));
         section("Contact", self.meshes.iter().map(mesh_line).collect());
         let modelled = self.bearings.iter().filter(|bearing| !bearing.left_out);
-        section("Bearings", modelled.map(bearing_line).collect());
+        section("Bearings", modelled.map(PlannedBearing::line).collect());
         let modelled = self.shafts.iter().filter(|shaft| !shaft.left_out);
         section("Shafts", modelled.map(PlannedShaft::line).collect());
         let modelled = self.elastic_bodies.iter().filter(|body| !body.left_out);
@@ -553,16 +525,6 @@ fn body_lines(body: &PlannedBody) -> [String; 2] {
 /// Removes the verdict from a reason, because the title already states it.
 fn without_verdict(reason: &str) -> &str {
     reason.strip_prefix("left out: ").unwrap_or(reason)
-}
-
-fn bearing_line(bearing: &PlannedBearing) -> String {
-    let [body, to] = &bearing.between;
-    let walls = match bearing.walls {
-        0 => String::new(),
-        1 => ", 1 clearance gap".into(),
-        count => format!(", {count} clearance gaps"),
-    };
-    format!("\"{}\": {body} on {to}, {}{walls}", bearing.name, bearing.reason)
 }
 
 fn mesh_line(mesh: &PlannedMesh) -> String {

@@ -323,8 +323,8 @@ fn write_steps(
     let mut unsaid = true;
     let (writing, head, directory) = (written.clone(), head.clone(), directory.clone());
     instance.on_solved(move |index, solved, fields| {
-        for (body, reason) in fields.iter().filter(|_| unsaid).flat_map(|fields| &fields.without_mesh) {
-            progress.note(&format!("`{body}` is not among the bodies in the pictures: it {reason}"));
+        for note in fields.iter().filter(|_| unsaid).flat_map(|fields| without_mesh(&fields.without_mesh)) {
+            progress.note(&note);
         }
         unsaid &= fields.is_none();
         let mut written = writing.lock().unwrap_or_else(PoisonError::into_inner);
@@ -340,6 +340,25 @@ fn write_steps(
         Some(error) => (written.solved, Err(unwritable(error))),
         None => (written.solved, outcome),
     }
+}
+
+/// Returns a note about the bodies without a mesh for each reason.
+fn without_mesh(bodies: &[(String, &'static str)]) -> Vec<String> {
+    let mut reasons: Vec<&str> = Vec::new();
+    for (_, reason) in bodies {
+        if !reasons.contains(reason) {
+            reasons.push(reason);
+        }
+    }
+    let note = |reason: &&str| {
+        let alike = bodies.iter().filter(|(_, other)| other == reason);
+        let names: Vec<String> = alike.map(|(name, _)| format!("`{name}`")).collect();
+        match &names[..] {
+            [only] => format!("{only} is not among the bodies in the pictures: it {reason}"),
+            _ => format!("{} are not among the bodies in the pictures: each {reason}", names.join(", ")),
+        }
+    };
+    reasons.iter().map(note).collect()
 }
 
 /// Positions that a run has written to disk.

@@ -93,11 +93,13 @@ impl MeshedBodies {
             let options = StructureOptions { stresses: false, ..plan.bodies[index].options };
             let about = |error: EngineError| error.about(Subject::Body(index));
             let mesh = match number {
-                None => VisualizationMesh::Unavailable(if plan.bodies[index].left_out {
-                    "takes no part"
-                } else {
-                    "is rigid"
-                }),
+                None if plan.bodies[index].left_out => VisualizationMesh::Unavailable("takes no part"),
+                // Sections of shafts and attachments of elastic bodies are no bodies of the user.
+                None if scene.connections_of(BodyId(index)).next().is_some() => {
+                    bodies.push(None);
+                    continue;
+                }
+                None => VisualizationMesh::Unavailable("is rigid"),
                 Some(number) => {
                     if let std::collections::btree_map::Entry::Vacant(place) = shared.entry(number) {
                         let meshed =
@@ -137,7 +139,12 @@ fn recoveries(
     let mut found = Vec::new();
     for index in plan.modelled_connections() {
         let connection = &scene.connections[index];
-        let Some(body) = &connection.body else { continue };
+        let Some(body) = &connection.body else {
+            if connection.shaft.is_some() {
+                without.push((connection.name.clone(), "is a shaft, a beam without a mesh"));
+            }
+            continue;
+        };
         if plan.fidelity.body_model() == BodyModel::Rigid {
             without.push((connection.name.clone(), "is rigid"));
             continue;

@@ -1,0 +1,104 @@
+//! Bearings in the display of a plan.
+
+use crate::shown::rounded;
+use calyx_gears::host::ModelHost;
+use calyx_runtime::bearing::{Bearing, Support};
+use calyx_runtime::plan::Plan;
+use calyx_runtime::rolling::rating::capacity;
+use calyx_runtime::rolling::{BallKind, Elements, RollerKind, RollingBearing, Row};
+use calyx_runtime::scene::BodyId;
+
+/// A connection of bodies other than contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedBearing {
+    pub name: String,
+    /// The supported body, and the body or ground that supports it.
+    pub between: [String; 2],
+    /// Number of gap equations of its clearances.
+    pub walls: usize,
+    pub left_out: bool,
+    /// The reason for its model, or for omitting it.
+    pub reason: &'static str,
+    /// Kind, elements and load ratings of a rolling bearing, as text.
+    pub rolling: Option<String>,
+}
+
+impl PlannedBearing {
+    pub(crate) fn all(host: &ModelHost, plan: &Plan) -> Vec<PlannedBearing> {
+        let scene = &host.scene;
+        let name = |body: BodyId| {
+            scene.bodies.get(body.0).map_or_else(String::new, |body| format!("\"{}\"", body.name))
+        };
+        let of = |(index, bearing): (usize, &Bearing)| {
+            let planned = plan.bearings.get(index)?;
+            let to = match bearing.to {
+                Support::Ground => "ground".into(),
+                Support::Body(body) => name(body),
+            };
+            let stated = host.bearing_ratings.get(&index).copied();
+            Some(PlannedBearing {
+                name: bearing.name.clone(),
+                between: [name(bearing.body), to],
+                walls: bearing.walls(),
+                left_out: planned.left_out,
+                reason: planned.reason,
+                rolling: bearing.rolling.as_ref().map(|elements| described(&elements.bearing, stated)),
+            })
+        };
+        scene.bearings.iter().enumerate().filter_map(of).collect()
+    }
+
+    pub(crate) fn line(&self) -> String {
+        let [body, to] = &self.between;
+        let walls = match self.walls {
+            0 => String::new(),
+            1 => ", 1 clearance gap".into(),
+            count => format!(", {count} clearance gaps"),
+        };
+        let what = self.rolling.as_deref().unwrap_or(self.reason);
+        format!("\"{}\": {body} on {to}, {what}{walls}", self.name)
+    }
+}
+
+/// Describes a rolling bearing. `stated` has its load ratings C and C0 from a catalogue, N; others
+/// are those of ISO 281 and ISO 76 for the internal geometry.
+fn described(bearing: &RollingBearing, stated: Option<[f64; 2]>) -> String {
+    let rows = bearing.rows();
+    let Some(first) = rows.first() else { return String::new() };
+    let mm = |metres: f64| rounded(1e3 * metres);
+    let (kind, elements) = match &first.elements {
+        Elements::Balls(balls) => {
+            let g = balls.geometry();
+            let kind = match g.kind {
+                BallKind::DeepGroove { .. } => "deep groove ball bearing",
+                BallKind::AngularContact { .. } => "angular contact ball bearing",
+                BallKind::FourPoint { .. } => "four-point contact ball bearing",
+            };
+            (kind, format!("{} balls of {} mm", g.count, mm(g.ball_diameter)))
+        }
+        Elements::Rollers(rollers) => {
+            let g = rollers.geometry();
+            let kind = match g.kind {
+                RollerKind::Cylindrical { .. } => "cylindrical roller bearing",
+                RollerKind::Tapered { .. } => "tapered roller bearing",
+                RollerKind::Spherical { .. } => "spherical roller bearing",
+            };
+            (kind, format!("{} rollers of {} mm x {} mm", g.count, mm(g.roller_diameter), mm(g.length)))
+        }
+    };
+    let elements = if rows.len() > 1 { format!("{} rows of {elements}", rows.len()) } else { elements };
+    let [dynamic, fixed] = stated.unwrap_or_else(|| ratings(rows));
+    // Computed ratings have no more than three digits of meaning.
+    let kilo = |newtons: f64| format!("{:.2e}", 1e-3 * newtons).parse::<f64>().unwrap_or(1e-3 * newtons);
+    format!("{kind}, {elements}, C = {} kN, C0 = {} kN", kilo(dynamic), kilo(fixed))
+}
+
+/// Returns the load ratings of all rows together, N.
+fn ratings(rows: &[Row]) -> [f64; 2] {
+    let capacities: Vec<_> = rows.iter().map(capacity).collect();
+    let is_ball = rows.iter().any(|row| matches!(row.elements, Elements::Balls(_)));
+    let exponent = if is_ball { 0.7 } else { 7.0 / 9.0 };
+    let largest = capacities.iter().fold(0.0f64, |most, row| most.max(row.dynamic));
+    let fixed = capacities.iter().map(|row| row.static_load).sum();
+    [largest * (rows.len() as f64).powf(exponent), fixed]
+}
