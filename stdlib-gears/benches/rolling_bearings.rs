@@ -6,6 +6,7 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 #[path = "../tests/solid/pairs.rs"]
+#[expect(dead_code, reason = "the tests use the rest")]
 mod pairs;
 
 use calyx_gears::helix::Hand;

@@ -245,9 +245,17 @@ fn analyze(
         let error = RuntimeError { place: Some(place), ..host.engine_error(missed) };
         host.findings.push(Finding { severity: Severity::Warning, error });
     }
+    let warnings = partly_fixed_bearings(host, &result.plan);
+    host.findings.extend(warnings);
     host.result = Some(result);
     crate::signal_externs::answer(host);
     Ok(())
+}
+
+/// Warnings about bearings that resist displacements in which their bodies are fixed.
+fn partly_fixed_bearings(host: &ModelHost, plan: &Plan) -> Vec<Finding> {
+    let warn = |error| Finding { severity: Severity::Warning, error: host.engine_error(error) };
+    plan.partly_fixed_bearings(&host.scene).into_iter().map(warn).collect()
 }
 
 /// Warnings about outputs that have no value at the fidelity, while others have one.
@@ -311,7 +319,8 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
         None => Ok(plan),
     };
     let plan = plan.and_then(content).map_err(|error| host.engine_error(host.overrides.list(error)))?;
-    let warnings = without_value(host, &request);
+    let mut warnings = without_value(host, &request);
+    warnings.extend(partly_fixed_bearings(host, &plan));
     host.findings.extend(warnings);
     Ok(plan)
 }

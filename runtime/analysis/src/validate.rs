@@ -68,7 +68,7 @@ fn refuse_idle_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
         if !observed || carries_own {
             continue;
         }
-        let mobility = bearing.mobility(scene)?;
+        let mobility = bearing.mobility(&scene.bodies)?;
         let resisted = (0..6).filter(|&k| mobility.resists[k]).map(|k| format!("\"{}\"", DOF_NAMES[k]));
         let resisted: Vec<String> = resisted.collect();
         if !mobility.is_idle || resisted.is_empty() {

@@ -192,9 +192,7 @@ impl Plan {
         let bearings: Vec<BearingPlan> =
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
-        ignored.extend(
-            modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(scene, bearing, three_dimensional)),
-        );
+        ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
         let vibrations = targets.iter().any(|target| target.mode.is_some()) || modes_table;
         let treatment = (model == BodyModel::Rigid, vibrations);
         let connections = connections::plan_connections(scene, &bodies, treatment);

@@ -1,8 +1,8 @@
 //! Directions in which a bearing cannot deflect, because its bodies are fixed there.
 
 use super::{Bearing, BearingMatrix, BearingState, Stop};
-use crate::dof::{DOF_NAMES, Dof};
-use crate::mechanism::Mechanism;
+use crate::body::Body;
+use crate::dof::Dof;
 use calyx_numerics::error::EngineError;
 
 /// Forces and deflections below this fraction of the largest are rounding.
@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-9;
 /// Deflections that the free components of the bodies of a bearing permit, and those that it
 /// resists.
 pub struct Mobility {
-    /// For each direction of the bearing, in the order of [`DOF_NAMES`]: its bodies can move there.
+    /// For each direction of the bearing, in the order of [`crate::dof::DOF_NAMES`]: its bodies can move there.
     pub moves: [bool; 6],
     /// For each direction: springs, dampers, stops or rolling elements resist.
     pub resists: [bool; 6],
@@ -24,9 +24,9 @@ impl Bearing {
     ///
     /// # Errors
     /// Those of [`BearingState::at`].
-    pub fn mobility(&self, scene: &Mechanism) -> Result<Mobility, EngineError> {
-        let placed = BearingState::at(&scene.bodies, self, 0.0)?;
-        let free = |body: usize| scene.bodies.get(body).map_or([false; 6], |body| body.free);
+    pub fn mobility(&self, bodies: &[Body]) -> Result<Mobility, EngineError> {
+        let placed = BearingState::at(bodies, self, 0.0)?;
+        let free = |body: usize| bodies.get(body).map_or([false; 6], |body| body.free);
         let dofs = self.bodies().flat_map(|body| {
             (0..6).filter(move |&k| free(body.0)[k]).map(move |component| Dof { body: body.0, component })
         });
@@ -58,12 +58,5 @@ impl Bearing {
             matrices.iter().any(by_matrix) || walls.iter().any(by_wall)
         };
         Ok(Mobility { moves, resists, is_idle: !columns.iter().any(is_resisted) })
-    }
-}
-
-impl Mobility {
-    /// Returns the names of the directions that the bearing resists and its bodies are fixed in.
-    pub fn fixed(&self) -> Vec<&'static str> {
-        (0..6).filter(|&k| self.resists[k] && !self.moves[k]).map(|k| DOF_NAMES[k]).collect()
     }
 }

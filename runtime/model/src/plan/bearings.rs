@@ -1,12 +1,13 @@
 //! Plan of bearings: which are modelled, and what their models ignore.
 
-use super::{BearingPlan, BodyPlan, DAMPING};
+use super::{BearingPlan, BodyPlan, DAMPING, Plan};
 use crate::bearing::Bearing;
 use crate::dof::DOF_NAMES;
 use crate::ids::BodyId;
 use crate::mechanism::Mechanism;
 use crate::pairs::SurfacePair;
 use crate::prototype::Ignored;
+use calyx_numerics::error::{EngineError, Subject};
 
 /// Decides whether a bearing is modelled.
 pub(super) fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bearing) -> BearingPlan {
@@ -25,11 +26,7 @@ pub(super) fn plan_bearing(scene: &Mechanism, bodies: &[BodyPlan], bearing: &Bea
 }
 
 /// Returns the inputs of a bearing that the analysis ignores.
-pub(super) fn ignored_bearing_inputs(
-    scene: &Mechanism,
-    bearing: &Bearing,
-    three_dimensional: bool,
-) -> Vec<Ignored> {
+pub(super) fn ignored_bearing_inputs(bearing: &Bearing, three_dimensional: bool) -> Vec<Ignored> {
     let mut unseen = Vec::new();
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
         unseen.push(Ignored {
@@ -46,35 +43,45 @@ pub(super) fn ignored_bearing_inputs(
                     .into(),
         });
     }
-    if three_dimensional {
-        unseen.extend(resisted_by_frames(scene, bearing));
-    }
     unseen
 }
 
-/// Reports the displacements that a bearing resists and the frames of its bodies prevent.
-///
-/// Balls and rollers without contact angle resist axial motion without being made for it, so a
-/// fixed axial position matters only if something pushes there.
-fn resisted_by_frames(scene: &Mechanism, bearing: &Bearing) -> Option<Ignored> {
-    let mobility = bearing.mobility(scene).ok()?;
+impl Plan {
+    /// Returns warnings about modelled bearings that resist displacements in which their bodies are
+    /// fixed, in a three-dimensional model.
+    ///
+    /// Balls and rollers without contact angle resist axial motion without being made for it, so a
+    /// fixed axial position matters only if something pushes there.
+    pub fn partly_fixed_bearings(&self, scene: &Mechanism) -> Vec<EngineError> {
+        let modelled = self.modelled_bearings().into_iter().filter(|_| self.three_dimensional);
+        modelled.filter_map(|bearing| partly_fixed(scene, bearing)).collect()
+    }
+}
+
+fn partly_fixed(scene: &Mechanism, index: usize) -> Option<EngineError> {
+    let bearing = scene.bearings.get(index)?;
+    let mobility = bearing.mobility(&scene.bodies).ok()?;
     let is_helical = |pair: &SurfacePair| pair.mesh.as_ref().is_none_or(|mesh| mesh.overlap_ratio != 0.0);
-    let has_axial_load = || {
-        scene.pairs.iter().any(is_helical)
-            || bearing.rolling.as_ref().is_some_and(|elements| elements.bearing.has_contact_angle())
-    };
-    let matters =
-        |k: usize| k != 2 || bearing.stiffness[2][2] > 0.0 || !bearing.stops.is_empty() || has_axial_load();
+    let has_contact_angle =
+        bearing.rolling.as_ref().is_some_and(|elements| elements.bearing.has_contact_angle());
+    let is_axial_of_use =
+        bearing.rolling.is_none() || has_contact_angle || scene.pairs.iter().any(is_helical);
     let fixed: Vec<&str> = (0..3)
-        .filter(|&k| mobility.resists[k] && !mobility.moves[k] && matters(k))
+        .filter(|&k| mobility.resists[k] && !mobility.moves[k] && (k != 2 || is_axial_of_use))
         .map(|k| DOF_NAMES[k])
         .collect();
-    (!fixed.is_empty()).then(|| Ignored {
-        input: "bearing".into(),
-        reason: format!(
-            "bearing \"{}\" resists {}, where the bodies that it connects are not `free`: their frames carry this load, and the forces and the life of the bearing do not include it",
-            bearing.name,
-            fixed.join(" and ")
-        ),
-    })
+    if fixed.is_empty() {
+        return None;
+    }
+    let message = format!(
+        "bearing \"{}\" carries no force along {}: the bodies that it connects are not free there, and their frames carry this force",
+        bearing.name,
+        fixed.join(" and ")
+    );
+    let quoted: Vec<String> = fixed.iter().map(|name| format!("\"{name}\"")).collect();
+    let help = format!(
+        "add {} to `free` of a body that it supports; otherwise its load is too small and its life too long",
+        quoted.join(" and ")
+    );
+    Some(EngineError::new("E0728", message, help).about(Subject::Bearing(index)))
 }
