@@ -1,5 +1,5 @@
-//! Time of a position of a helical pair on rolling bearings, as a ratio to the time of the same pair
-//! on springs in the same run.
+//! Time of a position of a helical pair on rolling bearings, as a ratio to the time of the same
+//! pair on springs in the same run.
 //!
 //! `cargo bench -p calyx-gears --bench rolling_bearings`
 

@@ -1,6 +1,6 @@
 //! Sizes of rolling bearings against each other and against the shafts, gears and pins that they
-//! are mounted on. Bearings act at points, so that an impossible arrangement has an equilibrium like
-//! any other; warnings show the mistake.
+//! are mounted on. Bearings act at points, so that an impossible arrangement has an equilibrium
+//! like any other; warnings show the mistake.
 
 use crate::bearing_externs::Mounting;
 use crate::host::{ModelHost, shown};

@@ -400,3 +400,23 @@ fn listed(values: &[String]) -> String {
         [] => String::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calyx_lang::span::FileId;
+
+    /// A call that fails for each of three bearings lists a value of the param once.
+    #[test]
+    fn values_are_listed_once() {
+        let span = Span::new(FileId(0), 0, 1);
+        let problem = || Diagnostic::error("E0697", "the balls do not fit", span, "this call fails");
+        let mut problems = Problems::default();
+        problems.add(vec![problem(), problem(), problem()], "1".into());
+        problems.add(vec![problem()], "2".into());
+        let found: Vec<Diagnostic> =
+            problems.warnings(|values| format!("`count` = {}", listed(values)), &[]).collect();
+        let messages: Vec<&str> = found.iter().map(|found| found.message.as_str()).collect();
+        assert_eq!(messages, ["`count` = 1 or 2 are allowed, but the balls do not fit"]);
+    }
+}

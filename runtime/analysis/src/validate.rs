@@ -110,8 +110,8 @@ impl<'a> Request<'a> {
     ///
     /// # Errors
     /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676,
-    /// E0677, E0690, E0714, E0715, E0723, E0728, E0729, E0755, E0756, E0761 to E0764, E0770, E0771, E0780 to
-    /// E0783. Also those of the interrupt.
+    /// E0677, E0690, E0714, E0715, E0723, E0728, E0729, E0755, E0756, E0761 to E0764, E0770, E0771,
+    /// E0780 to E0783. Also those of the interrupt.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
         if let Some(time) = self.method.first_equilibrium() {

@@ -76,8 +76,8 @@ impl Shaft {
         self.segments.iter().flat_map(|segment| segment.diameter).fold(0.0, f64::max)
     }
 
-    /// Returns the outside diameter and the bore at a position (m), m; at a step those of the larger
-    /// outside diameter.
+    /// Returns the outside diameter and the bore at a position (m), m; at a step those of the
+    /// larger outside diameter.
     pub fn diameters_at(&self, z: f64) -> [f64; 2] {
         let [before, after] = [false, true].map(|after| self.section(z, after).diameters());
         if after[0] > before[0] { after } else { before }

@@ -5,8 +5,8 @@
 //! manufacturers state dynamic ratings C up to a fifth above the standard's formula for better
 //! steel and finish. So the estimate has the static rating of the catalogue and usual proportions:
 //! the diameter of the elements as a fraction of the section between bore and outside diameter, and
-//! the part of the pitch circle that rollers fill. The deviation from C is a result. The estimate is
-//! no substitute for data of the manufacturer: contact angle, groove radii and profiles are
+//! the part of the pitch circle that rollers fill. The deviation from C is a result. The estimate
+//! is no substitute for data of the manufacturer: contact angle, groove radii and profiles are
 //! assumptions.
 
 use crate::ball::{BallGeometry, BallKind, BallRow};

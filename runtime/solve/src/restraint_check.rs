@@ -38,8 +38,8 @@ const SPIN_ROUNDING: f64 = 1e-9;
 ///
 /// # Errors
 /// Those that solving this position would return: E0714 if a load drives a body away, E0715 if
-/// nothing resists a motion, E0729 if a body can leave its bearings along the axis, E0723 if a load is NaN. Also those of the interrupt, because the check
-/// of many bodies takes long.
+/// nothing resists a motion, E0729 if a body can leave its bearings along the axis, E0723 if a load
+/// is NaN. Also those of the interrupt, because the check of many bodies takes long.
 pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -> Result<(), EngineError> {
     let dofs = number_dofs(scene, plan);
     if dofs.is_empty() {

@@ -11,7 +11,8 @@ const ROUNDING: f64 = 1e-9;
 /// Deflections that the free components of the bodies of a bearing permit, and those that it
 /// resists.
 pub struct Mobility {
-    /// For each direction of the bearing, in the order of [`crate::dof::DOF_NAMES`]: its bodies can move there.
+    /// For each direction of the bearing, in the order of [`crate::dof::DOF_NAMES`]: its bodies can
+    /// move there.
     pub moves: [bool; 6],
     /// For each direction: springs, dampers, stops or rolling elements resist.
     pub resists: [bool; 6],

@@ -99,7 +99,7 @@ impl RollingElements {
     }
 
     /// Returns warnings about the elements at a deflection, each the end of a sentence about the
-    /// bearing. They name no numbers, so that the positions of an analysis have the same ones.
+    /// bearing. They state no values, so that all positions of an analysis have the same ones.
     ///
     /// # Errors
     /// E0697: the deflection is not finite.

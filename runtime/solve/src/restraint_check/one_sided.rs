@@ -2,8 +2,8 @@
 //!
 //! The check of all other motions has their typical stiffness, which acts in both senses. A body
 //! that moves freely along its axis is supported in both senses by springs, by stops and bearings
-//! that each take one sense, or it leaves its bearings: by a load, by helical teeth, or by the axial
-//! force that contact angles cause under radial load.
+//! that each take one sense, or it leaves its bearings: by a load, by helical teeth, or by the
+//! axial force that contact angles cause under radial load.
 
 use calyx_model::bearing::{BearingState, Springs, Tangent, springs};
 use calyx_model::connection::add_connection_stiffness;
