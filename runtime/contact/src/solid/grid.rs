@@ -12,7 +12,7 @@ use super::contact_line::{ContactLine, ends_along, relative_curvature};
 use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::transverse_approach::{SurfaceEnd, closest_across, limits};
+use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
 use crate::grid::{Edge, cell_bounds};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
 use calyx_numerics::error::EngineError;
@@ -344,7 +344,7 @@ impl Layer<'_> {
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
         for x in bounds.windows(2) {
-            if let Some((cell, found)) = self.cell([x[0], x[1]], [y, contact_line.at()[0]], cut, guess) {
+            if let Some((cell, found)) = self.cell([x[0], x[1]], y, &contact_line, cut, guess) {
                 guess = found;
                 cells.push(cell);
             }
@@ -460,12 +460,13 @@ impl Layer<'_> {
         })
     }
 
-    /// Returns the cell over `x` of the slice at `y` with its contact line at `contact_line`,
-    /// optionally `cut` at the side faces, and the surface coordinates of its centre.
+    /// Returns the cell over `x` of the slice at `y`, whose closest approach is given, optionally
+    /// `cut` at the side faces, and the surface coordinates of its centre.
     fn cell(
         &self,
         x: [f64; 2],
-        [y, contact_line]: [f64; 2],
+        y: f64,
+        closest: &TransverseApproach,
         cut: bool,
         guess: Places,
     ) -> Option<(Cell, Places)> {
@@ -487,9 +488,10 @@ impl Layer<'_> {
                 gap += weight_a / ALONG.len() as f64 * separation;
             }
         }
-        let contact_line = match ends == slice {
-            true => contact_line,
-            false => closest_across(&self.height_fields, center[1], places)?.at()[0],
+        // A whole cell shares the closest approach of its slice, which costs more than its gap.
+        let closest = match ends == slice {
+            true => *closest,
+            false => closest_across(&self.height_fields, center[1], places)?,
         };
         let edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
         let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
@@ -500,12 +502,11 @@ impl Layer<'_> {
         let spans = [span(0), span(1)];
         let (point, slope) = match self.local_normals {
             true => {
-                let closest = closest_across(&self.height_fields, center[1], places)?;
                 let height = 0.5 * (closest.feet[0].height + closest.feet[1].height);
                 let point = self.frame.at([closest.at()[0], center[1]]);
                 (plus(point, scaled(self.frame.normal, height)), closest.common_slope())
             }
-            false => (self.frame.at([self.snapped(contact_line), center[1]]), [0.0; 2]),
+            false => (self.frame.at([self.snapped(closest.at()[0]), center[1]]), [0.0; 2]),
         };
         Some((Cell { center, size, places, axial, spans, gap, point, slope, edge }, places))
     }
