@@ -93,10 +93,10 @@ fn rigid(free: &[Component], motion: SteadyRotation) -> Body {
 #[test]
 fn a_torque_on_a_free_body_turns_it_as_newton_says() {
     let (torque, inertia) = (3.0, 0.02);
-    let body = rigid(&[Component::ThetaZ], SteadyRotation::at_rest([0.5, 0.0]))
+    let free = [Component::Ux, Component::Uy, Component::ThetaZ];
+    let body = rigid(&free, SteadyRotation::at_rest([0.5, 0.0]))
         .with_added(Inertia::axial(1.0, inertia, 0.0))
         .loaded(Wrench::of_moment([0.0, 0.0, torque]));
-    // The bearing supports a fixed body, because unsupported bodies take no part.
     let bearing = Bearing::new("journal", BodyId(0), 0.0, axisymmetric(1e6, 0.0, 0.0, 0.0));
     let (scene, _) = with_rigid(body, Some(bearing));
     let dynamics = DynamicOptions { start: Start::Frames, ..moving(vec![TimeRange::steady(1e-3, 20)]) };

@@ -125,8 +125,8 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
         mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).partition(Images::is_upright);
     let half_space = HalfSpace { softness: direct };
     // The half-space term depends on the difference of two cells' positions. The image term of an
-    // upright mirror depends on the difference across and the sum of both positions along the patch,
-    // that of a level mirror on the difference across and both positions along.
+    // upright mirror depends on the difference across and the sum of both positions along the
+    // patch, that of a level mirror on the difference across and both positions along.
     let cells = patch.cells;
     let [across, along] = [0, 1].map(|axis| Intervals::of(cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();

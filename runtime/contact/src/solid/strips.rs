@@ -1,8 +1,8 @@
 //! Influence matrix of the cells of a patch by the average of 1/r, strip by strip.
 //!
 //! The cells of a slice share their interval along the patch and form a strip. The influence
-//! between two distant strips, or a strip and a distant image, is a smooth function of the positions
-//! x and x' across them: the average of 1/r over both intervals along the patch is analytic within
+//! between two distant strips, or a strip and a distant image, is a smooth function of the
+//! positions x and x' across them: the average of 1/r over both intervals along the patch is analytic within
 //! the ellipses that end at the distance. It is therefore evaluated at Chebyshev points of both
 //! strips and interpolated (Trefethen, Approximation Theory and Approximation Practice, 2013,
 //! theorem 8.2). Positions of the points depend on the strips alone, so rounding decides nothing.
