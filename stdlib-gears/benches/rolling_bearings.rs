@@ -11,12 +11,10 @@ mod pairs;
 
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, RollingElements};
-use calyx_runtime::rolling::{
-    BallGeometry, BallKind, BallRow, Elements, Material, Motion, Profile, Rib, RollerGeometry, RollerKind,
-    RollerRow, RollingBearing, Row,
-};
+use calyx_runtime::rolling::{BallKind, Elements, Motion, RollingBearing, Row};
 use calyx_runtime::scene::{Component, Fidelity, StructureOptions};
 use common::built;
+use common::rolling::{balls, tapered};
 use pairs::{FIRST, Options};
 use std::hint::black_box;
 use std::sync::Arc;
@@ -24,35 +22,6 @@ use std::time::Instant;
 
 const FREE: [Component; 5] =
     [Component::Ux, Component::Uy, Component::Uz, Component::ThetaX, Component::ThetaY];
-
-fn balls() -> Elements {
-    let geometry = BallGeometry {
-        kind: BallKind::DeepGroove { clearance: 12e-6 },
-        count: 9,
-        ball_diameter: 11.906e-3,
-        pitch_diameter: 60e-3,
-        inner_conformity: 0.52,
-        outer_conformity: 0.52,
-        rings: Material::STEEL,
-        balls: Material::STEEL,
-    };
-    BallRow::new(geometry).expect("valid").into()
-}
-
-fn tapered(laminae: usize) -> Elements {
-    let geometry = RollerGeometry {
-        kind: RollerKind::Tapered { outer_angle: 0.244, rib: Rib { end_radius: 0.12, height: 3.2e-3 } },
-        count: 18,
-        roller_diameter: 10e-3,
-        length: 13e-3,
-        pitch_diameter: 60e-3,
-        profile: Profile::Logarithmic,
-        laminae,
-        rings: Material::STEEL,
-        rollers: Material::STEEL,
-    };
-    RollerRow::new(geometry).expect("valid").into()
-}
 
 /// Least time of a position over a mesh cycle, s.
 fn position(elements: &Elements, springs: bool) -> f64 {
@@ -84,7 +53,7 @@ fn position(elements: &Elements, springs: bool) -> f64 {
 fn main() {
     println!("helical pair on {:>28} {:>16} {:>8}", "bearings", "ms per position", "ratio");
     for (name, elements) in [
-        ("9 balls", balls()),
+        ("9 balls", balls(BallKind::DeepGroove { clearance: 12e-6 })),
         ("18 tapered rollers, 31 laminae", tapered(31)),
         ("18 tapered rollers, 101 laminae", tapered(101)),
     ] {

@@ -130,7 +130,7 @@ fn estimated(
 /// States what the estimate has in common with the catalogue, and what it assumes.
 fn agreement(dimensions: &str, data: &CatalogueData, deviation: f64, assumed: &str) -> String {
     format!(
-        "{dimensions}. They have the static load rating C0 = {} kN of the catalogue; {assumed} are assumed usual. The dynamic load rating that ISO 281 gives for them deviates by {:+.0} % from C = {} kN",
+        "{dimensions}. They have the static load rating C0 = {} kN of the catalogue; {assumed} are usual values. The dynamic load rating that ISO 281 gives for them deviates by {:+.0} % from C = {} kN",
         kilo(data.static_rating),
         1e2 * deviation,
         kilo(data.dynamic_rating)

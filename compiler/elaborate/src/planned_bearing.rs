@@ -4,8 +4,8 @@ use crate::shown::rounded;
 use calyx_gears::host::ModelHost;
 use calyx_runtime::bearing::{Bearing, Support};
 use calyx_runtime::plan::Plan;
-use calyx_runtime::rolling::rating::capacity;
-use calyx_runtime::rolling::{BallKind, Elements, RollerKind, RollingBearing, Row};
+use calyx_runtime::rolling::rating::bearing_capacity;
+use calyx_runtime::rolling::{BallKind, Elements, RollerKind, RollingBearing};
 use calyx_runtime::scene::BodyId;
 
 /// A connection of bodies other than contact.
@@ -87,18 +87,11 @@ fn described(bearing: &RollingBearing, stated: Option<[f64; 2]>) -> String {
         }
     };
     let elements = if rows.len() > 1 { format!("{} rows of {elements}", rows.len()) } else { elements };
-    let [dynamic, fixed] = stated.unwrap_or_else(|| ratings(rows));
+    let [dynamic, fixed] = stated.unwrap_or_else(|| {
+        let computed = bearing_capacity(bearing);
+        [computed.dynamic, computed.static_load]
+    });
     // Computed ratings have no more than three digits of meaning.
     let kilo = |newtons: f64| format!("{:.2e}", 1e-3 * newtons).parse::<f64>().unwrap_or(1e-3 * newtons);
     format!("{kind}, {elements}, C = {} kN, C0 = {} kN", kilo(dynamic), kilo(fixed))
-}
-
-/// Returns the load ratings of all rows together, N.
-fn ratings(rows: &[Row]) -> [f64; 2] {
-    let capacities: Vec<_> = rows.iter().map(capacity).collect();
-    let is_ball = rows.iter().any(|row| matches!(row.elements, Elements::Balls(_)));
-    let exponent = if is_ball { 0.7 } else { 7.0 / 9.0 };
-    let largest = capacities.iter().fold(0.0f64, |most, row| most.max(row.dynamic));
-    let fixed = capacities.iter().map(|row| row.static_load).sum();
-    [largest * (rows.len() as f64).powf(exponent), fixed]
 }

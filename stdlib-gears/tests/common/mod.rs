@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test uses some of them")]
 
 pub mod pair;
+pub mod rolling;
 
 use calyx_gears::external::{ExternalGear, ExternalGearData};
 use calyx_gears::rack::Rack;

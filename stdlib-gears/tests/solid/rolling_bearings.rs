@@ -4,50 +4,19 @@
 use super::bearings::{FREE, PLACES, scene as on_bearings, solved_at};
 use super::pairs::{FIRST, Options};
 use crate::common::built;
+use crate::common::rolling::{balls, tapered};
 use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, RollingElements};
 use calyx_runtime::contact::active_set::solve;
 use calyx_runtime::contact::problem::ContactProblem;
 use calyx_runtime::observables::{Equilibrium, Observe};
-use calyx_runtime::rolling::{
-    BallGeometry, BallKind, BallRow, Conditions, Elements, Material, Motion, Profile, Rib, RollerGeometry,
-    RollerKind, RollerRow, RollingBearing, Row,
-};
+use calyx_runtime::rolling::{BallKind, Conditions, Elements, Motion, RollingBearing, Row};
 use calyx_runtime::scene::{Fidelity, GearMesh, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::sync::Arc;
 
 const MOTION: Motion = Motion { azimuth: 0.2, ..Motion::REST };
-
-fn tapered() -> Elements {
-    let geometry = RollerGeometry {
-        kind: RollerKind::Tapered { outer_angle: 0.244, rib: Rib { end_radius: 0.12, height: 3.2e-3 } },
-        count: 18,
-        roller_diameter: 10e-3,
-        length: 13e-3,
-        pitch_diameter: 60e-3,
-        profile: Profile::Logarithmic,
-        laminae: 31,
-        rings: Material::STEEL,
-        rollers: Material::STEEL,
-    };
-    RollerRow::new(geometry).expect("valid").into()
-}
-
-fn balls(kind: BallKind) -> Elements {
-    let geometry = BallGeometry {
-        kind,
-        count: 9,
-        ball_diameter: 11.906e-3,
-        pitch_diameter: 60e-3,
-        inner_conformity: 0.52,
-        outer_conformity: 0.52,
-        rings: Material::STEEL,
-        balls: Material::STEEL,
-    };
-    BallRow::new(geometry).expect("valid").into()
-}
 
 /// Rows of both bearings, the second mirrored, with an axial offset.
 fn rows(elements: [Elements; 2], offset: f64) -> [Row; 2] {
@@ -59,8 +28,8 @@ fn arrangements() -> Vec<[Row; 2]> {
     let angle = 0.7;
     let deep = |clearance| balls(BallKind::DeepGroove { clearance });
     vec![
-        rows([tapered(), tapered()], 2e-6),
-        rows([tapered(), tapered()], -10e-6),
+        rows([tapered(31), tapered(31)], 2e-6),
+        rows([tapered(31), tapered(31)], -10e-6),
         rows([balls(BallKind::AngularContact { angle }), balls(BallKind::AngularContact { angle })], 0.0),
         rows([deep(12e-6), deep(20e-6)], 0.0),
         rows([balls(BallKind::FourPoint { angle, clearance: 5e-6 }), deep(0.0)], 0.0),
@@ -206,7 +175,7 @@ fn equilibrium_at_all_positions() {
 #[test]
 fn a_missing_axial_support_is_an_error() {
     let solve = |torque: f64| {
-        let [near, far] = rows([tapered(), tapered()], 0.0);
+        let [near, far] = rows([tapered(31), tapered(31)], 0.0);
         let (scene, mesh) = scene(&[near, Row { mirrored: false, ..far }], torque);
         let system = built(&scene, Fidelity::Analytic, StructureOptions::default());
         system.solve(mesh.start + 0.45 * mesh.period).map_err(|error| (error.code, error.message))

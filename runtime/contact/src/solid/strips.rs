@@ -2,11 +2,12 @@
 //!
 //! The cells of a slice share their interval along the patch and form a strip. The influence
 //! between two distant strips, or a strip and a distant image, is a smooth function of the
-//! positions x and x' across them: the average of 1/r over both intervals along the patch is analytic within
-//! the ellipses that end at the distance. It is therefore evaluated at Chebyshev points of both
-//! strips and interpolated (Trefethen, Approximation Theory and Approximation Practice, 2013,
-//! theorem 8.2). Positions of the points depend on the strips alone, so rounding decides nothing.
-//! Close strips, and cells that a side face cuts, are evaluated by pairs of cells.
+//! positions x and x' across them: the average of 1/r over both intervals along the patch is
+//! analytic within the ellipses that end at the distance. It is therefore evaluated at Chebyshev
+//! points of both strips and interpolated (Trefethen, Approximation Theory and Approximation
+//! Practice, 2013, theorem 8.2). The positions of the points depend on the strips alone, not on the
+//! cells in them, so that rounding does not change the method from one pitch to the next. Close
+//! strips, and cells that a side face cuts, are evaluated by pairs of cells.
 
 use super::grid::Cell;
 use calyx_numerics::error::EngineError;
@@ -18,7 +19,7 @@ use std::ops::Range;
 
 /// Error of interpolation and quadrature relative to the largest value near the strips.
 const TOLERANCE: f64 = 1e-9;
-/// Largest number of points across a strip.
+/// Largest number of points across a strip; closer strips are evaluated by pairs of cells.
 const MOST_POINTS: usize = 16;
 
 /// Influence between strips.

@@ -3,7 +3,7 @@
 
 use super::{Bearing, BearingMatrix};
 use calyx_numerics::error::EngineError;
-use calyx_rolling::rating::{capacity, static_safety};
+use calyx_rolling::rating::{bearing_capacity, static_safety};
 use calyx_rolling::{Displacement, ElementState, Evaluation, Motion, RollingBearing, RollingError, Start};
 use nalgebra::{Matrix5, SymmetricEigen, Vector5};
 
@@ -95,7 +95,7 @@ impl RollingElements {
 
     /// Returns the static load rating of all rows, N.
     pub fn static_rating(&self) -> f64 {
-        self.bearing.rows().iter().map(|row| capacity(row).static_load).sum()
+        bearing_capacity(&self.bearing).static_load
     }
 
     /// Returns warnings about the elements at a deflection, each the end of a sentence about the

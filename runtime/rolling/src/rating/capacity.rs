@@ -1,11 +1,11 @@
 //! Load ratings of a row, from its internal geometry.
 
 use crate::ball::{BallKind, BallRow};
-use crate::bearing::{Elements, Row};
+use crate::bearing::{Elements, RollingBearing, Row};
 use crate::roller::{RollerKind, RollerRow};
 use libm::{cos, pow};
 
-/// Load ratings of a row of a radial bearing.
+/// Load ratings of a row of a radial bearing, or of all its rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capacity {
     /// Basic dynamic radial load rating C of ISO 281, N.
@@ -24,6 +24,20 @@ pub fn capacity(row: &Row) -> Capacity {
     match &row.elements {
         Elements::Balls(row) => balls(row),
         Elements::Rollers(row) => rollers(row),
+    }
+}
+
+/// Computes the load ratings of all rows together: with i equal rows, C is i^0.7 (balls) or i^(7/9)
+/// (rollers) times that of one row, and the others are sums (ISO 281, ISO 76).
+pub fn bearing_capacity(bearing: &RollingBearing) -> Capacity {
+    let rows: Vec<Capacity> = bearing.rows().iter().map(capacity).collect();
+    let is_ball = bearing.rows().iter().any(|row| matches!(row.elements, Elements::Balls(_)));
+    let exponent = if is_ball { 0.7 } else { 7.0 / 9.0 };
+    let largest = rows.iter().fold(0.0f64, |most, row| most.max(row.dynamic));
+    Capacity {
+        dynamic: largest * pow(rows.len() as f64, exponent),
+        static_load: rows.iter().map(|row| row.static_load).sum(),
+        fatigue_limit: rows.iter().map(|row| row.fatigue_limit).sum(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reference rating life of ISO/TS 16281 and static safety.
 
-use super::capacity::{ball_race_ratio, capacity, nominal_angle};
+use super::capacity::{ball_race_ratio, bearing_capacity, capacity, nominal_angle};
 use crate::ball::{BallRow, BallState};
 use crate::bearing::{Contacts, ElementState, Elements, RollingBearing};
 use crate::error::{RollingError, positive};
@@ -76,18 +76,14 @@ pub fn rating_life(
     conditions: &LifeConditions,
 ) -> Result<Life, RollingError> {
     let reliability = reliability_factor(conditions.reliability)?;
-    let rows = bearing.rows().len() as f64;
     let is_ball = matches!(bearing.rows()[0].elements, Elements::Balls(_));
-    // Rows share the load: C of i rows is i^0.7 or i^(7/9) that of one.
-    let exponent = if is_ball { 0.7 } else { 7.0 / 9.0 };
-    let capacities: Vec<_> = bearing.rows().iter().map(capacity).collect();
-    let computed = capacities.iter().fold(0.0f64, |most, row| most.max(row.dynamic)) * pow(rows, exponent);
-    let dynamic_rating = conditions.dynamic_rating.unwrap_or(computed);
+    let whole = bearing_capacity(bearing);
+    let dynamic_rating = conditions.dynamic_rating.unwrap_or(whole.dynamic);
     positive("dynamic load rating", dynamic_rating)?;
     let slope = if is_ball { 10.0 / 9.0 } else { 9.0 / 8.0 };
     let mut failures = 0.0;
     for (index, row) in bearing.rows().iter().enumerate() {
-        let rating = capacities[index].dynamic * dynamic_rating / computed;
+        let rating = capacity(row).dynamic * dynamic_rating / whole.dynamic;
         let states = states.iter().filter(|state| state.row == index);
         failures += match &row.elements {
             Elements::Balls(balls) => {
@@ -103,9 +99,7 @@ pub fn rating_life(
     let basic = 1e6 * pow(failures, -1.0 / slope);
     let power = if is_ball { 1.0 / 3.0 } else { 0.3 };
     let equivalent_load = dynamic_rating * pow(basic * 1e-6, -power);
-    let limit = conditions
-        .fatigue_limit
-        .unwrap_or_else(|| capacities.iter().map(|capacity| capacity.fatigue_limit).sum());
+    let limit = conditions.fatigue_limit.unwrap_or(whole.fatigue_limit);
     positive("fatigue load limit", limit)?;
     let modification = if equivalent_load > 0.0 {
         let ratio = conditions.contamination * limit / equivalent_load;

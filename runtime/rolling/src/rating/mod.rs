@@ -4,6 +4,6 @@ mod capacity;
 mod friction;
 mod life;
 
-pub use capacity::{Capacity, capacity};
+pub use capacity::{Capacity, bearing_capacity, capacity};
 pub use friction::{Friction, FrictionCoefficients, friction};
 pub use life::{Life, LifeConditions, LoadDirection, life_modification, rating_life, static_safety};
