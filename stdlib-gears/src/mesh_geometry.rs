@@ -78,6 +78,9 @@ pub struct MeshGeometry {
     /// Overlap ratio: common face width in axial pitches ([`MeshGeometry::across`]); 0 for spur
     /// teeth.
     pub overlap_ratio: f64,
+    /// Rotation of the first member's transverse section per length along its axis, rad/m: positive
+    /// for a right-hand helix, 0 for spur teeth.
+    pub twist: f64,
     /// Base radii of the first and the second member.
     pub base_radius: [f64; 2],
     /// Path of contact in roll angles of the first member.
@@ -247,6 +250,7 @@ impl MeshGeometry {
             line_of_action_length: end - start,
             contact_ratio: (end - start) / base_pitch,
             overlap_ratio: 0.0,
+            twist: 0.0,
             base_radius,
             first_roll: PathOfContact {
                 start_of_active_profile: roll(start),
@@ -266,10 +270,12 @@ impl MeshGeometry {
     /// Returns the geometry of a pair of spur gears, its transverse section, with helical teeth.
     #[must_use]
     pub fn across(self, first: &ExternalGear, wound: &HelicalTeeth) -> Self {
-        let twisted = wound.first.twist_per_length(first.pitch_radius).abs() * wound.width;
+        let twist = wound.first.twist_per_length(first.pitch_radius);
+        let twisted = twist.abs() * wound.width;
         let base_helix = wound.first.base_angle(first.rack.pressure_angle);
         Self {
             overlap_ratio: twisted / first.pitch_angle(),
+            twist,
             normal_backlash: self.normal_backlash * math::cos(base_helix),
             ..self
         }

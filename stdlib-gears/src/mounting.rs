@@ -151,6 +151,7 @@ impl Sides<'_> {
             roll: [enters, enters + step],
             path: [points.start_of_active_profile - early, points.end_of_active_profile + early],
             overlap_ratio: geometry.overlap_ratio,
+            twist: geometry.twist,
             roll_at_zero: self.roll_at_zero(),
             orbit: 0.0,
             phase_offset: 0.0,

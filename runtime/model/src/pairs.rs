@@ -123,6 +123,9 @@ pub struct GearMesh {
     pub path: [f64; 2],
     /// Overlap ratio: common face width in axial pitches; 0 for spur teeth.
     pub overlap_ratio: f64,
+    /// Rotation of the first gear's transverse section per length along z, rad/m: positive for a
+    /// right-hand helix, 0 for spur teeth and on general axes.
+    pub twist: f64,
     /// Roll angle of the contact on tooth 0 of the first gear (extrapolated if out of contact) at
     /// gear angle 0 and with the line of centres in its position at time 0, rad.
     pub roll_at_zero: f64,

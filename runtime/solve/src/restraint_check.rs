@@ -223,7 +223,9 @@ pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineE
     };
     let help = |motion: &FreeMotion, other: &str| {
         let moving = moving_dofs(scene, dofs, &motion.motion);
-        let is_axial = moving.iter().all(|&at| dofs[at].component == 2);
+        // Along its helix a gear rotates as well.
+        let is_axial = moving.iter().all(|&at| matches!(dofs[at].component, 2 | 5))
+            && moving.iter().any(|&at| dofs[at].component == 2);
         let on_bearings =
             |bearing: &Bearing| bearing.bodies().any(|body| moving.iter().any(|&at| dofs[at].body == body.0));
         match is_axial && scene.bearings.iter().any(on_bearings) {

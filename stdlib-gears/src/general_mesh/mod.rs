@@ -353,6 +353,7 @@ impl Cycle<'_> {
             roll: [roll, if forward { roll + pitch } else { roll - pitch }],
             path: [0.0, length],
             overlap_ratio: 0.0,
+            twist: 0.0,
             roll_at_zero: 0.0,
             orbit: 0.0,
             phase_offset: left,

@@ -1,9 +1,11 @@
 //! Motions of a three-dimensional model that strain no spring and that no tooth can resist.
 //!
-//! On parallel axes the contact forces of a mesh act in its plane of action: along the line of
-//! action, along the axis if the teeth are helical, and at any position along the face. So a mesh
-//! resists at most three motions, a displacement along either direction and a rotation about the
-//! normal of the plane. A motion that strains no spring and does no work in any of them is free.
+//! On parallel axes the contact forces of a mesh act in its plane of action, normal to the teeth and
+//! at any point of the plane. So a mesh resists at most two motions, a displacement along this normal
+//! and a rotation about the normal of the plane. A motion that strains no spring and does no work in
+//! either is free. One of them is the screw motion of a helical gear along its own teeth, in which
+//! the axial force and the torque do opposite work: the flank is a helicoid and moves in itself, its
+//! rounded edges included. Lead modifications resist it by forces that exceed the load by far.
 
 use calyx_contact::problem::{ContactError, FreeMotion};
 use calyx_model::dof::Dof;
@@ -82,16 +84,15 @@ pub(super) fn error(mut motion: Vec<f64>, dofs: &[Dof], load: &[f64]) -> Contact
     if driven { ContactError::Infeasible(motion) } else { ContactError::Unconstrained(motion) }
 }
 
-/// Returns the work on each DOF of a force along the line of action, of one along the axis (zero
-/// for spur teeth), and of a couple about the normal of the plane of action (per [`RADIUS`]), on
-/// the second body of a mesh and, oppositely, on the first; `None` if the mesh may resist other
-/// motions.
+/// Returns the work on each DOF of a force normal to the teeth, per transverse component, and of a
+/// couple about the normal of the plane of action (per [`RADIUS`]), on the second body of a mesh
+/// and, oppositely, on the first; `None` if the mesh may resist other motions.
 fn resisted(
     scene: &Mechanism,
     pair: &SurfacePair,
     dofs: &[Dof],
     time: f64,
-) -> Result<Option<[Vec<f64>; 3]>, EngineError> {
+) -> Result<Option<[Vec<f64>; 2]>, EngineError> {
     let Some(mesh) = pair.mesh.as_ref().filter(|mesh| mesh.first_contact.is_none()) else { return Ok(None) };
     let bodies = pair.bodies.map(|body| body.0);
     let [first, second] =
@@ -110,7 +111,9 @@ fn resisted(
     // The line of action is tangent to the base circle of the first body.
     let point = plus(first, scaled(cross(normal, z), mesh.drive_sense * radius));
     let couple = scaled(cross(z, normal), RADIUS);
-    let helical = mesh.overlap_ratio != 0.0;
+    // A rotation of the first gear about its axis and its displacement along its helix, of lead 2 pi
+    // / twist, do no work together.
+    let force = minus(normal, scaled(z, mesh.drive_sense * radius * mesh.twist));
     let work = |dof: &Dof, row: usize| -> Result<f64, EngineError> {
         let Some(side) = bodies.iter().position(|body| *body == dof.body) else { return Ok(0.0) };
         let axis = axes(scene, dof.body, time)[dof.component % 3];
@@ -123,14 +126,12 @@ fn resisted(
             axis
         };
         let along = match row {
-            0 => dot(normal, moved),
-            1 if helical => dot(z, moved),
-            1 => 0.0,
+            0 => dot(force, moved),
             _ if is_rotation => dot(couple, axis),
             _ => 0.0,
         };
         Ok(if side == 0 { -along } else { along })
     };
     let row = |row: usize| dofs.iter().map(|dof| work(dof, row)).collect::<Result<Vec<f64>, _>>();
-    Ok(Some([row(0)?, row(1)?, row(2)?]))
+    Ok(Some([row(0)?, row(1)?]))
 }

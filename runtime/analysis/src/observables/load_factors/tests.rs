@@ -56,6 +56,7 @@ fn a_uniform_load_on_oblique_contact_lines_has_a_face_load_factor_of_one() {
         roll: [0.0, 1.0],
         path: [0.0, 1.0],
         overlap_ratio,
+        twist: 0.0,
         roll_at_zero: 0.0,
         orbit: 0.0,
         phase_offset: 0.0,
