@@ -1,4 +1,5 @@
-//! Nested dissection: elimination order of the unknowns of a mesh, from the positions of its nodes.
+//! Nested dissection: elimination order of the unknowns of a mesh, from the positions of its nodes or
+//! other coordinates of them.
 //!
 //! A separator, a layer of nodes, divides a mesh into two halves and is eliminated after both; the
 //! halves are dissected in the same way. The unknowns that are eliminated together form one dense
@@ -54,7 +55,8 @@ struct Group {
 
 impl Dissection {
     /// Orders the unknowns of a stiffness of which only the pattern is read (both triangles; the
-    /// degrees of freedom of a node are adjacent). The `constrained` ones are omitted, those of the
+    /// degrees of freedom of a node are adjacent). `positions` are any three coordinates of each
+    /// node: only their order counts. The `constrained` ones are omitted, those of the
     /// nodes `kept` come last.
     pub fn new(
         stiffness: &SparseColMat<usize, f64>,

@@ -29,11 +29,30 @@ impl PlaneModel {
     pub fn edge_load_between(
         &self,
         chain: &EdgeChain,
-        [from, to]: [f64; 2],
+        range: [f64; 2],
         mut traction: impl FnMut(f64, &EdgePoint) -> [f64; 2],
     ) -> SparseVector {
+        self.edge_loads_between(chain, range, |s, point| [traction(s, point)]).pop().unwrap_or_default()
+    }
+
+    /// Returns load vectors as [`PlaneModel::edge_load`], one for each of the tractions that
+    /// `tractions(s, point)` returns, the same number everywhere; none if the chain has no edges.
+    pub fn edge_loads<T: AsRef<[[f64; 2]]>>(
+        &self,
+        chain: &EdgeChain,
+        tractions: impl FnMut(f64, &EdgePoint) -> T,
+    ) -> Vec<SparseVector> {
+        self.edge_loads_between(chain, chain.range(), tractions)
+    }
+
+    fn edge_loads_between<T: AsRef<[[f64; 2]]>>(
+        &self,
+        chain: &EdgeChain,
+        [from, to]: [f64; 2],
+        mut tractions: impl FnMut(f64, &EdgePoint) -> T,
+    ) -> Vec<SparseVector> {
         let rule = gauss_legendre(POINTS);
-        let mut entries = Vec::new();
+        let mut entries: Vec<Vec<(usize, f64)>> = Vec::new();
         for edge in &chain.edges {
             let (start, end) = (from.max(edge.s[0]), to.min(edge.s[1]));
             if start >= end {
@@ -49,10 +68,14 @@ impl PlaneModel {
                     ArcLength::Mesh => point.speed,
                 };
                 let s = self.mesh.arc_length(chain.measure, edge, t);
-                let force = traction(s, &point).map(|part| part * weight * half * per_t);
-                entries.extend(self.displacement_row(point.place, force).entries);
+                let tractions = tractions(s, &point);
+                entries.resize_with(tractions.as_ref().len(), Vec::new);
+                for (entries, traction) in entries.iter_mut().zip(tractions.as_ref()) {
+                    let force = traction.map(|part| part * weight * half * per_t);
+                    entries.extend(self.displacement_row(point.place, force).entries);
+                }
             }
         }
-        entries.into_iter().collect()
+        entries.into_iter().map(|entries| entries.into_iter().collect()).collect()
     }
 }

@@ -264,14 +264,13 @@ impl BoreMeans {
         let Some(patterns) = BoreConstraints::new(circle, wanted.in_plane(), true) else {
             return Ok(None);
         };
-        Self::over(&patterns, interrupt, |traction| {
-            model.edge_load(bore, |_, point| {
-                let [x, y] = point.position;
-                let [along_x, along_y, _] = traction([x, y, 0.0]);
-                [along_x, along_y]
-            })
-        })
-        .map(Some)
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let forms = model.edge_loads(bore, |_, point| {
+            let [x, y] = point.position;
+            let in_plane = |[x, y, _]: [f64; 3]| [x, y];
+            patterns.at([x, y, 0.0]).into_iter().map(in_plane).collect::<Vec<_>>()
+        });
+        Ok(Some(Self::of(&patterns, forms)))
     }
 
     /// Builds the means over a set of faces on a cylinder or cone about the z axis.
@@ -286,38 +285,23 @@ impl BoreMeans {
         let bore = FaceSet { faces: bore.faces.iter().filter(present).copied().collect(), chart: None };
         let Some(surface) = bore_surface(model, &bore) else { return Ok(None) };
         let Some(patterns) = BoreConstraints::new(surface, wanted, false) else { return Ok(None) };
-        Self::over(&patterns, interrupt, |traction| model.face_load(&bore, |point| traction(point.position)))
-            .map(Some)
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let forms = model.face_loads(&bore, |point| patterns.at(point.position));
+        Ok(Some(Self::of(&patterns, forms)))
     }
 
-    /// Builds the means; `load` integrates a traction over the bore, always at the same points in
-    /// the same order.
-    pub(super) fn over(
-        patterns: &BoreConstraints,
-        interrupt: &Interrupt,
-        load: impl Fn(&mut dyn FnMut([f64; 3]) -> [f64; 3]) -> SparseVector,
-    ) -> Result<BoreMeans, StructureError> {
-        let mut known: Vec<Vec<[f64; 3]>> = Vec::new();
-        load(&mut |position| {
-            known.push(patterns.at(position));
-            [0.0; 3]
-        });
-        let mut forms = Vec::with_capacity(patterns.places.len());
-        for pattern in 0..patterns.places.len() {
-            interrupt.check().map_err(StructureError::Interrupted)?;
-            let mut points = known.iter();
-            forms.push(load(&mut |_| points.next().map_or([0.0; 3], |values| values[pattern])));
-        }
+    /// Builds the means from the integrals of the displacements over the bore, one for each pattern.
+    pub(super) fn of(patterns: &BoreConstraints, forms: Vec<SparseVector>) -> BoreMeans {
         let (shared, spline_teeth, with_clearance) =
             (patterns.shared(), patterns.spline_teeth.clone(), patterns.with_clearance);
-        Ok(BoreMeans {
+        BoreMeans {
             forms,
             shared,
             constrained: patterns.constrained,
             carried: None,
             spline_teeth,
             with_clearance,
-        })
+        }
     }
 
     /// Releases the means that are not constrained. They are released freely (with or without

@@ -31,6 +31,9 @@ pub(super) struct Assembled {
     pub dofs_per_node: usize,
     /// Positions of the nodes, m; z is 0 in a plane model.
     pub positions: Vec<[f64; 3]>,
+    /// Coordinates of the nodes that determine the order of elimination
+    /// ([`SolidMesh::ordering_coordinates`]).
+    pub ordering: Vec<[f64; 3]>,
     /// Memory reservation for the stiffness matrix.
     pub room: MemoryReservation,
 }
@@ -38,8 +41,14 @@ pub(super) struct Assembled {
 impl Assembled {
     /// Assembles the equations of a plane mesh.
     pub fn plane(model: &PlaneModel) -> Self {
-        let positions = model.mesh.nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
-        Self { stiffness: model.stiffness(), dofs_per_node: 2, positions, room: MemoryReservation::default() }
+        let positions: Vec<[f64; 3]> = model.mesh.nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+        Self {
+            stiffness: model.stiffness(),
+            dofs_per_node: 2,
+            ordering: positions.clone(),
+            positions,
+            room: MemoryReservation::default(),
+        }
     }
 
     /// Assembles the equations of a three-dimensional mesh after reserving memory for them.
@@ -52,7 +61,8 @@ impl Assembled {
             interrupt.reserve_memory(mesh.stiffness_memory()).map_err(StructureError::Interrupted)?;
         let stiffness = stiffness().map_err(StructureError::Interrupted)?;
         room.shrink_to((stiffness.compute_nnz() * (size_of::<f64>() + size_of::<usize>())) as u64);
-        Ok(Self { stiffness, dofs_per_node: 3, positions: mesh.nodes.clone(), room })
+        let (positions, ordering) = (mesh.nodes.clone(), mesh.ordering_coordinates());
+        Ok(Self { stiffness, dofs_per_node: 3, positions, ordering, room })
     }
 
     /// Returns the degrees of freedom of nodes, in their order.
@@ -140,7 +150,7 @@ pub(super) fn condense(
         }
     };
     let dissection =
-        Dissection::new_until(&model.stiffness, &model.positions, &constrained, &kept, &checkpoint)?;
+        Dissection::new_until(&model.stiffness, &model.ordering, &constrained, &kept, &checkpoint)?;
     let balancing = inertia.as_ref().map_or_else(Vec::new, |inertia| inertia.forces.clone());
     // Mean constraints are processed like loads and retained like cuts.
     let shared = match support {

@@ -237,10 +237,9 @@ impl BoreMeans {
         let Some(cylinder) = bore_surface(model, &bore) else { return Ok(None) };
         let wanted = web.wanted(sectors, coupled);
         let Some(patterns) = BoreConstraints::new(cylinder, wanted, false) else { return Ok(None) };
-        let load = |traction: &mut dyn FnMut([f64; 3]) -> [f64; 3]| {
-            model.face_load(&bore, |point| traction(point.position))
-        };
-        let mut means = Self::over(&patterns, interrupt, load)?;
+        interrupt.check().map_err(StructureError::Interrupted)?;
+        let forms = model.face_loads(&bore, |point| patterns.at(point.position));
+        let mut means = Self::of(&patterns, forms);
         // Means by amplitudes of the series: exact for rigid-body motions on any mesh.
         let nodes = model.mesh.nodes_on(&bore);
         let mut moved = vec![vec![0.0; model.dof_count()]; patterns.places.len()];

@@ -18,7 +18,18 @@ impl SolidModel {
     ///
     /// `traction(point)` must be smooth within each face.
     pub fn face_load(&self, set: &FaceSet, mut traction: impl FnMut(&FacePoint) -> [f64; 3]) -> SparseVector {
-        let mut entries = Vec::new();
+        self.face_loads(set, |point| [traction(point)]).pop().unwrap_or_default()
+    }
+
+    /// Returns load vectors as [`SolidModel::face_load`], one for each of the tractions that
+    /// `tractions(point)` returns, the same number everywhere; none if the set has no faces. The
+    /// surface is evaluated once for all of them.
+    pub fn face_loads<T: AsRef<[[f64; 3]]>>(
+        &self,
+        set: &FaceSet,
+        mut tractions: impl FnMut(&FacePoint) -> T,
+    ) -> Vec<SparseVector> {
+        let mut entries: Vec<Vec<(usize, f64)>> = Vec::new();
         for &face in &set.faces {
             let element = &self.mesh.elements[face.element];
             let cell = element.interpolation.cell();
@@ -26,16 +37,32 @@ impl SolidModel {
                 [element.interpolation.highest(), element.coordinate_interpolation.highest()].concat();
             // The integrand contains the shape function, the area and a traction of similar degree.
             let points = 3 + 2 * usize::from(orders.into_iter().max().unwrap_or(1));
+            // Forces on the nodes of the element, for each traction.
+            let mut forces: Vec<Vec<[f64; 3]>> = Vec::new();
             for (at, weight) in cell.face_quadrature(face.face, points) {
                 let point = self.mesh.face_point(face, at);
-                let force = traction(&point).map(|part| part * weight * point.area);
                 let shapes = element.interpolation.shapes(point.place.local);
-                for (shape, &node) in shapes.iter().zip(&element.nodes).filter(|(shape, _)| shape[0] != 0.0) {
-                    entries.extend([0, 1, 2].map(|axis| (3 * node + axis, shape[0] * force[axis])));
+                let tractions = tractions(&point);
+                forces.resize_with(tractions.as_ref().len(), || vec![[0.0; 3]; shapes.len()]);
+                for (forces, traction) in forces.iter_mut().zip(tractions.as_ref()) {
+                    let force = traction.map(|part| part * weight * point.area);
+                    for (sum, shape) in forces.iter_mut().zip(&shapes) {
+                        for axis in 0..3 {
+                            sum[axis] += shape[0] * force[axis];
+                        }
+                    }
+                }
+            }
+            entries.resize_with(forces.len(), Vec::new);
+            for (entries, forces) in entries.iter_mut().zip(&forces) {
+                for (force, &node) in
+                    forces.iter().zip(&element.nodes).filter(|(force, _)| **force != [0.0; 3])
+                {
+                    entries.extend([0, 1, 2].map(|axis| (3 * node + axis, force[axis])));
                 }
             }
         }
-        entries.into_iter().collect()
+        entries.into_iter().map(|entries| entries.into_iter().collect()).collect()
     }
 
     /// Returns the load vector of a force per unit of arc length and of axial coordinate on the

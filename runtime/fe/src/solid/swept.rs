@@ -45,6 +45,20 @@ impl Swept {
         (self.axode_starts[section_node]..self.axode_starts[section_node + 1]).collect()
     }
 
+    /// Returns radius (m) and angle (rad) in the section, and the number of layers from the first
+    /// station, of all displacement nodes. Angles count from the middle of the section's nodes.
+    pub(super) fn polar_coordinates(&self) -> Vec<[f64; 3]> {
+        let layers = self.stations.len() - 1;
+        let nodes = &self.section.nodes;
+        let [mx, my] = nodes.iter().fold([0.0; 2], |sum, node| [0, 1].map(|axis| sum[axis] + node[axis]));
+        let of_axode = |(&[x, y], &order): (&[f64; 2], &u8)| {
+            let order = usize::from(order);
+            let (radius, angle) = (x.hypot(y), (mx * y - my * x).atan2(mx * x + my * y));
+            (0..=layers * order).map(move |node| [radius, angle, node as f64 / order as f64])
+        };
+        nodes.iter().zip(&self.orders).flat_map(of_axode).collect()
+    }
+
     /// Returns the displacement nodes of a chart: for each node of the chain, in its order, those
     /// of its axode.
     pub fn axodes_on(&self, chart: &FaceChart) -> Vec<Vec<usize>> {

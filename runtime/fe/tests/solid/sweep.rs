@@ -3,6 +3,7 @@
 use crate::solid::convergence::{cylinder, solved};
 use crate::solid::shapes::Kind;
 use crate::solid::{GRADIENT, MATERIAL, dot, linear_field, residual, traction};
+use calyx_fe::dissection::Dissection;
 use calyx_fe::material::Plane;
 use calyx_fe::solid::{SolidMesh, SolidModel, SurfaceStressRecovery, SweepError, coordinate_stations};
 use calyx_fe::{
@@ -308,4 +309,31 @@ fn a_loft_through_rotated_sections_is_the_sweep() {
     let mut folded = sections;
     folded.swap(4, 5);
     assert!(matches!(lofted(&folded), Err(SweepError::Folded { .. })));
+}
+
+#[test]
+fn a_twist_does_not_make_elimination_more_expensive() {
+    let block = Block::new(
+        Curve::line([0.10, -0.02], [0.14, -0.02]),
+        Curve::line([0.14, -0.02], [0.14, 0.02]),
+        Curve::line([0.10, 0.02], [0.14, 0.02]),
+        Curve::line([0.10, -0.02], [0.10, 0.02]),
+    );
+    let mut builder = MeshBuilder::new();
+    builder.block(block.divided(uniform(4), uniform(4)));
+    let section = builder.finish(ElementOrder::full(2)).expect("one sound block");
+    let stations: Vec<f64> = (0..=12).map(|layer| 0.005 * f64::from(layer)).collect();
+    let cost = |per_length: f64, by_position: bool| {
+        let place = |[x, y]: [f64; 2], z: f64| {
+            let (sin, cos) = (per_length * z).sin_cos();
+            [cos * x - sin * y, sin * x + cos * y, z]
+        };
+        let mesh = SolidMesh::swept(&section, &stations, 2, &place).expect("a mesh");
+        let coordinates = if by_position { mesh.nodes.clone() } else { mesh.ordering_coordinates() };
+        let stiffness = SolidModel::new(mesh, MATERIAL).stiffness();
+        Dissection::new(&stiffness, &coordinates, &[], &[]).cost().0
+    };
+    assert_eq!(cost(10.0, false), cost(0.0, false));
+    assert!(cost(10.0, true) > 1.2 * cost(10.0, false));
+    assert!(cost(0.0, false) < 1.1 * cost(0.0, true));
 }
