@@ -1,5 +1,5 @@
-//! Nested dissection: elimination order of the unknowns of a mesh, from the positions of its nodes or
-//! other coordinates of them.
+//! Nested dissection: elimination order of the unknowns of a mesh, from the positions of its nodes
+//! or other coordinates of them.
 //!
 //! A separator, a layer of nodes, divides a mesh into two halves and is eliminated after both; the
 //! halves are dissected in the same way. The unknowns that are eliminated together form one dense

@@ -128,10 +128,10 @@ impl SolidMesh {
     }
 
     /// Returns coordinates of the displacement nodes for the order of elimination
-    /// ([`crate::dissection::Dissection`]): those in which cuts at a constant coordinate follow the faces
-    /// of elements. For a swept mesh they are radius (m) and angle (rad) in the section and the number
-    /// of layers, also where sections are rotated, scaled or inclined along the face; otherwise
-    /// they are the positions, m.
+    /// ([`crate::dissection::Dissection`]): those in which cuts at a constant coordinate follow the
+    /// faces of elements. For a swept mesh they are radius (m) and angle (rad) in the section and
+    /// the number of layers, also where sections are rotated, scaled or inclined along the face;
+    /// otherwise they are the positions, m.
     pub fn ordering_coordinates(&self) -> Vec<[f64; 3]> {
         match &self.swept {
             Some(swept) => swept.polar_coordinates(),
