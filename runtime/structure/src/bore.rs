@@ -290,7 +290,8 @@ impl BoreMeans {
         Ok(Some(Self::of(&patterns, forms)))
     }
 
-    /// Builds the means from the integrals of the displacements over the bore, one for each pattern.
+    /// Builds the means from the integrals of the displacements over the bore, one for each
+    /// pattern.
     pub(super) fn of(patterns: &BoreConstraints, forms: Vec<SparseVector>) -> BoreMeans {
         let (shared, spline_teeth, with_clearance) =
             (patterns.shared(), patterns.spline_teeth.clone(), patterns.with_clearance);

@@ -1,11 +1,12 @@
 //! Motions of a three-dimensional model that strain no spring and that no tooth can resist.
 //!
-//! On parallel axes the contact forces of a mesh act in its plane of action, normal to the teeth and
-//! at any point of the plane. So a mesh resists at most two motions, a displacement along this normal
-//! and a rotation about the normal of the plane. A motion that strains no spring and does no work in
-//! either is free. One of them is the screw motion of a helical gear along its own teeth, in which
-//! the axial force and the torque do opposite work: the flank is a helicoid and moves in itself, its
-//! rounded edges included. Lead modifications resist it by forces that exceed the load by far.
+//! On parallel axes the contact forces of a mesh act in its plane of action, normal to the teeth
+//! and at any point of the plane. So a mesh resists at most two motions, a displacement along this
+//! normal and a rotation about the normal of the plane. A motion that strains no spring and does no
+//! work in either is free. One of them is the screw motion of a helical gear along its own teeth,
+//! in which the axial force and the torque do opposite work: the flank is a helicoid and moves in
+//! itself, its rounded edges included. Lead modifications resist it by forces that exceed the load
+//! by far.
 
 use calyx_contact::problem::{ContactError, FreeMotion};
 use calyx_model::dof::Dof;
@@ -111,8 +112,8 @@ fn resisted(
     // The line of action is tangent to the base circle of the first body.
     let point = plus(first, scaled(cross(normal, z), mesh.drive_sense * radius));
     let couple = scaled(cross(z, normal), RADIUS);
-    // A rotation of the first gear about its axis and its displacement along its helix, of lead 2 pi
-    // / twist, do no work together.
+    // A rotation of the first gear about its axis and its displacement along its helix, of lead 2
+    // pi / twist, do no work together.
     let force = minus(normal, scaled(z, mesh.drive_sense * radius * mesh.twist));
     let work = |dof: &Dof, row: usize| -> Result<f64, EngineError> {
         let Some(side) = bodies.iter().position(|body| *body == dof.body) else { return Ok(0.0) };
