@@ -55,9 +55,9 @@ struct Group {
 
 impl Dissection {
     /// Orders the unknowns of a stiffness of which only the pattern is read (both triangles; the
-    /// degrees of freedom of a node are adjacent). `positions` are any three coordinates of each
-    /// node: only their order counts. The `constrained` ones are omitted, those of the
-    /// nodes `kept` come last.
+    /// degrees of freedom of a node are adjacent). `positions` are those of the nodes or any other
+    /// three coordinates of each node, of which only the order counts. The `constrained` degrees of
+    /// freedom are omitted, those of the nodes `kept` come last.
     pub fn new(
         stiffness: &SparseColMat<usize, f64>,
         positions: &[[f64; 3]],
