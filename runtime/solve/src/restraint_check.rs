@@ -69,7 +69,7 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
         dofs.iter().zip(free).any(|(dof, part)| (2..5).contains(&dof.component) && *part != 0.0)
     };
     if plan.three_dimensional && unloaded.free.iter().any(out_of_plane) {
-        let motion = unresisted::motion(scene, plan, &dofs, (&springs.arms, &unloaded.free), time)?;
+        let motion = unresisted::motion(scene, plan, &dofs, (&springs.arms, &unloaded.free), &load, time)?;
         return motion
             .map_or(Ok(()), |motion| Err(explain(scene, &dofs, &unresisted::error(motion, &dofs, &load))));
     }

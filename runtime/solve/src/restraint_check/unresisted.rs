@@ -26,8 +26,9 @@ const RADIUS: f64 = 0.1;
 const NO_WORK: f64 = 1e-8;
 
 /// Returns a motion of the DOFs, a combination of those that strain no spring, that neither stops
-/// (`stops`: derivatives of their gaps by the DOFs, row-major) nor teeth can resist. Meshes on
-/// general axes and surfaces that are not gear flanks may resist any motion.
+/// (`stops`: derivatives of their gaps by the DOFs, row-major) nor teeth can resist. Of several such
+/// motions it is the one that the load drives most, if it drives any. Meshes on general axes and
+/// surfaces that are not gear flanks may resist any motion.
 ///
 /// # Errors
 /// A frame is NaN.
@@ -36,6 +37,7 @@ pub(super) fn motion(
     plan: &Plan,
     dofs: &[Dof],
     (stops, free): (&[f64], &[Vec<f64>]),
+    load: &[f64],
     time: f64,
 ) -> Result<Option<Vec<f64>>, EngineError> {
     let mut rows = stops.to_vec();
@@ -58,23 +60,41 @@ pub(super) fn motion(
     let decomposition = work.svd(false, true);
     let Some(directions) = decomposition.v_t else { return Ok(None) };
     let largest = decomposition.singular_values.iter().copied().fold(0.0, f64::max);
-    let Some(idle) = decomposition.singular_values.iter().position(|&value| value <= NO_WORK * largest)
-    else {
-        return Ok(None);
-    };
-    let part = |k: usize| (0..count).map(|of| directions[(idle, of)] * scale[of] * free[of][k]).sum::<f64>();
-    Ok(Some((0..m).map(part).collect()))
+    let idle: Vec<Vec<f64>> = (0..count)
+        .filter(|&direction| decomposition.singular_values[direction] <= NO_WORK * largest)
+        .map(|direction| {
+            let part = |k: usize| {
+                (0..count).map(|of| directions[(direction, of)] * scale[of] * free[of][k]).sum::<f64>()
+            };
+            (0..m).map(part).collect()
+        })
+        .collect();
+    let Some(first) = idle.first() else { return Ok(None) };
+    // The basis of several motions is arbitrary. The sum of all of them, each times the work of the
+    // load on it, is not: the load does no work on any motion at a right angle to it.
+    let works: Vec<f64> = idle.iter().map(|motion| work_of(load, motion)).collect();
+    let driven: Vec<f64> =
+        (0..m).map(|k| idle.iter().zip(&works).map(|(motion, work)| work * motion[k]).sum()).collect();
+    Ok(Some(if is_driven(dofs, load, &driven) { driven } else { first.clone() }))
+}
+
+/// Returns the work of the load on a motion.
+fn work_of(load: &[f64], motion: &[f64]) -> f64 {
+    motion.iter().zip(load).map(|(part, load)| part * load).sum()
+}
+
+/// Returns whether the load drives a motion. Parts of the motion that are rounding do work with
+/// large loads, so work compares with that of all loads on the largest part.
+fn is_driven(dofs: &[Dof], load: &[f64], motion: &[f64]) -> bool {
+    let size = |k: usize| if dofs[k].component < 3 { 1.0 } else { RADIUS };
+    let largest = (0..motion.len()).map(|k| motion[k].abs() * size(k)).fold(0.0, f64::max);
+    let all: f64 = (0..motion.len()).map(|k| load[k].abs() / size(k)).sum();
+    work_of(load, motion).abs() > NO_WORK * largest * all
 }
 
 /// Returns the error about a free motion: whether the load drives it or not.
 pub(super) fn error(mut motion: Vec<f64>, dofs: &[Dof], load: &[f64]) -> ContactError {
-    let work: f64 = motion.iter().zip(load).map(|(part, load)| part * load).sum();
-    // Parts of the motion that are rounding do work with large loads, so work compares with that
-    // of all loads on the largest part.
-    let size = |k: usize| if dofs[k].component < 3 { 1.0 } else { RADIUS };
-    let largest = (0..motion.len()).map(|k| motion[k].abs() * size(k)).fold(0.0, f64::max);
-    let all: f64 = (0..motion.len()).map(|k| load[k].abs() / size(k)).sum();
-    let driven = work.abs() > NO_WORK * largest * all;
+    let (work, driven) = (work_of(load, &motion), is_driven(dofs, load, &motion));
     let dof = (0..motion.len()).max_by(|&one, &other| motion[one].abs().total_cmp(&motion[other].abs()));
     let dof = dof.unwrap_or_default();
     let sense = if driven { work.signum() } else { 1.0 };
