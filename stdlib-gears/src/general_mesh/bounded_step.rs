@@ -136,12 +136,20 @@ mod tests {
     fn the_largest_value_is_inside_on_a_bound_or_at_a_corner() {
         let function = Quadratic { slope: [1.0, 2.0], second: [-2.0, 0.5, -3.0] };
         let box_of = |high: [f64; 2]| {
-            [Bound { normal: [1.0, 0.0], limits: [-1.0, high[0]] }, Bound { normal: [0.0, 1.0], limits: [-1.0, high[1]] }]
+            [
+                Bound { normal: [1.0, 0.0], limits: [-1.0, high[0]] },
+                Bound { normal: [0.0, 1.0], limits: [-1.0, high[1]] },
+            ]
         };
         let free = function.largest(&box_of([9.0, 9.0])).expect("a largest value");
         assert!(!free.is_limited);
         assert!((-2.0 * free.step[0] + 0.5 * free.step[1] + 1.0).abs() < 1e-15);
-        for (high, normal) in [([0.3, 9.0], [1.0, 0.0]), ([9.0, 0.2], [0.0, 1.0]), ([0.1, 0.1], [0.7, 0.7]), ([9.0, 9.0], [1.0, -1.0])] {
+        for (high, normal) in [
+            ([0.3, 9.0], [1.0, 0.0]),
+            ([9.0, 0.2], [0.0, 1.0]),
+            ([0.1, 0.1], [0.7, 0.7]),
+            ([9.0, 9.0], [1.0, -1.0]),
+        ] {
             let bounds = [&box_of(high)[..], &[Bound { normal, limits: [-0.05, 0.17] }]].concat();
             let found = function.largest(&bounds).expect("a largest value");
             // No step of a fine grid within the bounds has a larger value.
@@ -155,7 +163,10 @@ mod tests {
                 }
             }
             let value = function.value(found.step);
-            assert!(found.is_limited && value >= largest && value < largest + 0.02, "{high:?} {value} {largest}");
+            assert!(
+                found.is_limited && value >= largest && value < largest + 0.02,
+                "{high:?} {value} {largest}"
+            );
         }
     }
 

@@ -122,7 +122,8 @@ pub(super) fn flank_range(surface: &dyn Surface) -> [[f64; 2]; 2] {
 /// Returns points on a regular grid over the ranges, from end to end.
 fn grid([u, v]: [[f64; 2]; 2]) -> impl Iterator<Item = [f64; 2]> {
     // The last point is not beyond the end, where the edge begins.
-    let at = |[low, high]: [f64; 2], k: usize| (low + (high - low) * k as f64 / (SAMPLES - 1) as f64).min(high);
+    let at =
+        |[low, high]: [f64; 2], k: usize| (low + (high - low) * k as f64 / (SAMPLES - 1) as f64).min(high);
     (0..SAMPLES).flat_map(move |i| (0..SAMPLES).map(move |j| [at(u, i), at(v, j)]))
 }
 
@@ -269,8 +270,9 @@ impl<'a> Mate<'a> {
             let next = [0, 1].map(|k: usize| self.clamped(k, mate[k] + step[k]));
             let size = [0, 1].map(|k: usize| (step[k] / (self.range[k][1] - self.range[k][0])).abs());
             if size[0].max(size[1]) <= ROUGH {
-                let [ox, oy, _] =
-                    [0, 1, 2].map(|l: usize| point.position[l] + step[0] * point.tangents[0][l] + step[1] * point.tangents[1][l]);
+                let [ox, oy, _] = [0, 1, 2].map(|l: usize| {
+                    point.position[l] + step[0] * point.tangents[0][l] + step[1] * point.tangents[1][l]
+                });
                 let rotation = (ox * y - oy * x).atan2(ox * x + oy * y);
                 let turned = about_z(rotation, point.normal);
                 let facing = dot(driver.pose.direction(own.normal), turned) < 0.0;
@@ -307,7 +309,13 @@ impl<'a> Mate<'a> {
         let sum = [0, 1, 2].map(|k: usize| normal[k] + turned[k]);
         let inside = length(sum) < PARALLEL;
         let contact = FlankContact { rotation, place, point, normal, inside, at_end: false };
-        (facing && slope[0].is_finite() && slope[1].is_finite()).then_some(Ray { contact, slope, mate, mate_by, arm })
+        (facing && slope[0].is_finite() && slope[1].is_finite()).then_some(Ray {
+            contact,
+            slope,
+            mate,
+            mate_by,
+            arm,
+        })
     }
 
     /// Returns the rotation to a point of the first flank, near a guess on this flank; `None` if
@@ -346,7 +354,8 @@ impl<'a> Mate<'a> {
         let &(_, first) = rotations.first()?;
         let pushed = |rotation: f64| self.pushed * (nearest(rotation, first, TAU) - first);
         rotations.sort_by(|a, b| pushed(b.1).total_cmp(&pushed(a.1)));
-        let ray = |place: [f64; 2]| self.ray(driver, place, None).filter(|ray| self.contains(ray.mate, ROUNDING));
+        let ray =
+            |place: [f64; 2]| self.ray(driver, place, None).filter(|ray| self.contains(ray.mate, ROUNDING));
         let best = rotations.iter().find_map(|(place, _)| ray(*place));
         self.climb(driver, best?)
     }
