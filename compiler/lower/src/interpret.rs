@@ -19,14 +19,17 @@ pub use blame::CallSites;
 pub use reuse::{CallContent, CallResult, CallResults};
 pub use trace::NanTrace;
 
-use crate::layout::running_sums;
+use crate::fingerprint::FingerprintHasher;
+use crate::layout::{running_sums, tuple_offset};
 use crate::link::{LinkError, resolve_externs};
 use calyx_abi::context::{Context, MAX_DEPTH, RuntimeError};
 use calyx_abi::error::Place;
 use calyx_abi::helpers::CaptureKind;
 use calyx_abi::{Extern, Purity, Slot, helpers, limits, repr_code, stack};
-use calyx_lang::ir::{Function, FunctionId, LocalId, Mode, Program, Site, SiteId};
+use calyx_lang::ir::{Expr, ExprKind, Function, FunctionId, LocalId, Mode, Program, Site, SiteId};
 use calyx_lang::span::Span;
+use std::collections::HashMap;
+use std::hash::BuildHasherDefault;
 use std::ops::Range;
 
 /// A program and the engine functions that it calls.
@@ -51,6 +54,14 @@ pub struct Interpreter<'p> {
 struct Frame {
     /// Start and number of slots of each local.
     locals: Vec<(usize, usize)>,
+    slots: usize,
+}
+
+/// Slots of a local or of an element of it.
+#[derive(Clone, Copy)]
+struct LocalPart {
+    /// Position in the frame of the function.
+    offset: usize,
     slots: usize,
 }
 
@@ -157,6 +168,7 @@ impl<'p> Interpreter<'p> {
                 ctx,
                 stack: arguments.to_vec(),
                 activation,
+                parts: HashMap::default(),
                 guards: 0,
                 calls: Vec::new(),
                 kept: None,
@@ -192,6 +204,9 @@ struct Machine<'m, 'p> {
     ctx: &'m mut Context,
     stack: Vec<Slot>,
     activation: Activation<'m, 'p>,
+    /// Parts of locals by the addresses of the expressions that read them; `None` for expressions
+    /// that are computed.
+    parts: HashMap<*const Expr, Option<LocalPart>, BuildHasherDefault<FingerprintHasher>>,
     /// The active calls, outermost first.
     calls: Vec<(FunctionId, Place)>,
     /// Number of active blocks, in this function and its callers, whose errors the program catches.
@@ -274,6 +289,36 @@ impl<'p> Machine<'_, 'p> {
         }
         self.stack.drain(start..base + frame.slots);
         Ok(())
+    }
+
+    /// Returns the stack range of an element of a local tuple; `None` for other expressions.
+    fn stored(&mut self, expr: &'p Expr) -> Result<Option<Range<usize>>, RuntimeError> {
+        let base = self.activation.base;
+        let part = match self.parts.get(&std::ptr::from_ref(expr)) {
+            Some(known) => *known,
+            None => {
+                let part = self.local_part(expr)?;
+                self.parts.insert(expr, part);
+                part
+            }
+        };
+        Ok(part.map(|LocalPart { offset, slots }| base + offset..base + offset + slots))
+    }
+
+    fn local_part(&self, expr: &Expr) -> Result<Option<LocalPart>, RuntimeError> {
+        Ok(match &expr.kind {
+            ExprKind::Local(local) => {
+                let range = self.local(*local)?;
+                Some(LocalPart { offset: range.start - self.activation.base, slots: range.len() })
+            }
+            ExprKind::TupleElement(tuple, index) => {
+                let Some(whole) = self.local_part(tuple)? else { return Ok(None) };
+                let before = tuple_offset(&tuple.repr, *index);
+                let before = before.ok_or_else(|| helpers::malformed("not a tuple"))?;
+                Some(LocalPart { offset: whole.offset + before, slots: expr.repr.slots() })
+            }
+            _ => None,
+        })
     }
 
     /// Returns the stack range of a local.

@@ -9,7 +9,6 @@ use calyx_abi::helpers::{self, malformed};
 use calyx_abi::{Purity, Repr, blame, failure};
 use calyx_lang::ir::{Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
 use calyx_lang::span::Span;
-use std::ops::Range;
 
 impl<'p> Machine<'_, 'p> {
     /// Evaluates an expression onto the stack.
@@ -119,20 +118,6 @@ impl<'p> Machine<'_, 'p> {
         self.stack.copy_within(start + before..start + before + expr.repr.slots(), start);
         self.stack.truncate(start + expr.repr.slots());
         Ok(())
-    }
-
-    /// Returns the stack range of an element of a local tuple; `None` for other expressions.
-    fn stored(&self, expr: &Expr) -> Result<Option<Range<usize>>, RuntimeError> {
-        Ok(match &expr.kind {
-            ExprKind::Local(local) => Some(self.local(*local)?),
-            ExprKind::TupleElement(tuple, index) => {
-                let Some(whole) = self.stored(tuple)? else { return Ok(None) };
-                let before = tuple_offset(&tuple.repr, *index).ok_or_else(|| malformed("not a tuple"))?;
-                let start = whole.start + before;
-                Some(start..start + expr.repr.slots())
-            }
-            _ => None,
-        })
     }
 
     fn eval_symbolic(&mut self, expr: &'p Expr, value: &'p Expr, time: &'p Expr) -> Result<(), RuntimeError> {
