@@ -85,7 +85,7 @@ fn repetition(module: &Module, param: &str, counts: [u32; 2]) -> f64 {
 /// Edits of the example: what they change, a text, and the text that replaces it, where `#` is the
 /// number of the edit. No edit repeats an earlier one.
 const EDITS: [(&str, &str, &str); 5] = [
-    ("a comment", "positive if the gear lags", "positive if the gear lags #"),
+    ("a comment", "// The pair and its load.", "// The pair and its load, #."),
     ("the torque", "2613.33 lbf", "2613.33# lbf"),
     ("an axial displacement", "pinion_axial = 0 inch", "pinion_axial = 0.0000# inch"),
     ("an edge radius", "edge_radius_pinion = 0.045 inch", "edge_radius_pinion = 0.045# inch"),

@@ -6,7 +6,7 @@ use calyx_abi::helpers::CaptureKind;
 use calyx_abi::{Repr, repr_code};
 use calyx_lang::ir::{Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
 use calyx_lower::layout::{blame_table, stride, tuple_offset};
-use calyx_lower::operations::{Scalars, expand, is_scalar};
+use calyx_lower::operations::{Scalars, compared_text, expand, is_scalar};
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{BlockArg, InstBuilder, Type, Value, types};
 use cranelift_module::Module;
@@ -210,6 +210,20 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
     }
 
     fn operation(&mut self, expr: &'m Expr, op: Op, operands: &'m [Expr]) -> Values {
+        if let Some((string, text)) = compared_text(op, operands) {
+            let string = self.scalar(string)?;
+            let [address, count] = self.constant(text.as_bytes())?;
+            self.at(expr.span);
+            let equal = self.helper_into(&[types::I64], |f, into| {
+                f.helper("calyx_has_text", &[string, address, count, into])
+            })?;
+            return if op == Op::Equal {
+                Ok(equal)
+            } else {
+                let unknown = CodegenError::Malformed("an operation on other operands");
+                Ok(vec![self.apply(Op::Not, &equal).ok_or(unknown)?])
+            };
+        }
         let values = self.expressions(operands)?;
         let repr = operands.first().map_or(&Repr::Unit, |operand| &operand.repr);
         let unknown = CodegenError::Malformed("an operation on other operands");

@@ -242,11 +242,12 @@ fn failures_inside_of_a_call_do_not_prevent_its_reuse() {
     assert_eq!(run(model, ROOTS, &store, FUEL), (first, 0));
 }
 
-/// Values of symbolic functions that the program does not bind are not stored.
+/// Values of symbolic functions that the program does not bind are not stored, nor are the choices
+/// with which it compares.
 #[test]
-fn an_evaluated_expression_takes_no_memory() {
-    let model =
-        "function f(in x: Number) := sin(x)^2;\nvar sum = 0;\nfor (k in 0 .. COUNT) sum += f(k) / COUNT;";
+fn evaluations_and_comparisons_take_no_memory() {
+    let model = "function f(in x: Number) := sin(x)^2;\nenum Way { up, down }\nvar sum = 0, way = Way.up;\n\
+                 for (k in 0 .. COUNT) { if (way == \"up\") sum += f(k) / COUNT; }";
     let bytes = [10, 1000].map(|count| {
         let (outcome, evaluated) =
             run(&model.replace("COUNT", &count.to_string()), ROOTS, &Store::new(), FUEL);

@@ -242,6 +242,13 @@ entry_points! {
         Ok(())
     }
 
+    /// Compares a string with a text; stores 1 or 0 in `result`.
+    fn calyx_has_text(ctx, string, address, count, result) {
+        let equal = helpers::has_text(ctx, string, text(address, count)?)?;
+        slots_mut(result, 1)[0] = u64::from(equal);
+        Ok(())
+    }
+
     /// Executes a `:=` with `count` captured slots and as many bytes with their kinds; stores its
     /// id in `result`.
     fn calyx_make_symbolic(ctx, site, repr_address, repr_count, kinds, address, count, result) {

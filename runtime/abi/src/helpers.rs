@@ -197,6 +197,15 @@ pub fn equal(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Result<bool,
     equal_values(ctx, repr, a, b).ok_or_else(|| malformed("not values that can be compared"))
 }
 
+/// Returns whether a string has this text.
+///
+/// # Errors
+/// Internal if it is not a string.
+pub fn has_text(ctx: &Context, id: HeapId, text: &str) -> Result<bool, RuntimeError> {
+    let own = ctx.heap.str(id).ok_or_else(|| malformed("not values that can be compared"))?;
+    Ok(own == text)
+}
+
 fn equal_values(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Option<bool> {
     let numbers = |count| Some((0..count).all(|i| f64::from_bits(a[i]) == f64::from_bits(b[i])));
     if a.len() < repr.slots() || b.len() < repr.slots() {

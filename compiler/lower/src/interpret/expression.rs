@@ -3,7 +3,7 @@
 use super::scalar::SlotScalars;
 use super::{Captured, Machine};
 use crate::layout::{blame_table, stride, tuple_offset};
-use crate::operations::{Scalars, expand, is_scalar};
+use crate::operations::{Scalars, compared_text, expand, is_scalar};
 use calyx_abi::context::RuntimeError;
 use calyx_abi::helpers::{self, malformed};
 use calyx_abi::{Purity, Repr, blame, failure};
@@ -175,6 +175,13 @@ impl<'p> Machine<'_, 'p> {
     }
 
     fn operation(&mut self, expr: &Expr, op: Op, operands: &'p [Expr]) -> Result<(), RuntimeError> {
+        if let Some((string, text)) = compared_text(op, operands) {
+            let string = self.slot(string)?;
+            self.at(expr.span);
+            let equal = helpers::has_text(self.ctx, string, text)?;
+            self.stack.push(u64::from(equal == (op == Op::Equal)));
+            return Ok(());
+        }
         let start = self.eval_all(operands)?;
         let operands_repr = operands.first().map_or(&Repr::Unit, |operand| &operand.repr);
         let equality = matches!(op, Op::Equal | Op::NotEqual);
