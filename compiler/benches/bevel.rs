@@ -1,9 +1,12 @@
 //! Computing times of bevel gears: `cargo bench -p calyx --bench bevel`. They cover points of a
-//! flank with and without sensitivities, the check of `examples/spiral_bevel.cx` as editors run it,
-//! and its analysis over a mesh cycle without and with cached structures. Times depend on the
-//! machine; the last column is the ratio to a time measured before in the same run.
+//! flank with and without sensitivities, the check of `examples/spiral_bevel.cx` as a whole and after
+//! edits as editors run it, and its analysis over a mesh cycle without and with cached structures.
+//! Times depend on the machine; the last column is the ratio to a time measured before in the same
+//! run.
 
 use calyx::{Engine, Module, check_text};
+use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};
+use calyx_lang::db::Database;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -79,6 +82,40 @@ fn repetition(module: &Module, param: &str, counts: [u32; 2]) -> f64 {
     (many - few) / f64::from(counts[1] - counts[0])
 }
 
+/// Edits of the example: what they change, a text, and the text that replaces it, where `#` is the
+/// number of the edit. No edit repeats an earlier one.
+const EDITS: [(&str, &str, &str); 5] = [
+    ("a comment", "// The pair and its load.", "// The pair and its load, #."),
+    ("the torque", "2613.33 lbf", "2613.33# lbf"),
+    ("an axial displacement", "pinion_axial = 0 inch", "pinion_axial = 0.0000# inch"),
+    ("an edge radius", "edge_radius_pinion = 0.045 inch", "edge_radius_pinion = 0.045# inch"),
+    ("a machine setting", "2.947802 inch", "2.947802# inch"),
+];
+
+/// Returns the shortest time of a check after an edit, s, with the database of an editor, and the
+/// part of the language in it.
+fn after_edits(text: &str, [old, new]: [&str; 2]) -> [f64; 2] {
+    let loader = ModelLoader::default();
+    let mut database = Database::new(&loader);
+    let mut check = |text: &str| {
+        let begun = Instant::now();
+        database.set_model("model.cx", text);
+        database.load_imports("model.cx", &loader);
+        let checked = database.check("model.cx").expect("the model is there");
+        let language = begun.elapsed().as_secs_f64();
+        let program = checked.program.as_ref().expect("a program");
+        let found = elaborate(program, Params::Defaults, &Cancel::default()).expect("nobody cancels");
+        assert!(found.plan.is_some(), "{:?}", found.found);
+        [begun.elapsed().as_secs_f64(), language]
+    };
+    check(text);
+    assert!(text.contains(old), "the edit changes the model");
+    // Odd numbers do not end in zeros, which would leave a decimal fraction as it is.
+    let odd = (0..2 * RUNS).map(|edit| (2 * edit + 1).to_string());
+    let edits = odd.map(|number| check(&text.replace(old, &new.replace('#', &number))));
+    edits.min_by(|a, b| a[0].total_cmp(&b[0])).unwrap_or_default()
+}
+
 fn main() {
     let row =
         |what: &str, time: f64, ratio: String| println!("{what:<58} {:>12.4} ms {ratio:>14}", 1e3 * time);
@@ -93,6 +130,11 @@ fn main() {
     let text = std::fs::read_to_string(example()).expect("the example");
     let check = shortest(RUNS, || assert!(!check_text("spiral_bevel.cx", &text).has_errors()));
     row("check of spiral_bevel.cx", check, format!("{:.0} points", check / point));
+
+    for (what, old, new) in EDITS {
+        let [time, language] = after_edits(&text, [old, new]);
+        row(&format!("check after an edit of {what}"), time, format!("{:.2} language", language / time));
+    }
 
     for (fidelity, steps) in [("rigid", 11), ("medium", 11), ("finest", 11)] {
         let engine = Engine::default();

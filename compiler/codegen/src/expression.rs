@@ -6,7 +6,7 @@ use calyx_abi::helpers::CaptureKind;
 use calyx_abi::{Repr, repr_code};
 use calyx_lang::ir::{Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
 use calyx_lower::layout::{blame_table, stride, tuple_offset};
-use calyx_lower::operations::{Scalars, expand, is_scalar};
+use calyx_lower::operations::{Scalars, compared_text, expand, is_scalar};
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{BlockArg, InstBuilder, Type, Value, types};
 use cranelift_module::Module;
@@ -136,6 +136,10 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
     }
 
     fn eval_symbolic(&mut self, expr: &'m Expr, value: &'m Expr, time: &'m Expr) -> Values {
+        if let ExprKind::MakeSymbolic { site, captures } = &value.kind {
+            let captures = self.expressions(captures)?;
+            return self.evaluate_site(expr, *site, &captures, time);
+        }
         let value = self.scalar(value)?;
         let time = self.scalar(time)?;
         let time = self.bits(time);
@@ -206,6 +210,20 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
     }
 
     fn operation(&mut self, expr: &'m Expr, op: Op, operands: &'m [Expr]) -> Values {
+        if let Some((string, text)) = compared_text(op, operands) {
+            let string = self.scalar(string)?;
+            let [address, count] = self.constant(text.as_bytes())?;
+            self.at(expr.span);
+            let equal = self.helper_into(&[types::I64], |f, into| {
+                f.helper("calyx_has_text", &[string, address, count, into])
+            })?;
+            return if op == Op::Equal {
+                Ok(equal)
+            } else {
+                let unknown = CodegenError::Malformed("an operation on other operands");
+                Ok(vec![self.apply(Op::Not, &equal).ok_or(unknown)?])
+            };
+        }
         let values = self.expressions(operands)?;
         let repr = operands.first().map_or(&Repr::Unit, |operand| &operand.repr);
         let unknown = CodegenError::Malformed("an operation on other operands");
@@ -268,6 +286,29 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
     }
 
     fn make_symbolic(&mut self, id: SiteId, captures: &[Value]) -> Values {
+        let captured = self.captured(id, captures)?;
+        let into = self.buffer_address(captures.len());
+        self.helper("calyx_make_symbolic", &[&captured[..], &[into]].concat())?;
+        Ok(self.load_buffer(captures.len(), &[types::I64]))
+    }
+
+    /// Evaluates a site without a symbolic value.
+    fn evaluate_site(&mut self, expr: &'m Expr, id: SiteId, captures: &[Value], time: &'m Expr) -> Values {
+        let time = self.scalar(time)?;
+        let time = self.bits(time);
+        self.at(expr.span);
+        let captured = self.captured(id, captures)?;
+        let types = slot_types(&expr.repr);
+        let [code, length] = self.constant(&repr_code::encode(&expr.repr))?;
+        let (into, count) = (self.buffer_address(captures.len()), self.word(types.len()));
+        let result = [time, code, length, into, count];
+        self.helper("calyx_evaluate_site", &[&captured[..], &result].concat())?;
+        Ok(self.load_buffer(captures.len(), &types))
+    }
+
+    /// Stores captures at the start of the buffer. Returns the words that describe them: the site,
+    /// its representation, the kinds of the captures, their address and number.
+    fn captured(&mut self, id: SiteId, captures: &[Value]) -> Result<[Value; 6], CodegenError> {
         let site = self.module.program.sites.get(id.0 as usize);
         let site = site.ok_or(CodegenError::Malformed("a symbolic site that is not there"))?;
         let kinds = site.captures.iter();
@@ -280,9 +321,6 @@ impl<'m, M: Module> FunctionLowering<'_, 'm, '_, M> {
         let index = self.word(id.0 as usize);
         let [code, length] = self.constant(&repr_code::encode(&site.repr))?;
         let [kinds, _] = self.constant(&kinds)?;
-        let (from, into) = (self.buffer_address(0), self.buffer_address(captures.len()));
-        let count = self.word(captures.len());
-        self.helper("calyx_make_symbolic", &[index, code, length, kinds, from, count, into])?;
-        Ok(self.load_buffer(captures.len(), &[types::I64]))
+        Ok([index, code, length, kinds, self.buffer_address(0), self.word(captures.len())])
     }
 }

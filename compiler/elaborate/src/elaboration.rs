@@ -20,6 +20,8 @@ use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lang::span::Span;
 use calyx_lower::interpret::CallSites;
+use calyx_lower::kernels::SiteContent;
+use calyx_lower::repeatable::RepeatableFunctions;
 use calyx_rt::{Error, InvalidParam, NanLog, ParamAssignment, Program as _, apply};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
@@ -144,6 +146,8 @@ pub(crate) struct Lowered {
     /// The kernels of all sites, in order.
     kernels: Vec<Arc<dyn Kernel>>,
     sites: CallSites,
+    /// Functions whose results earlier elaborations may have.
+    repeatable: RepeatableFunctions,
 }
 
 /// Number of sites for which another thread pays off.
@@ -155,10 +159,12 @@ fn lowered(program: &Program, cancel: &Cancel) -> Result<Result<Lowered, Box<Ela
     let each: Vec<SiteId> = (0..program.sites.len() as u32).map(SiteId).collect();
     let lower = |sites: &[SiteId]| {
         let mut kernels = Vec::with_capacity(sites.len());
-        for site in sites {
+        for &id in sites {
             ensure_running(cancel)?;
-            match kernel_of(program, *site) {
-                Ok(kernel) => kernels.push(kernel),
+            let Some(site) = program.sites.get(id.0 as usize) else { continue };
+            let content = SiteContent::of(program, site);
+            match kernel_of(program, id, content) {
+                Ok(kernel) => kernels.push((kernel, content)),
                 Err(error) => return Ok(Err(Box::new(unrunnable(no_kernel(&error))))),
             }
         }
@@ -182,14 +188,20 @@ fn lowered(program: &Program, cancel: &Cancel) -> Result<Result<Lowered, Box<Ela
         }
         results
     });
-    let mut kernels = Vec::with_capacity(each.len());
+    let (mut kernels, mut contents) = (Vec::with_capacity(each.len()), Vec::with_capacity(each.len()));
     for result in results {
         match result? {
-            Ok(part) => kernels.extend(part),
+            Ok(part) => {
+                for (kernel, content) in part {
+                    kernels.push(kernel);
+                    contents.push(content);
+                }
+            }
             Err(unrunnable) => return Ok(Err(unrunnable)),
         }
     }
-    Ok(Ok(Lowered { kernels, sites: CallSites::new(program) }))
+    let repeatable = RepeatableFunctions::of(program, &contents);
+    Ok(Ok(Lowered { kernels, sites: CallSites::new(program), repeatable }))
 }
 
 /// Elaborates a program with the defaults of its params. Returns the lines it prints and the
@@ -234,13 +246,13 @@ fn elaborate_with(
 /// As [`elaborate_with`], on the stack of this thread.
 fn elaborate_here(
     program: &Program,
-    Lowered { kernels, sites }: &Lowered,
+    Lowered { kernels, sites, repeatable }: &Lowered,
     params: Params,
     cancel: &Cancel,
     (print, keeps_output): (PrintLine, bool),
 ) -> Result<Elaboration, Cancelled> {
     let mut interpreted = match Interpreted::with_kernels(program, Purity::Scene, kernels.clone()) {
-        Ok(interpreted) => interpreted.recovering(),
+        Ok(interpreted) => interpreted.recovering().reusing(repeatable),
         Err(found) => return Ok(unrunnable(found)),
     };
     ensure_running(cancel)?;

@@ -1,5 +1,6 @@
 //! A model run by the interpreter: used by `check`, and as the reference for compiled models.
 
+use crate::known_results::KnownResults;
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::{Context, Kernel, Purity, Repr, RuntimeError, Slot};
 use calyx_gears::library::{FINGERPRINT, externs};
@@ -7,6 +8,7 @@ use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program};
 use calyx_lower::interpret::{Interpreter, NanTrace};
 use calyx_lower::kernels::{KernelError, lower_sites};
+use calyx_lower::repeatable::RepeatableFunctions;
 use calyx_lower::traverse::is_constant;
 use calyx_rt::Error;
 use calyx_rt::program::ParamFunction;
@@ -62,6 +64,12 @@ impl<'p> Interpreted<'p> {
     /// Returns the failures after which the program continued, in order.
     pub fn failures(&self) -> Vec<RuntimeError> {
         self.interpreter.failures()
+    }
+
+    /// Reuses results of earlier elaborations for calls of these functions.
+    pub(crate) fn reusing(mut self, functions: &'p RepeatableFunctions) -> Self {
+        self.interpreter = self.interpreter.reusing(&KnownResults, functions);
+        self
     }
 
     /// Enables NaN tracing.

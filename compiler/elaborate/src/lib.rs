@@ -34,6 +34,7 @@ pub mod geometry;
 mod infix;
 mod interpreted;
 mod known_kernels;
+mod known_results;
 mod loader;
 pub mod nan;
 pub mod plan;

@@ -10,20 +10,26 @@ mod blame;
 mod error_recovery;
 mod expression;
 mod place;
+mod reuse;
 mod scalar;
 mod statement;
 mod trace;
 
 pub use blame::CallSites;
+pub use reuse::{CallContent, CallResult, CallResults};
 pub use trace::NanTrace;
 
-use crate::layout::running_sums;
+use crate::fingerprint::FingerprintHasher;
+use crate::layout::{running_sums, tuple_offset};
 use crate::link::{LinkError, resolve_externs};
 use calyx_abi::context::{Context, MAX_DEPTH, RuntimeError};
 use calyx_abi::error::Place;
-use calyx_abi::{Extern, Purity, Slot, helpers, limits, stack};
-use calyx_lang::ir::{Function, FunctionId, LocalId, Mode, Program};
+use calyx_abi::helpers::CaptureKind;
+use calyx_abi::{Extern, Purity, Slot, helpers, limits, repr_code, stack};
+use calyx_lang::ir::{Expr, ExprKind, Function, FunctionId, LocalId, Mode, Program, Site, SiteId};
 use calyx_lang::span::Span;
+use std::collections::HashMap;
+use std::hash::BuildHasherDefault;
 use std::ops::Range;
 
 /// A program and the engine functions that it calls.
@@ -33,18 +39,50 @@ pub struct Interpreter<'p> {
     /// The highest purity of engine functions that are called; others are skipped.
     allow: Purity,
     frames: Vec<Frame>,
+    sites: Vec<Captured>,
     /// For each param, the number of slots of all params before it.
     param_offsets: Vec<usize>,
     /// Library failures after which the program continued; `None` if it stops at the first failure.
     failures: Option<error_recovery::Failures>,
     /// The NaN trace, if tracing is enabled.
     trace: Option<NanTrace>,
+    /// Results of earlier calls, if the interpreter reuses them.
+    reuse: Option<reuse::Reuse<'p>>,
 }
 
 /// The positions of a function's locals in its stack frame.
 struct Frame {
-    offsets: Vec<usize>,
+    /// Start and number of slots of each local.
+    locals: Vec<(usize, usize)>,
     slots: usize,
+}
+
+/// Slots of a local or of an element of it.
+#[derive(Clone, Copy)]
+struct LocalPart {
+    /// Position in the frame of the function.
+    offset: usize,
+    slots: usize,
+}
+
+/// The captures of a site, and its value.
+struct Captured {
+    /// [`CaptureKind`]s of the captured slots as bytes.
+    kinds: Vec<u8>,
+    /// `true` if no capture is symbolic.
+    is_plain: bool,
+    /// `true` if the slots of the value are the bits of numbers.
+    is_numbers: bool,
+}
+
+impl Captured {
+    fn of(site: &Site) -> Self {
+        let captures = site.captures.iter();
+        let kinds = captures.flat_map(|capture| CaptureKind::of_slots(&capture.repr, capture.observable));
+        let kinds: Vec<u8> = kinds.map(|kind| kind as u8).collect();
+        let is_plain = helpers::are_plain(&kinds);
+        Captured { kinds, is_plain, is_numbers: repr_code::is_numbers(&repr_code::encode(&site.repr)) }
+    }
 }
 
 impl<'p> Interpreter<'p> {
@@ -57,12 +95,24 @@ impl<'p> Interpreter<'p> {
     pub fn new(program: &'p Program, externs: &'p [Extern], allow: Purity) -> Result<Self, LinkError> {
         let externs = resolve_externs(program, externs)?;
         let frames = program.functions.iter().map(|function| {
-            let (offsets, slots) = running_sums(function.locals.iter().map(|local| local.repr.slots()));
-            Frame { offsets, slots }
+            let sizes: Vec<usize> = function.locals.iter().map(|local| local.repr.slots()).collect();
+            let (offsets, slots) = running_sums(sizes.iter().copied());
+            Frame { locals: offsets.into_iter().zip(sizes).collect(), slots }
         });
         let frames = frames.collect();
+        let sites = program.sites.iter().map(Captured::of).collect();
         let (param_offsets, _) = running_sums(program.params.iter().map(|param| param.repr.slots()));
-        Ok(Interpreter { program, externs, allow, frames, param_offsets, failures: None, trace: None })
+        Ok(Interpreter {
+            program,
+            externs,
+            allow,
+            frames,
+            sites,
+            param_offsets,
+            failures: None,
+            trace: None,
+            reuse: None,
+        })
     }
 
     /// Runs the top level of the model.
@@ -118,6 +168,7 @@ impl<'p> Interpreter<'p> {
                 ctx,
                 stack: arguments.to_vec(),
                 activation,
+                parts: HashMap::default(),
                 guards: 0,
                 calls: Vec::new(),
                 kept: None,
@@ -134,6 +185,12 @@ impl<'p> Interpreter<'p> {
         })?
     }
 
+    fn site(&self, id: SiteId) -> Result<(&'p Site, &Captured), RuntimeError> {
+        let index = id.0 as usize;
+        let site = self.program.sites.get(index).zip(self.sites.get(index));
+        site.ok_or_else(|| helpers::malformed("a symbolic site that is not there"))
+    }
+
     fn function(&self, id: FunctionId) -> Result<(&'p Function, &Frame), RuntimeError> {
         let index = id.0 as usize;
         let function = self.program.functions.get(index).zip(self.frames.get(index));
@@ -147,6 +204,9 @@ struct Machine<'m, 'p> {
     ctx: &'m mut Context,
     stack: Vec<Slot>,
     activation: Activation<'m, 'p>,
+    /// Parts of locals by the addresses of the expressions that read them; `None` for expressions
+    /// that are computed.
+    parts: HashMap<*const Expr, Option<LocalPart>, BuildHasherDefault<FingerprintHasher>>,
     /// The active calls, outermost first.
     calls: Vec<(FunctionId, Place)>,
     /// Number of active blocks, in this function and its callers, whose errors the program catches.
@@ -175,7 +235,7 @@ impl<'p> Machine<'_, 'p> {
         self.at(span);
         let place = self.ctx.place;
         self.calls.push((id, place));
-        let result = self.call(id, start);
+        let result = self.call_or_reuse(id, start);
         self.calls.pop();
         result.map_err(|mut error| {
             error.place.get_or_insert(self.ctx.place);
@@ -231,13 +291,42 @@ impl<'p> Machine<'_, 'p> {
         Ok(())
     }
 
+    /// Returns the stack range of an element of a local tuple; `None` for other expressions.
+    fn stored(&mut self, expr: &'p Expr) -> Result<Option<Range<usize>>, RuntimeError> {
+        let base = self.activation.base;
+        let part = match self.parts.get(&std::ptr::from_ref(expr)) {
+            Some(known) => *known,
+            None => {
+                let part = self.local_part(expr)?;
+                self.parts.insert(expr, part);
+                part
+            }
+        };
+        Ok(part.map(|LocalPart { offset, slots }| base + offset..base + offset + slots))
+    }
+
+    fn local_part(&self, expr: &Expr) -> Result<Option<LocalPart>, RuntimeError> {
+        Ok(match &expr.kind {
+            ExprKind::Local(local) => {
+                let range = self.local(*local)?;
+                Some(LocalPart { offset: range.start - self.activation.base, slots: range.len() })
+            }
+            ExprKind::TupleElement(tuple, index) => {
+                let Some(whole) = self.local_part(tuple)? else { return Ok(None) };
+                let before = tuple_offset(&tuple.repr, *index);
+                let before = before.ok_or_else(|| helpers::malformed("not a tuple"))?;
+                Some(LocalPart { offset: whole.offset + before, slots: expr.repr.slots() })
+            }
+            _ => None,
+        })
+    }
+
     /// Returns the stack range of a local.
     fn local(&self, local: LocalId) -> Result<Range<usize>, RuntimeError> {
-        let Activation { function, frame, base } = self.activation;
-        let index = local.0 as usize;
-        match (frame.offsets.get(index), function.locals.get(index)) {
-            (Some(offset), Some(local)) => Ok(base + offset..base + offset + local.repr.slots()),
-            _ => Err(helpers::malformed("a local that is not there")),
+        let Activation { frame, base, .. } = self.activation;
+        match frame.locals.get(local.0 as usize) {
+            Some((offset, slots)) => Ok(base + offset..base + offset + slots),
+            None => Err(helpers::malformed("a local that is not there")),
         }
     }
 }

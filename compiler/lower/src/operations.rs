@@ -1,9 +1,9 @@
-//! Operations on vectors and transforms, expanded into scalar operations. The interpreter and the
-//! code generator share these definitions.
+//! Operations on vectors and transforms, expanded into scalar operations, and comparisons with texts.
+//! The interpreter and the code generator share these definitions.
 //!
 //! The order of additions is part of the definition, so that both produce the same bits.
 
-use calyx_lang::ir::Op;
+use calyx_lang::ir::{Expr, ExprKind, Op};
 
 /// A backend for scalar operations: on numbers, or on values of machine code.
 pub trait Scalars {
@@ -16,6 +16,18 @@ pub trait Scalars {
     fn apply(&mut self, op: Op, operands: &[Self::Value]) -> Option<Self::Value>;
     /// Returns the conjunction of two truth values.
     fn both(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
+}
+
+/// Returns the string and the literal of a comparison with a literal, such as the choice of an
+/// enumeration. The literal then needs no string of its own.
+pub fn compared_text(op: Op, operands: &[Expr]) -> Option<(&Expr, &str)> {
+    match (op, operands) {
+        (Op::Equal | Op::NotEqual, [string, Expr { kind: ExprKind::String(text), .. }])
+        | (Op::Equal | Op::NotEqual, [Expr { kind: ExprKind::String(text), .. }, string]) => {
+            Some((string, text))
+        }
+        _ => None,
+    }
 }
 
 /// Returns `true` if an operation maps scalars to a scalar. `Equal` and `NotEqual` do so for scalar

@@ -27,6 +27,7 @@
 
 pub mod batch;
 mod derivative;
+mod evaluation;
 mod frame;
 mod graph;
 mod implicit;

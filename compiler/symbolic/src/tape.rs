@@ -1,8 +1,8 @@
 //! A kernel as a list of scalar instructions without branches, scheduled for locality. Tapes are
 //! interpreted or compiled.
 
-use calyx_abi::newton::{MOST_UNKNOWNS, MOST_VALUES, Search, last_iterate, newton};
-use calyx_abi::piecewise::{is_table, piecewise, registered};
+use calyx_abi::newton::{MOST_UNKNOWNS, MOST_VALUES, Search, last_iterate};
+use calyx_abi::piecewise::{is_table, registered};
 use calyx_abi::{Kernel, math};
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -212,17 +212,6 @@ impl System {
             && self.residual.is_well_formed()
     }
 
-    /// Solves the equations. `inputs` contains the guess, which the solution replaces, and the
-    /// arguments.
-    fn solve(&self, inputs: &mut [f64]) {
-        let mut scratch = Vec::new();
-        newton(self.search, self.unknowns, inputs, |inputs, values: &mut [f64; MOST_VALUES]| {
-            self.residual.eval(inputs, &mut scratch, values);
-        });
-    }
-}
-
-impl System {
     /// Repeats an iteration that failed. Replaces the guess in `inputs` by the last iterate, and
     /// returns the residuals there.
     pub fn last_iterate(&self, inputs: &mut [f64]) -> Vec<f64> {
@@ -244,13 +233,6 @@ pub struct Solve {
 }
 
 impl Solve {
-    /// Returns the unknowns, given the values of the tape's instructions.
-    fn evaluate(&self, values: &[f64]) -> [f64; MOST_UNKNOWNS] {
-        let mut inputs: Vec<f64> = self.operands.iter().map(|&operand| values[operand as usize]).collect();
-        self.system.solve(&mut inputs);
-        std::array::from_fn(|unknown| inputs.get(unknown).copied().unwrap_or(f64::NAN))
-    }
-
     /// Returns the same system with other operands.
     pub fn with_operands(&self, place: impl Fn(ValueId) -> ValueId) -> Self {
         Solve {
@@ -304,34 +286,6 @@ impl Tape {
     /// Returns the number of operations, without constants and inputs.
     pub fn operations(&self) -> usize {
         self.instructions.iter().filter(|instruction| !instruction.is_leaf()).count()
-    }
-
-    /// Interprets the tape. `scratch` is a buffer that saves an allocation per call; its contents
-    /// do not matter.
-    ///
-    /// `inputs` holds [`Tape::inputs`] numbers; `outputs` receives one number per element of
-    /// [`Tape::outputs`].
-    pub fn eval(&self, inputs: &[f64], scratch: &mut Vec<f64>, outputs: &mut [f64]) {
-        scratch.clear();
-        scratch.reserve(self.instructions.len());
-        let mut solved = vec![None; self.solves.len()];
-        for instruction in &self.instructions {
-            let value = match *instruction {
-                Instruction::Solution(solve, unknown) => {
-                    let values = &*scratch;
-                    let (found, solve) = (&mut solved[solve as usize], &self.solves[solve as usize]);
-                    found.get_or_insert_with(|| solve.evaluate(values))[unknown as usize]
-                }
-                Instruction::Piecewise(table, x) => {
-                    piecewise(&self.tables[table as usize], scratch[x as usize])
-                }
-                _ => instruction.evaluate(inputs, |id| scratch[id as usize]),
-            };
-            scratch.push(value);
-        }
-        for (output, &id) in outputs.iter_mut().zip(&self.outputs) {
-            *output = scratch[id as usize];
-        }
     }
 }
 

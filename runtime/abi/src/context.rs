@@ -68,6 +68,8 @@ pub struct Context {
     pub units: Arc<[UnitDescription]>,
     /// The string under construction.
     pub text: String,
+    /// Buffer for the inputs and outputs of kernels.
+    pub numbers: Vec<f64>,
     /// True if printed lines are kept in memory, where they count towards the limit.
     pub keeps_output: bool,
     /// Size of the kept lines, bytes.
@@ -117,6 +119,7 @@ impl Context {
             tables: None,
             units: Arc::default(),
             text: String::new(),
+            numbers: Vec::new(),
             keeps_output: false,
             kept_output: 0,
             kept_tables: 0,

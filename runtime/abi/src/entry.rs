@@ -242,6 +242,13 @@ entry_points! {
         Ok(())
     }
 
+    /// Compares a string with a text; stores 1 or 0 in `result`.
+    fn calyx_has_text(ctx, string, address, count, result) {
+        let equal = helpers::has_text(ctx, string, text(address, count)?)?;
+        slots_mut(result, 1)[0] = u64::from(equal);
+        Ok(())
+    }
+
     /// Executes a `:=` with `count` captured slots and as many bytes with their kinds; stores its
     /// id in `result`.
     fn calyx_make_symbolic(ctx, site, repr_address, repr_count, kinds, address, count, result) {
@@ -256,6 +263,22 @@ entry_points! {
     fn calyx_eval_symbolic(ctx, value, time, repr_address, repr_count, result, count) {
         let repr = repr(repr_address, repr_count)?;
         helpers::eval_symbolic(ctx, value, f64::from_bits(time), &repr, slots_mut(result, count))
+    }
+
+    /// Executes a `:=` with `count` captured slots and as many bytes with their kinds, and evaluates
+    /// it at a time; stores its `result_count` slots in `result`. `from` is the representation of the
+    /// site, `to` that of the result.
+    fn calyx_evaluate_site(
+        ctx, site, from, from_count, kinds, address, count, time, to, to_count, result, result_count
+    ) {
+        let (from_code, to_code) = (bytes(from, from_count), bytes(to, to_count));
+        let captured = (bytes(kinds, count), slots(address, count));
+        let (time, result) = (f64::from_bits(time), slots_mut(result, result_count));
+        if from_code == to_code && repr_code::is_numbers(from_code) && helpers::are_plain(captured.0) {
+            return helpers::evaluate_site(ctx, site as usize, captured, time, None, result);
+        }
+        let reprs = (repr(from, from_count)?, repr(to, to_count)?);
+        helpers::evaluate_site(ctx, site as usize, captured, time, Some((&reprs.0, &reprs.1)), result)
     }
 
     /// Calls a host function with `count` slots of arguments if the embedding program provides it;

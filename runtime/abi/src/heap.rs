@@ -211,6 +211,11 @@ impl Heap {
         self.bytes += (slots * size_of::<Slot>()) as u64;
     }
 
+    /// Accounts for bytes that the program took earlier and does not take again.
+    pub fn charge(&mut self, bytes: u64) {
+        self.bytes += bytes;
+    }
+
     pub fn get(&self, id: HeapId) -> Option<&Object> {
         self.objects.get(usize::try_from(id & !SYMBOLIC).ok()?)
     }

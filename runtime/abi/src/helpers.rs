@@ -197,6 +197,15 @@ pub fn equal(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Result<bool,
     equal_values(ctx, repr, a, b).ok_or_else(|| malformed("not values that can be compared"))
 }
 
+/// Returns whether a string has this text.
+///
+/// # Errors
+/// Internal if it is not a string.
+pub fn has_text(ctx: &Context, id: HeapId, text: &str) -> Result<bool, RuntimeError> {
+    let own = ctx.heap.str(id).ok_or_else(|| malformed("not values that can be compared"))?;
+    Ok(own == text)
+}
+
 fn equal_values(ctx: &Context, repr: &Repr, a: &[Slot], b: &[Slot]) -> Option<bool> {
     let numbers = |count| Some((0..count).all(|i| f64::from_bits(a[i]) == f64::from_bits(b[i])));
     if a.len() < repr.slots() || b.len() < repr.slots() {
@@ -248,6 +257,11 @@ pub enum CaptureKind {
 }
 
 impl CaptureKind {
+    /// Returns `true` for the byte of a kind whose slots may be those of symbolic values.
+    fn is_symbolic(kind: u8) -> bool {
+        kind == CaptureKind::Observable as u8 || kind == CaptureKind::Part as u8
+    }
+
     /// Returns the kinds of the slots of one capture.
     pub fn of_slots(repr: &Repr, observable: bool) -> impl Iterator<Item = CaptureKind> {
         let mut kinds = Vec::with_capacity(repr.slots());
@@ -268,6 +282,11 @@ impl CaptureKind {
         }
         kinds.into_iter()
     }
+}
+
+/// Returns `true` if no capture is symbolic. `kinds` contains [`CaptureKind`]s as bytes.
+pub fn are_plain(kinds: &[u8]) -> bool {
+    !kinds.iter().any(|kind| CaptureKind::is_symbolic(*kind))
 }
 
 /// Maximum nesting depth of captured expressions.
@@ -340,24 +359,87 @@ pub fn eval_symbolic(
     let failures = newton::failures();
     let outputs = value.evaluate(time, &ctx.params, &|_| f64::NAN);
     let outputs = outputs.ok_or_else(|| malformed("a kernel of another size"))?;
-    // The arm of a conditional expression that is not selected may have no solution.
-    let failed = newton::failures();
-    if failed != failures && outputs.iter().any(|output| output.is_nan()) {
-        return Err(match failed.minima == failures.minima {
-            true => RuntimeError::new(
-                codes::NO_SOLUTION,
-                "an equation has no solution near the guess of `solve`",
-                "choose a guess closer to the solution, and check that the equation has one for these values",
-            ),
-            false => RuntimeError::new(
-                codes::NO_SOLUTION,
-                "a function has no minimum near the guess of `minimize`",
-                "choose a guess where the function is convex, and check that it has a minimum for these values",
-            ),
-        });
+    check_solutions(failures, &outputs)?;
+    pack_all(ctx, (&value.repr, repr), &outputs, result)
+}
+
+/// Executes a `:=` and evaluates it at a time with the present params, without its derivatives: as
+/// [`make_symbolic`] and [`eval_symbolic`], but without a symbolic value, unless captures are
+/// symbolic. `kinds` contains [`CaptureKind`]s as bytes. `reprs` are the representations of the site
+/// and of the result; `None` if they are equal and consist of numbers.
+///
+/// # Errors
+/// As for [`make_symbolic`] and [`eval_symbolic`].
+pub fn evaluate_site(
+    ctx: &mut Context,
+    site: usize,
+    (kinds, captured): (&[u8], &[Slot]),
+    time: f64,
+    reprs: Option<(&Repr, &Repr)>,
+    result: &mut [Slot],
+) -> Result<(), RuntimeError> {
+    if let Some((from, to)) = reprs.filter(|_| !are_plain(kinds)) {
+        let id = make_symbolic(ctx, site, from.clone(), kinds, captured)?;
+        return eval_symbolic(ctx, id, time, to, result);
     }
+    let kernel = ctx.kernels.get(site).cloned().ok_or_else(|| malformed("a symbolic site without kernel"))?;
+    let mut numbers = std::mem::take(&mut ctx.numbers);
+    numbers.clear();
+    numbers.push(time);
+    numbers.extend_from_slice(&ctx.params);
+    numbers.extend(captured.iter().zip(kinds).map(|(&slot, &kind)| {
+        if kind == CaptureKind::Number as u8 { f64::from_bits(slot) } else { slot as f64 }
+    }));
+    let inputs = numbers.len();
+    numbers.resize(inputs + kernel.outputs(), f64::NAN);
+    let (inputs, outputs) = numbers.split_at_mut(inputs);
+    if inputs.len() != kernel.inputs() || outputs.len() < result.len() {
+        return Err(malformed("a kernel of another size"));
+    }
+    let failures = newton::failures();
+    kernel.eval(inputs, outputs);
+    check_solutions(failures, outputs)?;
+    match reprs {
+        None => result.iter_mut().zip(&*outputs).for_each(|(slot, output)| *slot = output.to_bits()),
+        Some(reprs) => pack_all(ctx, reprs, outputs, result)?,
+    }
+    ctx.numbers = numbers;
+    Ok(())
+}
+
+/// Checks the outputs of a kernel. `before` are the failures of iterations before its evaluation.
+///
+/// # Errors
+/// E0863 if the iteration of an implicit function did not converge.
+fn check_solutions(before: newton::Failures, outputs: &[f64]) -> Result<(), RuntimeError> {
+    let failed = newton::failures();
+    // The arm of a conditional expression that is not selected may have no solution.
+    if failed == before || !outputs.iter().any(|output| output.is_nan()) {
+        return Ok(());
+    }
+    Err(match failed.minima == before.minima {
+        true => RuntimeError::new(
+            codes::NO_SOLUTION,
+            "an equation has no solution near the guess of `solve`",
+            "choose a guess closer to the solution, and check that the equation has one for these values",
+        ),
+        false => RuntimeError::new(
+            codes::NO_SOLUTION,
+            "a function has no minimum near the guess of `minimize`",
+            "choose a guess where the function is convex, and check that it has a minimum for these values",
+        ),
+    })
+}
+
+/// Stores a kernel's numbers in the slots of a result, see [`pack`].
+fn pack_all(
+    ctx: &mut Context,
+    (from, to): (&Repr, &Repr),
+    outputs: &[f64],
+    result: &mut [Slot],
+) -> Result<(), RuntimeError> {
     let mut slots = Vec::with_capacity(result.len());
-    pack(ctx, &value.repr, repr, &mut outputs.into_iter(), &mut slots)?;
+    pack(ctx, from, to, &mut outputs.iter().copied(), &mut slots)?;
     if slots.len() != result.len() {
         return Err(malformed("a kernel of another size"));
     }

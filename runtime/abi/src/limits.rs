@@ -118,6 +118,13 @@ pub fn enter_block(ctx: &mut Context) -> bool {
     granted
 }
 
+/// Counts basic blocks that an equal call entered before. The program must have so many left.
+pub fn spend(ctx: &mut Context, blocks: u64) {
+    let granted = ctx.granted.min(blocks);
+    ctx.granted -= granted;
+    ctx.fuel = ctx.fuel.saturating_sub(blocks - granted);
+}
+
 /// Returns the error of a call beyond [`MAX_DEPTH`].
 pub fn too_deep() -> RuntimeError {
     RuntimeError::new(

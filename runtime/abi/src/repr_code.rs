@@ -38,6 +38,11 @@ fn append(repr: &Repr, code: &mut Vec<u8>) {
     }
 }
 
+/// Returns `true` for the code of a representation whose slots are the bits of numbers.
+pub fn is_numbers(code: &[u8]) -> bool {
+    code.iter().all(|letter| matches!(letter, b'n' | b'v' | b't' | b'(' | b')'))
+}
+
 /// Decodes a representation; `None` if the code is invalid.
 pub fn decode(code: &[u8]) -> Option<Repr> {
     let (repr, rest) = take(code)?;

@@ -6,7 +6,10 @@
 //!
 //! See `docs/theory/gear-geometry.md`.
 
+mod bounded_step;
 mod checks;
+#[cfg(test)]
+mod contact_tests;
 mod flank_contact;
 pub mod tooth_chart;
 pub mod topography;

@@ -19,5 +19,5 @@ pub(crate) mod spline;
 pub mod surface;
 pub mod table;
 #[cfg(test)]
-mod test_teeth;
+pub(crate) mod test_teeth;
 pub mod tooth;

@@ -80,10 +80,15 @@ impl<'p> Machine<'_, 'p> {
         program.externs.get(id.0 as usize).map_or(&[], |decl| decl.parameters.as_slice())
     }
 
+    /// Returns `true` if the program continued after a failure.
+    pub(super) fn has_failures(&self) -> bool {
+        let failures = self.interpreter.failures.as_ref();
+        failures.is_some_and(|failures| !failures.lock().is_ok_and(|failures| failures.is_empty()))
+    }
+
     /// Returns `true` if an argument on the stack from `start` on results from a failed call.
     pub(super) fn is_poisoned(&self, id: ExternId, start: usize) -> bool {
-        let Some(failures) = &self.interpreter.failures else { return false };
-        if failures.lock().is_ok_and(|failures| failures.is_empty()) {
+        if !self.has_failures() {
             return false;
         }
         let mut at = start;

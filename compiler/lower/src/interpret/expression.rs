@@ -1,11 +1,11 @@
 //! Evaluation of expressions: each leaves its slots on top of the stack.
 
-use super::Machine;
 use super::scalar::SlotScalars;
+use super::{Captured, Machine};
 use crate::layout::{blame_table, stride, tuple_offset};
-use crate::operations::{Scalars, expand, is_scalar};
+use crate::operations::{Scalars, compared_text, expand, is_scalar};
 use calyx_abi::context::RuntimeError;
-use calyx_abi::helpers::{self, CaptureKind, malformed};
+use calyx_abi::helpers::{self, malformed};
 use calyx_abi::{Purity, Repr, blame, failure};
 use calyx_lang::ir::{Expr, ExprKind, ExternId, FormatPart, Op, SiteId};
 use calyx_lang::span::Span;
@@ -109,6 +109,10 @@ impl<'p> Machine<'_, 'p> {
 
     fn tuple_element(&mut self, expr: &'p Expr, tuple: &'p Expr, index: usize) -> Result<(), RuntimeError> {
         let start = self.stack.len();
+        if let Some(range) = self.stored(expr)? {
+            self.stack.extend_from_within(range);
+            return Ok(());
+        }
         self.eval(tuple)?;
         let before = tuple_offset(&tuple.repr, index).ok_or_else(|| malformed("not a tuple"))?;
         self.stack.copy_within(start + before..start + before + expr.repr.slots(), start);
@@ -117,12 +121,40 @@ impl<'p> Machine<'_, 'p> {
     }
 
     fn eval_symbolic(&mut self, expr: &'p Expr, value: &'p Expr, time: &'p Expr) -> Result<(), RuntimeError> {
+        if let (ExprKind::MakeSymbolic { site, captures }, None) = (&value.kind, &self.interpreter.trace) {
+            return self.evaluate_site(expr, *site, captures, time);
+        }
         let value = self.slot(value)?;
         let time = self.number(time)?;
         let start = self.reserve(expr.repr.slots());
         self.at(expr.span);
         helpers::eval_symbolic(self.ctx, value, time, &expr.repr, &mut self.stack[start..])?;
         self.trace_symbolic(value, time, start);
+        Ok(())
+    }
+
+    /// Evaluates a site without a symbolic value. Tracing needs the symbolic value.
+    fn evaluate_site(
+        &mut self,
+        expr: &'p Expr,
+        id: SiteId,
+        captures: &'p [Expr],
+        time: &'p Expr,
+    ) -> Result<(), RuntimeError> {
+        let (site, captured) = self.interpreter.site(id)?;
+        let start = self.eval_all(captures)?;
+        let time = self.number(time)?;
+        let end = self.reserve(expr.repr.slots());
+        self.at(expr.span);
+        let plain = captured.is_plain && captured.is_numbers && site.repr == expr.repr;
+        let reprs = if plain { None } else { Some((&site.repr, &expr.repr)) };
+        let (slots, result) = self.stack.split_at_mut(end);
+        let captures = (&captured.kinds[..], &slots[start..]);
+        if captures.0.len() != captures.1.len() {
+            return Err(malformed("a symbolic value with other captures"));
+        }
+        helpers::evaluate_site(self.ctx, id.0 as usize, captures, time, reprs, result)?;
+        self.stack.drain(start..end);
         Ok(())
     }
 
@@ -143,9 +175,22 @@ impl<'p> Machine<'_, 'p> {
     }
 
     fn operation(&mut self, expr: &Expr, op: Op, operands: &'p [Expr]) -> Result<(), RuntimeError> {
+        if let Some((string, text)) = compared_text(op, operands) {
+            let string = self.slot(string)?;
+            self.at(expr.span);
+            let equal = helpers::has_text(self.ctx, string, text)?;
+            self.stack.push(u64::from(equal == (op == Op::Equal)));
+            return Ok(());
+        }
         let start = self.eval_all(operands)?;
         let operands_repr = operands.first().map_or(&Repr::Unit, |operand| &operand.repr);
         let equality = matches!(op, Op::Equal | Op::NotEqual);
+        if is_scalar(op) && !equality && self.interpreter.trace.is_none() {
+            let result = SlotScalars.apply(op, &self.stack[start..]);
+            self.stack.truncate(start);
+            self.stack.push(result.ok_or_else(|| malformed("an operation without operands"))?);
+            return Ok(());
+        }
         let result = if equality && !matches!(operands_repr, Repr::Number | Repr::Vector) {
             self.at(expr.span);
             let (a, b) = self.stack[start..].split_at(operands_repr.slots());
@@ -230,15 +275,11 @@ impl<'p> Machine<'_, 'p> {
     }
 
     fn make_symbolic(&mut self, id: SiteId, start: usize, span: Span) -> Result<(), RuntimeError> {
-        let sites = &self.interpreter.program.sites;
-        let site = sites.get(id.0 as usize).ok_or_else(|| malformed("a symbolic site that is not there"))?;
-        let captures = site.captures.iter();
-        let kinds = captures.flat_map(|capture| CaptureKind::of_slots(&capture.repr, capture.observable));
-        let kinds: Vec<u8> = kinds.map(|kind| kind as u8).collect();
+        let (site, Captured { kinds, .. }) = self.interpreter.site(id)?;
         self.at(span);
         self.trace(|trace| trace.capture(id, &self.stack[start..]));
         let id =
-            helpers::make_symbolic(self.ctx, id.0 as usize, site.repr.clone(), &kinds, &self.stack[start..])?;
+            helpers::make_symbolic(self.ctx, id.0 as usize, site.repr.clone(), kinds, &self.stack[start..])?;
         self.stack.truncate(start);
         self.stack.push(id);
         Ok(())

@@ -1,27 +1,21 @@
 //! Content of a site: all that its kernel depends on, so that equal sites of different programs,
 //! for instance of a model before and after an edit, share a kernel.
 
+use crate::fingerprint::{Fingerprint, FingerprintHasher};
 use calyx_lang::ir::{Program, Site, SymExpr, SymKind, SymbolicFunctionId};
 use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::hash::Hash;
 
-/// Fingerprint of 128 bits of a site and of the functions that it calls. Sites with equal
-/// fingerprints have equal kernels; names and positions in the text do not count.
+/// Fingerprint of a site and of the functions that it calls. Sites with equal fingerprints have
+/// equal kernels; names and positions in the text do not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct SiteContent([u64; 2]);
+pub struct SiteContent(Fingerprint);
 
 impl SiteContent {
     /// Computes the fingerprint of a site.
     pub fn of(program: &Program, site: &Site) -> Self {
-        let mut content = Content {
-            hashers: Hashers([0_u8, 1].map(|number| {
-                let mut hasher = DefaultHasher::new();
-                number.hash(&mut hasher);
-                hasher
-            })),
-            functions: HashMap::new(),
-            left: Vec::new(),
-        };
+        let mut content =
+            Content { hashers: FingerprintHasher::default(), functions: HashMap::new(), left: Vec::new() };
         let hashers = &mut content.hashers;
         (program.params.len(), &program.graph_params, &site.repr).hash(hashers);
         (site.order, site.part, site.captures.len()).hash(hashers);
@@ -39,25 +33,12 @@ impl SiteContent {
             }
             content.body(&function.shared, &function.body);
         }
-        SiteContent(content.hashers.0.map(|hasher| hasher.finish()))
-    }
-}
-
-/// Two hashers of the same data.
-struct Hashers([DefaultHasher; 2]);
-
-impl Hasher for Hashers {
-    fn write(&mut self, bytes: &[u8]) {
-        self.0.iter_mut().for_each(|hasher| hasher.write(bytes));
-    }
-
-    fn finish(&self) -> u64 {
-        self.0[0].finish()
+        SiteContent(content.hashers.fingerprint())
     }
 }
 
 struct Content {
-    hashers: Hashers,
+    hashers: FingerprintHasher,
     /// Called functions, numbered in the order of their first calls.
     functions: HashMap<u32, usize>,
     left: Vec<SymbolicFunctionId>,
