@@ -86,6 +86,7 @@ impl GearPrototype {
             radius: x.hypot(y),
             fixed_radius: self.rim.ring_radius(),
             half_arc: math::atan2(y, x),
+            lean,
             sectors: form.teeth,
         };
         let root = ring.root();
@@ -105,7 +106,7 @@ impl GearPrototype {
         });
         let depths =
             depths(&fillet, foot, &flank, sense, root).into_iter().map(|[at, half]| [at, lean * half]);
-        Ok(ToothShape { sense, depths: depths.collect(), lean, ring, section })
+        Ok(ToothShape { sense, depths: depths.collect(), ring, section })
     }
 }
 

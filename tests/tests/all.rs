@@ -16,6 +16,7 @@ mod former_names;
 mod gear_data;
 mod language;
 mod library;
+mod mesh_work;
 mod microgeometry;
 mod models;
 mod pair_form;

@@ -13,7 +13,7 @@ static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
 const POSITIONS: usize = 4;
 /// Largest deviations, in the order of [`deviations`]. Pinions on a free bore are the most
 /// compliant ones, and closed forms assume a rigid bore.
-const BOUNDS: [f64; 7] = [0.5, 4.0, 0.1, 0.15, 0.3, 0.35, 0.45];
+const BOUNDS: [f64; 7] = [0.45, 4.0, 0.1, 0.15, 0.3, 0.35, 0.45];
 
 /// Columns of the table of an example at a fidelity level, in SI units.
 fn columns(example: &str, fidelity: &str) -> BTreeMap<String, Vec<f64>> {

@@ -16,9 +16,9 @@
 //! the tooth this section is shorter than the transverse one by the cosine `c` of the helix angle.
 //! The force normal to the tooth is `1 / c` times the transverse force on a slice of the face, and
 //! acts on `1 / c` times its length. A uniform load therefore bends teeth `1 / c⁴` times as much as
-//! their transverse section, and stresses their fillets `1 / c²` times as much. The teeth stand on
-//! the ring of the transverse section, which the axial component of the force shears. Displacements
-//! are along the force of each load, so the compliance is symmetric as it is for `c = 1`.
+//! their transverse section, and stresses their fillets `1 / c²` times as much. The ring below them
+//! deforms in the same normal section ([`foundation_ring`]). Displacements are along the force of
+//! each load, so the compliance is symmetric as it is for `c = 1`.
 //!
 //! See `docs/theory/analytic-compliance.md`.
 
@@ -55,8 +55,6 @@ pub struct ToothShape {
     /// Distances along the tooth from the lower end of its fillets on the ring, and half of the
     /// tooth thickness there, normal to the centre line; ascending, the first distance 0.
     pub depths: Vec<[f64; 2]>,
-    /// Cosine of the helix angle: 1 for spur teeth.
-    pub lean: f64,
     /// Ring that supports the tooth.
     pub ring: RingShape,
     /// Critical section of the root stress; `None` if stresses are not requested.
@@ -76,9 +74,8 @@ pub struct AnalyticStructure {
 struct Tooth {
     sense: f64,
     root: f64,
+    /// Cosine of the helix angle.
     lean: f64,
-    /// Tangent of the helix angle.
-    rise: f64,
     cantilever: Cantilever,
     section: Option<CriticalSection>,
     modulus: f64,
@@ -138,8 +135,7 @@ impl Tooth {
         Tooth {
             sense: shape.sense,
             root: shape.ring.root(),
-            lean: shape.lean,
-            rise: (1.0 - shape.lean * shape.lean).max(0.0).sqrt() / shape.lean,
+            lean: shape.ring.lean,
             cantilever: Cantilever::new(&shape.depths, material, plane),
             section: shape.section,
             modulus: material.surface_modulus(plane),
@@ -161,18 +157,14 @@ impl Tooth {
     /// in the slice.
     fn local_at(&self, s: f64, on: ([f64; 2], [f64; 2]), entering: ([f64; 2], [f64; 2])) -> Local {
         let ([x, y], [out, across]) = on;
-        let load = RootLoad {
-            axial: -self.sense * out,
-            shear: -across,
-            moment: self.sense * (-(x - self.root) * across + y * out),
-            along: across * self.rise,
-        };
         let (deep, against) = (self.lean * y, across / self.lean);
         let bending = RootLoad {
+            axial: -self.sense * out,
             shear: -against,
             moment: self.sense * (-(x - self.root) * against + deep * out),
-            ..load
         };
+        // The same moment by tractions on the longer arc of the transverse section.
+        let load = RootLoad { moment: bending.moment / self.lean, ..bending };
         let ([x, y], [out, across]) = entering;
         let (deep, tangent) = (self.lean * y.abs(), self.lean * out / across.abs());
         let along = self.sense * (x - self.root - deep * tangent);

@@ -241,6 +241,7 @@ impl<'a> Section<'a> {
             radius: self.ring_radius,
             fixed_radius: self.ring_radius - thickness,
             half_arc: self.half_arc,
+            lean: self.lean,
             sectors: self.tooth.teeth,
         };
         ToothSection {

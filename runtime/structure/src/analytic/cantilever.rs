@@ -56,8 +56,6 @@ pub struct RootLoad {
     pub shear: f64,
     /// Moment about the root, positive with a positive shear farther out, N.
     pub moment: f64,
-    /// Force along the face, N/m: zero except for helical teeth.
-    pub along: f64,
 }
 
 impl Flexibility {

@@ -3,7 +3,8 @@
 //!
 //! Developed sections of conical gears are sectors of rings. A sector of the part `c` of the full
 //! circle is the whole circumference of the gear, so that the harmonics are those of the wave
-//! numbers `n / c`, and everything else is as in [`super::FoundationRing`].
+//! numbers `n / c`, and everything else is as in [`super::FoundationRing`]: also for teeth that are
+//! inclined by the spiral angle, which may vary along the face.
 //!
 //! In one section a harmonic has the compliance `t A t'` with the traction coefficients `t` of a
 //! load and the symmetric positive definite matrix `A`. Between two sections `t S S' t'` with the
@@ -12,18 +13,13 @@
 //! depend on the size of a section.
 
 use super::cantilever::RootLoad;
-use super::foundation_ring::{PHASE, RingHarmonics, along_the_face, tractions};
+use super::foundation_ring::{PHASE, RingHarmonics, tractions};
 use super::{RingShape, sections::At};
 use calyx_fe::material::{Material, Plane};
 use std::f64::consts::{PI, TAU};
 
-/// Displacements (axial, transverse, rotation) of a root by loads on another root, and those along
-/// the face.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Entry {
-    between: [[f64; 3]; 3],
-    along: f64,
-}
+/// Displacements (axial, transverse, rotation) of a root by loads on another root.
+type Entry = [[f64; 3]; 3];
 
 /// Flexibility of the rings of several sections.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,17 +40,12 @@ pub(super) struct Relation {
     pub is_same: bool,
 }
 
-/// Displacements of the roots of another tooth by one load, by section: axial, transverse,
-/// rotation, and along the face.
-pub(super) type Moved = Vec<[f64; 4]>;
+/// Displacements of the roots of another tooth by one load, by section: axial, transverse, and
+/// rotation.
+pub(super) type Moved = Vec<[f64; 3]>;
 
-/// Harmonic of one section.
-struct Answer {
-    /// Square root of the compliance times the tractions of the three loads.
-    moved: [[f64; 3]; 2],
-    /// Square root of the compliance along the face.
-    along: f64,
-}
+/// Harmonic of one section: square root of its compliance times the tractions of the three loads.
+type Answer = [[f64; 3]; 2];
 
 impl RingFamily {
     /// Builds the rings of sections at equal distances. `part` is the part of the full circle that
@@ -64,7 +55,6 @@ impl RingFamily {
         let sections = shapes.len();
         let sectors = shapes.first().map_or(1, |shape| shape.sectors.max(1));
         let coupled = coupled.min(sectors / 2) as usize;
-        let shear_modulus = 0.5 * material.youngs_modulus / (1.0 + material.poissons_ratio);
         let ratio = |shape: &RingShape| shape.fixed_radius / shape.radius;
         let harmonics: Vec<RingHarmonics> =
             shapes.iter().map(|shape| RingHarmonics::new(ratio(shape), material, Plane::Strain)).collect();
@@ -77,8 +67,7 @@ impl RingFamily {
                 .iter()
                 .zip(shapes)
                 .map(|(harmonics, shape)| {
-                    let along = along_the_face(around, shape.half_arc, ratio(shape), part) / shear_modulus;
-                    answer(harmonics.answer(around), &tractions(around, shape.half_arc, part), along)
+                    answer(harmonics.answer(around / shape.lean), &tractions(around, shape.half_arc, part))
                 })
                 .collect();
             let norm = part * if n == 0 { TAU } else { PI };
@@ -88,16 +77,16 @@ impl RingFamily {
                     // Sections of one tooth are in the relation of transposed matrices.
                     let count = if apart == 0 { ahead + 1 } else { sections };
                     for (behind, first) in answers[..count].iter().enumerate() {
-                        entries[ahead * sections + behind].add(second, first, norm, [sine, cosine]);
+                        add(&mut entries[ahead * sections + behind], second, first, norm, [sine, cosine]);
                     }
                 }
             }
         }
         for ahead in 0..sections {
             for behind in ahead + 1..sections {
-                let Entry { between, along } = entries[0][behind * sections + ahead];
-                let transposed = [0, 1, 2].map(|i: usize| [0, 1, 2].map(|j: usize| between[j][i]));
-                entries[0][ahead * sections + behind] = Entry { between: transposed, along };
+                let of = entries[0][behind * sections + ahead];
+                let transposed = [0, 1, 2].map(|i: usize| [0, 1, 2].map(|j: usize| of[j][i]));
+                entries[0][ahead * sections + behind] = transposed;
             }
         }
         RingFamily { entries, sections, sectors }
@@ -120,13 +109,11 @@ impl RingFamily {
         let first = [load.axial, load.shear, load.moment];
         let entries = &self.entries[relation.apart];
         let of = |ahead: usize| {
-            let mut sum = [0.0; 4];
+            let mut sum = [0.0; 3];
             for (behind, weight) in at.weights() {
-                let Entry { between, along } = &entries[ahead * self.sections + behind];
-                for (sum, row) in sum.iter_mut().zip(between) {
+                for (sum, row) in sum.iter_mut().zip(&entries[ahead * self.sections + behind]) {
                     *sum += weight * (row[0] * first[0] + row[1] * first[1] + row[2] * first[2]);
                 }
-                sum[3] += weight * along * load.along;
             }
             sum
         };
@@ -136,10 +123,10 @@ impl RingFamily {
     /// Returns the displacement along a load at a position along the face by the one that has moved
     /// the roots.
     pub fn compliance(moved: &Moved, load: &RootLoad, at: At) -> f64 {
-        let parts = [load.axial, load.shear, load.moment, load.along];
+        let parts = [load.axial, load.shear, load.moment];
         let of = |(section, weight): (usize, f64)| {
             let moved = moved.get(section).copied().unwrap_or_default();
-            weight * (0..4).map(|k| parts[k] * moved[k]).sum::<f64>()
+            weight * (0..3).map(|k| parts[k] * moved[k]).sum::<f64>()
         };
         at.weights().into_iter().map(of).sum()
     }
@@ -150,33 +137,29 @@ impl RingFamily {
     }
 }
 
-impl Entry {
-    fn add(&mut self, second: &Answer, first: &Answer, norm: f64, [sine, cosine]: [f64; 2]) {
-        for (i, row) in self.between.iter_mut().enumerate() {
-            for (j, entry) in row.iter_mut().enumerate() {
-                // An axial force is even about its tooth, the others are odd.
-                let phase = match (i == 0, j == 0) {
-                    (true, false) => sine,
-                    (false, true) => -sine,
-                    _ => cosine,
-                };
-                let work = second.moved[0][i] * first.moved[0][j] + second.moved[1][i] * first.moved[1][j];
-                *entry += phase * norm * work;
-            }
+/// Adds a harmonic to the displacements of a tooth `second` by a tooth `first` behind it.
+fn add(sum: &mut Entry, second: &Answer, first: &Answer, norm: f64, [sine, cosine]: [f64; 2]) {
+    for (i, row) in sum.iter_mut().enumerate() {
+        for (j, entry) in row.iter_mut().enumerate() {
+            // An axial force is even about its tooth, the others are odd.
+            let phase = match (i == 0, j == 0) {
+                (true, false) => sine,
+                (false, true) => -sine,
+                _ => cosine,
+            };
+            let work = second[0][i] * first[0][j] + second[1][i] * first[1][j];
+            *entry += phase * norm * work;
         }
-        self.along += cosine * second.along * first.along;
     }
 }
 
 /// Returns the harmonic of a section from its compliance, symmetric, and its tractions.
-fn answer([[a, b], [_, d]]: [[f64; 2]; 2], loads: &[[f64; 2]; 3], along: f64) -> Answer {
+fn answer([[a, b], [_, d]]: [[f64; 2]; 2], loads: &[[f64; 2]; 3]) -> Answer {
     // The square root of a positive definite matrix of two rows (Cayley and Hamilton).
     let root = (a * d - b * b).max(0.0).sqrt();
     let scale = (a + d + 2.0 * root).max(f64::MIN_POSITIVE).sqrt();
     let rows = [[a + root, b], [b, d + root]];
-    let moved = rows
-        .map(|row| [0, 1, 2].map(|load: usize| (row[0] * loads[load][0] + row[1] * loads[load][1]) / scale));
-    Answer { moved, along: along.max(0.0).sqrt() }
+    rows.map(|row| [0, 1, 2].map(|load: usize| (row[0] * loads[load][0] + row[1] * loads[load][1]) / scale))
 }
 
 #[cfg(test)]
@@ -184,11 +167,10 @@ mod tests {
     use super::*;
     use crate::analytic::FoundationRing;
 
-    const LOADS: [RootLoad; 4] = [
-        RootLoad { axial: 1.0, shear: 0.0, moment: 0.0, along: 0.0 },
-        RootLoad { axial: 0.0, shear: 1.0, moment: 0.0, along: 0.0 },
-        RootLoad { axial: 0.0, shear: 0.0, moment: 1.0, along: 0.0 },
-        RootLoad { axial: 0.0, shear: 0.0, moment: 0.0, along: 1.0 },
+    const LOADS: [RootLoad; 3] = [
+        RootLoad { axial: 1.0, shear: 0.0, moment: 0.0 },
+        RootLoad { axial: 0.0, shear: 1.0, moment: 0.0 },
+        RootLoad { axial: 0.0, shear: 0.0, moment: 1.0 },
     ];
     const UNIT: Material = Material { youngs_modulus: 1.0, poissons_ratio: 0.3, density: 0.0 };
 
@@ -210,6 +192,7 @@ mod tests {
             radius: 1.0,
             fixed_radius: 0.6 + 0.1 * k,
             half_arc: 0.08 + 0.01 * k,
+            lean: 1.0 - 0.1 * k,
             sectors,
         };
         [0.0, 1.0, 2.0].map(shape).to_vec()
@@ -272,15 +255,19 @@ mod tests {
     fn narrow_parts_are_a_rack() {
         let at = At { section: 0, weight: 0.0 };
         let of = |part: f64| {
-            let shape =
-                RingShape { radius: 1.0, fixed_radius: 1.0 - 0.3 * part, half_arc: 0.08 * part, sectors: 24 };
+            let shape = RingShape {
+                radius: 1.0,
+                fixed_radius: 1.0 - 0.3 * part,
+                half_arc: 0.08 * part,
+                lean: 1.0,
+                sectors: 24,
+            };
             let family = RingFamily::new(&[shape], part, 3, UNIT);
             let moment = RootLoad { moment: part, ..RootLoad::default() };
-            [&LOADS[0], &LOADS[1], &moment, &LOADS[3]]
-                .map(|load| compliance(&family, (0, load, at), (0, load, at)))
+            [&LOADS[0], &LOADS[1], &moment].map(|load| compliance(&family, (0, load, at), (0, load, at)))
         };
         let [coarse, fine, finest] = [0.04, 0.004, 0.0004].map(of);
-        for k in 0..4 {
+        for k in 0..3 {
             let [first, second] = [coarse[k] - finest[k], fine[k] - finest[k]].map(f64::abs);
             assert!(
                 first < 0.05 * finest[k] && second < 0.2 * first + 1e-6 * finest[k],

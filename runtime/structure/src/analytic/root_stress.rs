@@ -55,7 +55,7 @@ mod tests {
     /// `6 F h / s² = 1.875e3 F`.
     #[test]
     fn the_factors_of_the_standard() {
-        let load = RootLoad { axial: -0.3, shear: -1.0, moment: -5.5e-3, along: 0.0 };
+        let load = RootLoad { axial: -0.3, shear: -1.0, moment: -5.5e-3 };
         let expected = 1.304 * 2.5f64.powf(1.0 / 4.085) * 6.0 * 5e-3 / 16e-6;
         assert!((SECTION.stress(&load, 1.0) / expected - 1.0).abs() < 1e-12);
         assert_eq!(SECTION.stress(&load, -1.0), -SECTION.stress(&load, 1.0));

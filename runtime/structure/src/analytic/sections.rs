@@ -257,7 +257,13 @@ mod tests {
             .map(|k| f64::from(k) / 40.0)
             .map(|part| [size * part, size * (0.5 - slope * part)])
             .collect();
-        let ring = RingShape { radius: 10.0 * size, fixed_radius: 8.0 * size, half_arc: 0.05, sectors: 20 };
+        let ring = RingShape {
+            radius: 10.0 * size,
+            fixed_radius: 8.0 * size,
+            half_arc: 0.05,
+            lean: 1.0,
+            sectors: 20,
+        };
         ToothSection {
             root: [10.0 * size, 0.0],
             radial: 0.0,
@@ -270,7 +276,7 @@ mod tests {
     }
 
     fn load(crossing: f64) -> RootLoad {
-        RootLoad { axial: -0.3, shear: 0.9, moment: 0.9 * crossing, along: 0.0 }
+        RootLoad { axial: -0.3, shear: 0.9, moment: 0.9 * crossing }
     }
 
     fn between(family: &BeamFamily, (one, at): (f64, At), (other, to): (f64, At)) -> f64 {

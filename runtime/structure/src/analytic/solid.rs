@@ -83,7 +83,7 @@ impl AnalyticSolid {
         let tooth = Tooth::new(shape, material, Plane::Strain);
         let height = tooth.cantilever.length();
         // Length along the tooth; along the face it is shorter.
-        let spread = shape.lean * height * (2.0 / 3.0 * (1.0 - material.poissons_ratio)).sqrt();
+        let spread = shape.ring.lean * height * (2.0 / 3.0 * (1.0 - material.poissons_ratio)).sqrt();
         let mirror = |z: f64| Mirror { point: [0.0, 0.0, z], normal: [0.0, 0.0, 1.0] };
         AnalyticSolid {
             surfaces,
@@ -330,10 +330,10 @@ mod tests {
     const FLANK: Chart = Chart { tooth: 2, surface: 0 };
 
     fn bodies(material: Material) -> (AnalyticStructure, AnalyticSolid) {
-        let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, sectors: 20 };
+        let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, lean: 1.0, sectors: 20 };
         let slab = |side| Slab { from: ring.root(), length: 1e-3, half: 0.3e-3, side };
         let depths = (0..=10).map(|k| [0.1e-3 * f64::from(k), 0.3e-3]).collect();
-        let shape = ToothShape { sense: 1.0, depths, lean: 1.0, ring, section: None };
+        let shape = ToothShape { sense: 1.0, depths, ring, section: None };
         let plane = AnalyticStructure::new(
             vec![Arc::new(slab(1.0)), Arc::new(slab(-1.0))],
             &shape,

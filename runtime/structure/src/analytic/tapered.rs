@@ -212,24 +212,16 @@ impl TaperedSolid {
             [rotated([x, lean * y], -section.tilt), rotated([out, against], -section.tilt)]
         };
         let (offset, normal) = on_ring(&on);
-        let moment = |[x, y]: [f64; 2], [out, across]: [f64; 2]| y * out - x * across;
-        let load = RootLoad {
-            axial: -normal[0],
-            shear: -normal[1],
-            moment: moment(offset, [normal[0], normal[1]]) / section.radius,
-            along: -normal[2],
-        };
-        let [offset, [out, against]] = on_tooth((offset, normal));
-        let bending = RootLoad {
-            axial: -out,
-            shear: -against,
-            moment: moment(offset, [out, against]) / section.height,
-            along: -normal[2],
-        };
+        let against = lean * normal[1] - slant * normal[2];
+        let [offset, [out, across]] = on_tooth((offset, normal));
+        let moment = offset[1] * out - offset[0] * across;
+        // By tractions on the longer arc of the transverse section.
+        let load = RootLoad { axial: -normal[0], shear: -against, moment: moment / (lean * section.radius) };
+        let bending = RootLoad { axial: -out, shear: -across, moment: moment / section.height };
         // Around a tip edge the forces enter the tooth where the edge begins, as in the plane.
         let edge = flank.edge_from().filter(|edge| u > *edge);
         let [[x, y], [out, against]] =
-            edge.map_or([offset, [out, against]], |edge| on_tooth(on_ring(&flank.in_section(edge, v))));
+            edge.map_or([offset, [out, across]], |edge| on_tooth(on_ring(&flank.in_section(edge, v))));
         let tangent = out / against.abs().max(f64::MIN_POSITIVE);
         let crossing = ((x - y.abs() * tangent) / section.height).clamp(0.0, 1.0);
         let stretch = length(on.point.tangents[1]) / dot(on.point.tangents[1], on.axes[2]).abs();

@@ -33,12 +33,17 @@ impl Profile for Slab {
 /// 20 teeth of height 1 and thickness 0.6 on a ring of radius 10 that is fixed at another radius.
 /// Lengths are in units of `unit` m.
 fn slabs(constrained: f64, unit: f64, material: Material) -> AnalyticStructure {
-    let shape =
-        RingShape { radius: 10.0 * unit, fixed_radius: constrained * unit, half_arc: 0.05, sectors: 20 };
+    let shape = RingShape {
+        radius: 10.0 * unit,
+        fixed_radius: constrained * unit,
+        half_arc: 0.05,
+        lean: 1.0,
+        sectors: 20,
+    };
     let (from, half) = (shape.root(), 0.3 * unit);
     let flank = |side| Arc::new(Slab { from, length: unit, half, side }) as Arc<dyn Profile>;
     let depths = (0..=10).map(|k| [0.1 * unit * f64::from(k), half]).collect();
-    let shape = ToothShape { sense: 1.0, depths, lean: 1.0, ring: shape, section: None };
+    let shape = ToothShape { sense: 1.0, depths, ring: shape, section: None };
     AnalyticStructure::new(vec![flank(1.0), flank(-1.0)], &shape, 3, material, Plane::Strain)
 }
 
@@ -73,7 +78,7 @@ fn on_a_rigid_ring_it_is_timoshenkos_beam_and_the_depth_beneath_the_load() {
 #[test]
 fn a_leaning_tooth_is_a_plate_of_its_own_depth() {
     let (lean, half, at) = (0.8, 0.3e-3, 0.9e-3);
-    let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, sectors: 20 };
+    let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, lean, sectors: 20 };
     let slab = Slab { from: ring.root(), length: 1e-3, half, side: 1.0 };
     let depths = (0..=10).map(|k| [0.1e-3 * f64::from(k), lean * half]).collect();
     let section = CriticalSection {
@@ -83,7 +88,7 @@ fn a_leaning_tooth_is_a_plate_of_its_own_depth() {
         s: 0.0,
         position: [0.0; 2],
     };
-    let shape = ToothShape { sense: 1.0, depths, lean, ring, section: Some(section) };
+    let shape = ToothShape { sense: 1.0, depths, ring, section: Some(section) };
     let tooth = Tooth::new(&shape, Material::STEEL, Plane::Strain);
     let local = tooth.local(&slab, at);
     let (e, g, depth) = (206e9 / 0.91, 206e9 / 2.6, 2.0 * lean * half);

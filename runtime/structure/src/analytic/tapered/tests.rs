@@ -43,11 +43,11 @@ const CRITICAL: CriticalSection =
     CriticalSection { at: 0.1e-3, chord: 0.6e-3, notch_radius: 0.1e-3, s: 0.0, position: [0.0; 2] };
 
 fn bodies(sections: usize) -> [Box<dyn SolidStructure>; 2] {
-    let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, sectors: 20 };
+    let ring = RingShape { radius: 10e-3, fixed_radius: 8e-3, half_arc: 0.05, lean: 1.0, sectors: 20 };
     let wall = |side| Wall(Slab { from: ring.root(), length: 1e-3, half: 0.3e-3, side });
     let depths: Vec<[f64; 2]> = (0..=10).map(|k| [0.1e-3 * f64::from(k), 0.3e-3]).collect();
     let section = Some(CRITICAL);
-    let shape = ToothShape { sense: 1.0, depths: depths.clone(), lean: 1.0, ring, section };
+    let shape = ToothShape { sense: 1.0, depths: depths.clone(), ring, section };
     let walls = [1.0, -1.0].map(|side| Arc::new(wall(side)) as Arc<dyn Surface>);
     let constant = AnalyticSolid::new(walls.to_vec(), &shape, [WIDTH, 0.0], 3, Material::STEEL);
     let station = RootStation { section: CRITICAL, place: [0.0; 2], position: [0.0; 3] };
@@ -147,6 +147,7 @@ fn slices_of_different_sections_are_positive() {
         radius: 10e-3 + 1e-3 * k,
         fixed_radius: 8e-3 - 0.5e-3 * k,
         half_arc: 0.05 + 0.005 * k,
+        lean: 1.0f64.hypot(0.2 + 0.1 * k).recip(),
         sectors: 20,
     };
     let section = |k: f64| {
