@@ -159,6 +159,25 @@ fn conjugate(fidelity: Fidelity, torque: f64, positions: u32) {
     assert!(states.len() > positions as usize / 2 && mean.abs() < 1e-6 && largest < 1e-6);
 }
 
+/// Contact of other teeth, and images of their half-spaces in side faces elsewhere, are those of the
+/// first ones.
+fn every_pitch_is_alike(fidelity: Fidelity) {
+    let pair = straight(60.0);
+    let system = pair.system(fidelity);
+    let deviations = [0.1, 1.1, 6.1].map(|part| pair.state(&system, part).deviation);
+    assert!(deviations.iter().all(|lag| (lag / deviations[0] - 1.0).abs() < 1e-9), "{deviations:?}");
+}
+
+#[test]
+fn every_pitch_is_like_the_one_before() {
+    every_pitch_is_alike(Fidelity::Analytic);
+}
+
+#[test]
+fn every_pitch_on_finite_elements_is_like_the_one_before() {
+    every_pitch_is_alike(MEDIUM);
+}
+
 #[test]
 fn torques_of_conjugate_flanks_have_the_ratio_of_the_teeth() {
     conjugate(Fidelity::Analytic, 60.0, 16);

@@ -82,13 +82,6 @@ impl Mirror {
         let twice = 2.0 * ((x - px) * nx + (y - py) * ny + (z - pz) * nz);
         [x - twice * nx, y - twice * ny, z - twice * nz]
     }
-
-    /// Returns the plane rotated by an angle (rad) about the z axis.
-    pub(crate) fn rotated(&self, angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
-        let turn = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
-        Self { point: turn(self.point), normal: turn(self.normal) }
-    }
 }
 
 /// Recovered stress on a free surface.
@@ -138,11 +131,11 @@ pub trait SolidStructure: Send + Sync {
     /// Returns the mirror planes in which `G` has images.
     fn mirrors(&self) -> &[Mirror];
 
-    /// Returns the mirror planes in which `G` has images on one surface, in the body's frame: the
-    /// planes that touch the free side faces where the surface ends, at two coordinates `u`, one
-    /// for the start and one for the end of `v`. They are those of [`Self::mirrors`] on every
-    /// surface whose side faces are planes.
-    fn side_faces(&self, _chart: Chart, _u: [f64; 2]) -> Vec<Mirror> {
+    /// Returns the mirror planes in which `G` has images on a surface of tooth 0, like
+    /// [`Self::surface`]: the planes that touch the free side faces where the surface ends, at two
+    /// coordinates `u`, one for the start and one for the end of `v`. They are those of
+    /// [`Self::mirrors`] on every surface whose side faces are planes.
+    fn side_faces(&self, _surface: u32, _u: [f64; 2]) -> Vec<Mirror> {
         self.mirrors().to_vec()
     }
 
@@ -230,8 +223,8 @@ impl SolidStructure for ModifiedStructure {
         self.shared.mirrors()
     }
 
-    fn side_faces(&self, chart: Chart, u: [f64; 2]) -> Vec<Mirror> {
-        self.shared.side_faces(chart, u)
+    fn side_faces(&self, surface: u32, u: [f64; 2]) -> Vec<Mirror> {
+        self.shared.side_faces(surface, u)
     }
 
     fn add_compliance_until(

@@ -27,7 +27,7 @@ pub struct Side<'a> {
     pub structure: &'a dyn SolidStructure,
     /// Surface of the body.
     pub chart: Chart,
-    /// Pose of the body's frame, without the rotation of a tooth.
+    /// Pose of the tooth: of the coordinates of [`SolidStructure::surface`].
     pub pose: Pose,
 }
 
@@ -93,36 +93,39 @@ fn structural(
     Ok(block)
 }
 
+/// Returns the displacement of the half-space of a side per unit force over distance, 1/Pa.
+pub(super) fn softness(side: &Side) -> f64 {
+    let modulus = side.structure.surface_modulus();
+    if modulus.is_infinite() { 0.0 } else { (PI * modulus).recip() }
+}
+
+/// Returns the mirrors of a side of a patch. A curved side face counts where the patch is closest to
+/// it: images matter only there.
+pub(super) fn mirrors(patch: &PatchCells, side: usize) -> Vec<PlacedMirror> {
+    let places = || patch.cells.iter().map(|cell| cell.places[side]);
+    let by_v = |a: &[f64; 2], b: &[f64; 2]| a[1].total_cmp(&b[1]);
+    let ends = [places().min_by(by_v), places().max_by(by_v)].map(|place| place.map_or(0.0, |[u, _]| u));
+    let side = &patch.sides[side];
+    let faces = side.structure.side_faces(side.chart.surface, ends);
+    faces.iter().map(|face| PlacedMirror::new(face, &side.pose, softness(side))).collect()
+}
+
 /// Adds the half-spaces of both bodies, with their image loads, to the diagonal block of a patch.
 fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt) -> Result<(), EngineError> {
     let n = patch.cells.len();
-    let softness = |side: &Side| {
-        let modulus = side.structure.surface_modulus();
-        if modulus.is_infinite() { 0.0 } else { (PI * modulus).recip() }
-    };
     let direct: f64 = patch.sides.iter().map(softness).sum();
     if direct == 0.0 {
         return Ok(());
     }
-    let mut mirrors: Vec<PlacedMirror> = Vec::new();
-    // A curved side face counts where the patch is closest to it: images matter only there.
-    let ends = |side: usize| {
-        let place = |cell: &Cell| cell.places[side];
-        let by_v = |a: &[f64; 2], b: &[f64; 2]| a[1].total_cmp(&b[1]);
-        let cells = || patch.cells.iter().map(place);
-        [cells().min_by(by_v), cells().max_by(by_v)].map(|place| place.map_or(0.0, |[u, _]| u))
-    };
-    for (number, side) in patch.sides.iter().enumerate().filter(|(_, side)| softness(side) > 0.0) {
-        for mirror in side.structure.side_faces(side.chart, ends(number)) {
-            let mirror = PlacedMirror::new(&mirror, &side.pose, softness(side));
-            match mirrors.iter_mut().find(|known| known.is_same(&mirror, patch.frame.point)) {
-                Some(known) => known.softness += mirror.softness,
-                None => mirrors.push(mirror),
-            }
+    let mut all: Vec<PlacedMirror> = Vec::new();
+    for mirror in [0, 1].iter().flat_map(|&side| mirrors(patch, side)).filter(|mirror| mirror.softness > 0.0) {
+        match all.iter_mut().find(|known| known.is_same(&mirror, patch.frame.point)) {
+            Some(known) => known.softness += mirror.softness,
+            None => all.push(mirror),
         }
     }
     let (upright, inclined): (Vec<Images>, Vec<Images>) =
-        mirrors.into_iter().map(|mirror| Images::new(mirror, patch.frame)).partition(Images::is_upright);
+        all.into_iter().map(|mirror| Images::new(mirror, patch.frame)).partition(Images::is_upright);
     let half_space = HalfSpace { softness: direct };
     // The half-space term depends on the difference of two cells' positions. The image term of an
     // upright mirror depends on the difference across and the sum of both positions along the

@@ -126,7 +126,7 @@ impl SolidStructure for Cone {
         &[]
     }
 
-    fn side_faces(&self, _: Chart, u: [f64; 2]) -> Vec<Mirror> {
+    fn side_faces(&self, _: u32, u: [f64; 2]) -> Vec<Mirror> {
         faces(u)
     }
 

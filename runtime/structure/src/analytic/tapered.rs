@@ -330,10 +330,9 @@ impl SolidStructure for TaperedSolid {
         &self.mirrors
     }
 
-    fn side_faces(&self, chart: Chart, u: [f64; 2]) -> Vec<Mirror> {
-        let Some(sides) = self.sides.get(chart.surface as usize) else { return Vec::new() };
-        let angle = self.tooth_angle(chart.tooth);
-        [0, 1].map(|side| sides.mirror(side, u[side]).rotated(angle)).to_vec()
+    fn side_faces(&self, surface: u32, u: [f64; 2]) -> Vec<Mirror> {
+        let Some(sides) = self.sides.get(surface as usize) else { return Vec::new() };
+        [0, 1].map(|side| sides.mirror(side, u[side])).to_vec()
     }
 
     fn add_compliance_until(

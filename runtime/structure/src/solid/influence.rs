@@ -115,13 +115,12 @@ impl SolidStructure for ElasticSolid {
         &self.mirrors
     }
 
-    fn side_faces(&self, chart: Chart, u: [f64; 2]) -> Vec<Mirror> {
-        let Some(known) = self.known(chart) else { return Vec::new() };
+    fn side_faces(&self, surface: u32, u: [f64; 2]) -> Vec<Mirror> {
+        let Some(known) = self.surfaces.get(surface as usize) else { return Vec::new() };
         let Some(metric) = &known.metric else { return self.mirrors.to_vec() };
         let mirror = |side: usize| {
             let u = u[side].clamp(known.range[0], known.range[1]);
-            let mirror = metric.sides.mirror(known.surface.as_ref(), side, u);
-            mirror.rotated(self.tooth_angle(chart.tooth))
+            metric.sides.mirror(known.surface.as_ref(), side, u)
         };
         vec![mirror(0), mirror(1)]
     }

@@ -220,7 +220,7 @@ fn cells_have_a_positive_definite_compliance() {
             body.add_compliance(chart, &segments, chart, &segments, &mut matrix);
             let points: Vec<_> =
                 segments.iter().map(|segment| flank.at(segment.place[0], segment.place[1])).collect();
-            let mirrors = body.side_faces(chart, [0.5 * end, 0.5 * end]);
+            let mirrors = body.side_faces(chart.surface, [0.5 * end, 0.5 * end]);
             let distance =
                 |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
             let size = |k: usize| length * distance(points[k].tangents[1], [0.0; 3]);

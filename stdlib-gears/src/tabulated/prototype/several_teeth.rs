@@ -212,7 +212,7 @@ fn condensed_deflection(
     for load in loads.iter().filter(|load| load.chart == chart) {
         let [u, _] = load.segment.place;
         let source = surface.at(load.segment.place[0], load.segment.place[1]).position;
-        let mirrors = body.side_faces(Chart { tooth: 0, ..chart }, [u; 2]);
+        let mirrors = body.side_faces(chart.surface, [u; 2]);
         let images: Vec<[f64; 3]> = mirrors.iter().map(|mirror| mirror.image(source)).collect();
         let kernel = |[u, v]: [f64; 2]| {
             let at = surface.at(u, v).position;

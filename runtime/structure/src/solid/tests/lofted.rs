@@ -203,7 +203,7 @@ fn a_restored_body_has_the_same_bits_and_reciprocity_is_exact() {
             assert_eq!(value.to_bits(), back[k % 3 * 3 + k / 3].to_bits());
         }
         assert_eq!(there, block(&restored, [a, b], [&some, &others]));
-        assert_eq!(structure.side_faces(a, [0.1, 0.2]), restored.side_faces(a, [0.1, 0.2]));
+        assert_eq!(structure.side_faces(a.surface, [0.1, 0.2]), restored.side_faces(a.surface, [0.1, 0.2]));
     }
     assert!(ElasticSolid::restored(&bytes[..bytes.len() / 2], surfaces).is_none());
 }
