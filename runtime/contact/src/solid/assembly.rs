@@ -118,7 +118,8 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
         return Ok(());
     }
     let mut all: Vec<PlacedMirror> = Vec::new();
-    for mirror in [0, 1].iter().flat_map(|&side| mirrors(patch, side)).filter(|mirror| mirror.softness > 0.0) {
+    for mirror in [0, 1].iter().flat_map(|&side| mirrors(patch, side)).filter(|mirror| mirror.softness > 0.0)
+    {
         match all.iter_mut().find(|known| known.is_same(&mirror, patch.frame.point)) {
             Some(known) => known.softness += mirror.softness,
             None => all.push(mirror),

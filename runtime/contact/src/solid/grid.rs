@@ -497,7 +497,7 @@ impl Layer<'_> {
         let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
         let span = |side: usize| match self.placed[side].surface.is_extruded() {
             true => axial[side],
-            false => size[1] * feet[side].place_along()[1].abs(),
+            false => size[1] * feet[side].place_by(1)[1].abs(),
         };
         let spans = [span(0), span(1)];
         let (point, slope) = match self.local_normals {

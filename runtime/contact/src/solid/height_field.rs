@@ -46,11 +46,31 @@ const SETTLED: f64 = 4.0 * f64::EPSILON;
 const NEARLY: f64 = 1e-8;
 
 impl FootPoint {
-    /// Returns the derivatives of the surface coordinates by y, at constant x.
-    pub fn place_along(&self) -> [f64; 2] {
+    /// Returns the surface point at surface coordinates.
+    pub fn new(placed: &PlacedSurface, frame: &PatchFrame, place: [f64; 2]) -> FootPoint {
+        let point = placed.at(place);
+        let [x, y, height] = frame.coordinates(point.position);
+        let along = |axis| point.tangents.map(|tangent| dot(tangent, axis));
+        let rise = dot(point.normal, frame.normal);
+        FootPoint {
+            place,
+            at: [x, y],
+            height,
+            slope: [frame.across, frame.along].map(|axis| -dot(point.normal, axis) / rise),
+            cosine: rise.abs(),
+            tangents: [along(frame.across), along(frame.along)],
+        }
+    }
+
+    /// Returns the derivatives of the surface coordinates by x (`axis` 0) at constant y, or by y (1)
+    /// at constant x.
+    pub fn place_by(&self, axis: usize) -> [f64; 2] {
         let [x, y] = self.tangents;
         let determinant = x[0] * y[1] - x[1] * y[0];
-        [-x[1] / determinant, x[0] / determinant]
+        match axis {
+            0 => [y[1] / determinant, -y[0] / determinant],
+            _ => [-x[1] / determinant, x[0] / determinant],
+        }
     }
 
     /// Returns Newton's step of the surface coordinates towards `at`, and the remaining distance.
@@ -105,18 +125,7 @@ impl<'a> HeightField<'a> {
 
     /// Returns the surface point at surface coordinates.
     pub fn foot(&self, place: [f64; 2]) -> FootPoint {
-        let point = self.placed.at(place);
-        let [x, y, height] = self.frame.coordinates(point.position);
-        let along = |axis| point.tangents.map(|tangent| dot(tangent, axis));
-        let rise = dot(point.normal, self.frame.normal);
-        FootPoint {
-            place,
-            at: [x, y],
-            height,
-            slope: [self.frame.across, self.frame.along].map(|axis| -dot(point.normal, axis) / rise),
-            cosine: rise.abs(),
-            tangents: [along(self.frame.across), along(self.frame.along)],
-        }
+        FootPoint::new(&self.placed, &self.frame, place)
     }
 
     /// Returns the point over `at`; `None` if the surface ends before it.

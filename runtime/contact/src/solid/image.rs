@@ -77,6 +77,16 @@ impl<'a> Images<'a> {
         self.mirror.softness * self.mean_inverse_distance(observe, load)
     }
 
+    /// Returns the displacement of a point of the tangent plane at `at` by the image of a force of
+    /// 1 N, distributed uniformly over a rectangle around `center`, m/N.
+    pub fn influence_at(&self, at: [f64; 2], center: [f64; 2], size: [f64; 2]) -> f64 {
+        let half = size.map(|size| 0.5 * size);
+        let image = Panel::new(self.image_of(self.frame.at(center)), self.axes, half);
+        let from = minus(self.frame.at(at), image.center);
+        let potential = rectangle_potential(half, image.axes.map(|axis| dot(from, axis)));
+        self.mirror.softness * potential / (size[0] * size[1])
+    }
+
     fn image_of(&self, point: Vector) -> Vector {
         minus(point, scaled(self.mirror.normal, 2.0 * self.mirror.height(point)))
     }

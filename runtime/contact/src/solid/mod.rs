@@ -10,6 +10,7 @@
 mod active_set_guess;
 mod assembly;
 mod contact_line;
+mod deflected_normals;
 mod grid;
 mod grid_region;
 mod half_space;
@@ -25,6 +26,7 @@ mod transverse_approach;
 pub use active_set_guess::first_guess;
 pub use assembly::{PatchCells, Side, compliance};
 pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};
+pub use deflected_normals::{LineOfAction, LoadedPatch, lines_of_action};
 pub use grid::{Cell, Grid, Slice, build_grid, contact_modulus, grid_width};
 pub use grid_region::GridOptions;
 pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};

@@ -90,6 +90,19 @@ pub(super) trait ContactGeometry {
     /// Returns the growth of the gap of each cell by each DOF, row by row.
     fn arms(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Vec<f64>;
 
+    /// Returns grids whose cells act along the normals of the flanks that these forces deflect;
+    /// `None` if deflections do not affect directions.
+    ///
+    /// # Errors
+    /// Those of the interrupt.
+    fn with_deflected_normals(
+        &self,
+        _laid: &[(&Candidate<Self::Site>, &Self::Grid)],
+        _forces: &[f64],
+    ) -> Result<Option<Vec<Self::Grid>>, EngineError> {
+        Ok(None)
+    }
+
     /// Returns the points of action of cells and their normal, for friction.
     fn action(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Action;
 

@@ -79,25 +79,35 @@ impl<S: ContactGeometry> Solver<'_, S> {
             (0..candidates.len()).map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
         let mut known: Option<KnownCompliance> = None;
         let mut iteration = self.under.rolling.map(RollingBearings::unloaded).transpose()?;
+        // Active set of the grids without the rotation of their normals by the deflection.
+        let mut active: Option<Vec<usize>> = None;
         let (drags, mut problem, modal, solution) = loop {
             let (problem, modal, compliance) = self.problem(load, candidates, &grids, known.as_ref())?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
-            let guess = self.guess(load, candidates, &problem, &grids);
+            let deflected = active.is_some();
+            let guess = active.take().unwrap_or_else(|| self.guess(load, candidates, &problem, &grids));
             // Corrected grids start with the bearings of the former grids.
             let laid = (candidates, &grids[..]);
             let (problem, solution) = self.solve_problem(problem, &works, guess, laid, &mut iteration)?;
+            if deflected {
+                break (drags, problem, modal, solution);
+            }
             // Sizes that are not prescribed follow the forces of the patches.
             let better =
                 self.corrected_grid_sizes(candidates, (&grids[..], &sizes[..]), &solution, rounds <= growths);
-            if rounds == 0 || better.iter().all(Option::is_none) {
-                break (drags, problem, modal, solution);
+            let unchanged: Vec<bool> = better.iter().map(|size| rounds == 0 || size.is_none()).collect();
+            let converged = !unchanged.contains(&false);
+            let counts = grids.iter().map(|grid| self.space.count(grid)).collect();
+            known = Some(KnownCompliance { matrix: compliance, sizes: counts, unchanged });
+            if converged {
+                let laid: Vec<_> = candidates.iter().copied().zip(&grids).collect();
+                let Some(rotated) = self.space.with_deflected_normals(&laid, &solution.forces)? else {
+                    break (drags, problem, modal, solution);
+                };
+                (grids, active) = (rotated, Some(solution.active));
+                continue;
             }
-            known = Some(KnownCompliance {
-                matrix: compliance,
-                sizes: grids.iter().map(|grid| self.space.count(grid)).collect(),
-                unchanged: better.iter().map(Option::is_none).collect(),
-            });
             for (patch, size) in better.into_iter().enumerate().filter(|(_, size)| size.is_some()) {
                 grids[patch] = build_grid(patch, size)?;
                 sizes[patch] = size;

@@ -10,8 +10,9 @@ use calyx_contact::assembly::FormerCompliance;
 use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    self, ContactLine, Grid, GridOptions, PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance,
-    contact_modulus, find_contact_line, first_guess, fitting_size, grid_width, pressures,
+    self, ContactLine, Grid, GridOptions, LineOfAction, LoadedPatch, PatchCells, PatchFrame, PlacedSurface,
+    Pose, assess, build_grid, compliance, contact_modulus, find_contact_line, first_guess, fitting_size,
+    grid_width, lines_of_action, pressures,
 };
 use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
@@ -195,24 +196,42 @@ impl ContactGeometry for Solid<'_> {
         laid: &[(&Candidate<Site>, &Grid)],
         former: Option<FormerCompliance>,
     ) -> Result<Vec<f64>, EngineError> {
-        let mut patches = Vec::with_capacity(laid.len());
-        for (candidate, grid) in laid {
-            let pair = self.pair(candidate);
-            let side = |side: usize| {
-                let body = pair.bodies[side].0;
-                let structure = self.bodies.structures[body].as_deref()?;
-                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
-                Some(solid::Side { body, structure, chart, pose: candidate.site.poses[side] })
-            };
-            if let (Some(first), Some(second)) = (side(0), side(1)) {
-                patches.push(solid::PatchCells {
-                    sides: [first, second],
-                    frame: &grid.frame,
-                    cells: &grid.cells,
-                });
-            }
-        }
+        let patches: Vec<PatchCells> =
+            laid.iter().filter_map(|(candidate, grid)| self.patch_cells(candidate, grid)).collect();
         compliance(&patches, former, &self.system.interrupt)
+    }
+
+    fn with_deflected_normals(
+        &self,
+        laid: &[(&Candidate<Site>, &Grid)],
+        forces: &[f64],
+    ) -> Result<Option<Vec<Grid>>, EngineError> {
+        if !laid.iter().any(|(candidate, _)| has_local_normals(self.pair(candidate))) {
+            return Ok(None);
+        }
+        let mut loaded = Vec::with_capacity(laid.len());
+        let mut left = forces;
+        for (candidate, grid) in laid {
+            let (forces, others) = left.split_at(grid.cells.len());
+            left = others;
+            let Some(cells) = self.patch_cells(candidate, grid) else { return Ok(None) };
+            loaded.push(LoadedPatch { cells, slices: &grid.slices, forces });
+        }
+        let lines = lines_of_action(&loaded, &self.system.interrupt)?;
+        let deflected =
+            |((candidate, grid), lines): (&(&Candidate<Site>, &Grid), Vec<Option<LineOfAction>>)| {
+                let mut grid = Grid::clone(grid);
+                if has_local_normals(self.pair(candidate)) {
+                    for (slice, line) in grid.slices.iter().zip(lines) {
+                        let Some(LineOfAction { point, slope }) = line else { continue };
+                        for cell in &mut grid.cells[slice.cells.clone()] {
+                            (cell.point, cell.slope) = (point, slope);
+                        }
+                    }
+                }
+                grid
+            };
+        Ok(Some(laid.iter().zip(lines).map(deflected).collect()))
     }
 
     fn guess(&self, problem: &ContactProblem, grids: &[Grid]) -> Vec<usize> {
@@ -328,6 +347,18 @@ impl Solid<'_> {
             }
         }
         (farthest > 0.0).then_some(2.0 * MARGIN * farthest)
+    }
+
+    /// Returns the bodies and cells of a patch; `None` if a body has no surfaces.
+    fn patch_cells<'c>(&'c self, candidate: &Candidate<Site>, grid: &'c Grid) -> Option<PatchCells<'c>> {
+        let pair = self.pair(candidate);
+        let side = |side: usize| {
+            let body = pair.bodies[side].0;
+            let structure = self.bodies.structures[body].as_deref()?;
+            let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+            Some(solid::Side { body, structure, chart, pose: candidate.site.poses[side] })
+        };
+        Some(PatchCells { sides: [side(0)?, side(1)?], frame: &grid.frame, cells: &grid.cells })
     }
 
     fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {
