@@ -2,21 +2,19 @@
 //! friction stores and returns energy, so over a mesh cycle both shafts exchange the same work.
 //!
 //! With the angles `a` and `b` of pinion and gear in their senses of rotation, the torque `T1` that
-//! drives the pinion and the torque `T2` that brakes the gear, `T1 da - T2 db = dU` is the change of
-//! the strain energy. The gear rotates uniformly, `db = i dt` with the ratio `i` of the teeth. The
-//! pinion deviates from uniform rotation by `x`, so `da = dt + dx`, and
+//! drives the pinion and the torque `T2` that brakes the gear, `T1 da - T2 db = dU` is the change
+//! of the strain energy. The gear rotates uniformly, `db = i dt` with the ratio `i` of the teeth.
+//! The pinion deviates from uniform rotation by `x`, so `da = dt + dx`, and
 //!
 //! `i T2 / T1 - 1 = dx/dt - dU/dt / T1`.
 //!
 //! - If the load vanishes, `U / T1` vanishes, and `x` is the unloaded transmission error: at every
 //!   position the torques do no work on the motion of rigid teeth.
-//! - All normals of conjugate flanks have moment arms in the ratio of the teeth. The ratio of the
-//!   torques is therefore constant under every load.
-//! - The flanks of other pairs have this ratio in the mean over a cycle, as `x` and `U` are periodic.
-//!   Forces act along the normals of flanks that are not deflected. Deflected teeth rotate their
-//!   normals, and without this rotation a position misses the balance by half of the rate of the
-//!   deflection: then the left side is that of rigid teeth, and `U` is half of `T1` times the
-//!   deflection.
+//! - Under load, forces must act along the normals of deflected flanks. Conjugate flanks without
+//!   deflection have moment arms in the ratio of the teeth, so that `i T2 = T1`; as they deflect,
+//!   the left side becomes half of the rate of the deflection, because `U` is half of `T1` times
+//!   it.
+//! - Over a cycle `x` and `U` are periodic, so the mean of the left side vanishes.
 //!
 //! See `docs/theory/contact.md`.
 
@@ -145,22 +143,40 @@ fn hypoid(torque: f64) -> Pair {
     Pair::of("hypoid", [11, 41], torque, &[])
 }
 
-/// Largest excess of the torque away from edges, and mean over all of these positions.
-fn conjugate(fidelity: Fidelity, torque: f64, positions: u32) {
-    let pair = straight(torque);
-    let system = pair.system(fidelity);
-    let mut states: Vec<State> = (0..positions)
-        .map(|index| pair.state(&system, (f64::from(index) + 0.5) / f64::from(positions)))
-        .collect();
-    states.retain(|state| !state.on_edge);
-    let mean = states.iter().map(|state| state.torque_excess).sum::<f64>() / states.len() as f64;
-    let largest = states.iter().map(|state| state.torque_excess.abs()).fold(0.0, f64::max);
-    println!("{fidelity:?} {torque} N m, {} positions: {mean:e}, at most {largest:e}", states.len());
-    assert!(states.len() > positions as usize / 2 && mean.abs() < 1e-6 && largest < 1e-6);
+impl Pair {
+    /// Returns the difference of both sides of the balance of powers at a part of the mesh cycle,
+    /// and the half of the rate of the deflection; `None` if an edge carries load.
+    fn unbalanced(&self, system: &System<'_>, part: f64) -> Option<[f64; 2]> {
+        let state = self.state(system, part);
+        let unloaded = self.rate(part, |part| self.unloaded(system, part));
+        let loaded = self.rate(part, |part| self.state(system, part).deviation);
+        let energy = self.rate(part, |part| {
+            let step = system.solve(self.time(part)).expect("it can be solved");
+            let forces: Vec<f64> = step.patches.iter().flat_map(|patch| patch.forces.clone()).collect();
+            let rows = step.problem.compliance.chunks_exact(forces.len());
+            let deflection = |row: &[f64]| row.iter().zip(&forces).map(|(a, b)| a * b).sum::<f64>();
+            0.5 * rows.zip(&forces).map(|(row, force)| force * deflection(row)).sum::<f64>()
+        });
+        let error = state.torque_excess - (loaded - energy / self.torque);
+        (!state.on_edge).then_some([error, 0.5 * (loaded - unloaded)])
+    }
 }
 
-/// Contact of other teeth, and images of their half-spaces in side faces elsewhere, are those of the
-/// first ones.
+/// Powers are in balance where no edge carries load.
+fn balanced(pair: &Pair, fidelity: Fidelity, parts: &[f64], tolerance: f64) {
+    let system = pair.system(fidelity);
+    let mut largest = 0.0f64;
+    for &part in parts {
+        let Some([error, rate]) = pair.unbalanced(&system, part) else { continue };
+        println!("{fidelity:?} at {part}: error {error:e}, half of the rate of the deflection {rate:e}");
+        assert!(error.abs() < tolerance, "{fidelity:?} at {part}: {error:e}");
+        largest = largest.max(rate.abs());
+    }
+    assert!(largest > 4.0 * tolerance, "the test would not notice undeflected normals: {largest:e}");
+}
+
+/// Contact of other teeth, and images of their half-spaces in side faces elsewhere, are those of
+/// the first ones.
 fn every_pitch_is_alike(fidelity: Fidelity) {
     let pair = straight(60.0);
     let system = pair.system(fidelity);
@@ -179,19 +195,25 @@ fn every_pitch_on_finite_elements_is_like_the_one_before() {
 }
 
 #[test]
-fn torques_of_conjugate_flanks_have_the_ratio_of_the_teeth() {
-    conjugate(Fidelity::Analytic, 60.0, 16);
-    conjugate(Fidelity::Analytic, 6.0, 16);
+fn powers_of_conjugate_flanks_are_in_balance() {
+    balanced(&straight(60.0), Fidelity::Analytic, &[0.1, 0.35, 0.6, 0.85], 2e-6);
 }
 
 #[test]
-fn torques_of_conjugate_flanks_on_finite_elements_have_the_ratio_of_the_teeth() {
-    conjugate(MEDIUM, 60.0, 4);
+fn powers_of_conjugate_flanks_on_finite_elements_are_in_balance() {
+    balanced(&straight(60.0), MEDIUM, &[0.35, 0.6], 2e-6);
+}
+
+/// Single pairs of teeth; the balance is limited by the number of slices of the contact grid.
+/// Normals without deflection miss it by half of the rate of the deflection.
+#[test]
+fn powers_of_flanks_that_are_not_conjugate_are_in_balance() {
+    balanced(&spiral(10.0), Fidelity::Analytic, &[0.35, 0.5], 1e-5);
 }
 
 /// An edge carries load at the positions where a pair of teeth enters or leaves. Its normal differs
-/// from that of the flanks by the deflection over the height of the tooth, about 1e-3, so the torque
-/// deviates by less there, and in the mean by less than the part of these positions of it.
+/// from that of the flanks by the deflection over the height of the tooth, about 1e-3, so the
+/// torque deviates by less there, and in the mean by less than the part of these positions of it.
 #[test]
 fn edges_hardly_change_the_work_of_conjugate_flanks() {
     let pair = straight(60.0);
@@ -230,37 +252,15 @@ fn a_vanishing_load_does_no_work_on_rigid_teeth() {
     }
 }
 
-/// Under load the torque is that of rigid flanks, where a single pair of teeth is in contact: it
-/// misses the balance of powers by half of the rate of the deflection, 5e-5 at 10 N m.
+/// Contact at edges and the number of slices leave a difference, without deflected normals 2e-4
+/// (hypoid) and 5e-4 (spiral).
 #[test]
-fn deflections_change_the_torque_by_less_than_half_of_their_rate() {
+fn the_work_at_both_shafts_is_nearly_equal() {
     for (name, pair) in [("spiral", spiral(10.0)), ("hypoid", hypoid(10.0))] {
         let system = pair.system(Fidelity::Analytic);
-        for part in [0.35, 0.5] {
-            let state = pair.state(&system, part);
-            assert!(!state.on_edge, "{name} at {part}: an edge carries load");
-            let unloaded = pair.rate(part, |part| pair.unloaded(&system, part));
-            let loaded = pair.rate(part, |part| pair.state(&system, part).deviation);
-            let error = state.torque_excess - 0.5 * (unloaded + loaded);
-            let bound = 0.5 * (loaded - unloaded).abs();
-            println!("{name} at {part}: {:e}, error {error:e} of {bound:e}", state.torque_excess);
-            // Contact is laid out where the unloaded transmission error is not zero.
-            assert!(error.abs() < bound + 1e-5, "{name} at {part}: {error:e} {bound:e}");
-        }
+        let states = (0..16).map(|index| pair.state(&system, (f64::from(index) + 0.5) / 16.0));
+        let mean = states.map(|state| state.torque_excess).sum::<f64>() / 16.0;
+        println!("{name}: {mean:e}");
+        assert!(mean.abs() < 1e-4, "{name}: {mean:e}");
     }
-}
-
-/// This error leaves a difference of the work over a cycle, although no edge carries load.
-#[test]
-fn the_work_at_both_shafts_of_a_hypoid_pair_is_nearly_equal() {
-    let pair = hypoid(10.0);
-    let system = pair.system(Fidelity::Analytic);
-    let mean = |positions: u32| {
-        let states =
-            (0..positions).map(|index| pair.state(&system, (f64::from(index) + 0.5) / f64::from(positions)));
-        states.map(|state| state.torque_excess).sum::<f64>() / f64::from(positions)
-    };
-    let [coarse, fine] = [8, 16].map(mean);
-    println!("{coarse:e} {fine:e}");
-    assert!(fine.abs() < 3e-4 && (coarse - fine).abs() < 1e-4, "{coarse:e} {fine:e}");
 }

@@ -1,17 +1,17 @@
 //! Lines of action of slices under load: forces act at the centre of pressure, along the normal of
 //! the deflected surface between both flanks there.
 //!
-//! With the elastic energy `U = p' C p / 2` of the forces `p` on a body, whose compliance `C` depends
-//! on where the forces act, a motion of the body under fixed points of contact takes the work
-//! `p' (dC) p / 2` from the forces. As `C` is symmetric, this is the work of tangential forces `p`
-//! times the slope of the deflection `C p`, so the forces are derivatives of the energy if they act
-//! normal to the deflected surface. Slopes also move the pressure across the patch, where the flanks
-//! have other normals; this is of the same order. In contact both bodies share the deflected surface.
-//! The mean of their slopes gives them opposite forces along one line.
+//! With the elastic energy `U = p' C p / 2` of the forces `p` on a body, whose compliance `C`
+//! depends on where the forces act, a motion of the body under fixed points of contact takes the
+//! work `p' (dC) p / 2` from the forces. As `C` is symmetric, this is the work of tangential forces
+//! `p` times the slope of the deflection `C p`, so the forces are derivatives of the energy if they
+//! act normal to the deflected surface. Slopes also move the pressure across the patch, where the
+//! flanks have other normals; this is of the same order. In contact both bodies share the deflected
+//! surface. The mean of their slopes gives them opposite forces along one line.
 //!
-//! The deflections of the half-spaces at their own patch are left out: for equal materials they move
-//! the surface between both flanks nowhere, and otherwise their slopes have no resultant, because
-//! they depend on distances only.
+//! The deflections of the half-spaces at their own patch are left out: for equal materials they
+//! move the surface between both flanks nowhere, and otherwise their slopes have no resultant,
+//! because they depend on distances only.
 
 use super::assembly::{PatchCells, Side, mirrors, softness};
 use super::grid::Slice;
@@ -67,6 +67,8 @@ struct LoadedSlice {
     index: usize,
     load: Load,
     feet: [FootPoint; 2],
+    /// Shares of both flanks in the common slopes along x and y.
+    shares: [[f64; 2]; 2],
     /// Distance over which slopes are differences, m.
     step: f64,
 }
@@ -87,47 +89,84 @@ fn of_patch(
     patches: &[LoadedPatch],
     interrupt: &Interrupt,
 ) -> Result<Vec<Option<LineOfAction>>, EngineError> {
-    let slices = loaded_slices(patch);
-    let mut slopes: Vec<[f64; 2]> = slices
-        .iter()
-        .map(|slice| [0, 1].map(|axis| 0.5 * (slice.feet[0].slope[axis] + slice.feet[1].slope[axis])))
-        .collect();
-    // A load presses the first body against the normal of the frame and the second along it.
-    for (number, sign) in [(0, -1.0), (1, 1.0)] {
-        let observers: Vec<Observer> =
-            slices.iter().flat_map(|slice| observers(patch, number, slice)).collect();
-        let mut deflections = structural(patches, &patch.cells.sides[number], &observers, interrupt)?;
-        add_images(patch, number, (&slices, &observers), &mut deflections);
-        for ((slopes, slice), ends) in slopes.iter_mut().zip(&slices).zip(deflections.chunks_exact(4)) {
-            for (slope, ends) in slopes.iter_mut().zip(ends.chunks_exact(2)) {
-                // Half of the sum of both bodies, and a difference over two steps.
-                *slope += 0.5 * sign * (ends[1] - ends[0]) / (2.0 * slice.step);
-            }
-        }
-    }
+    let Some(first) = patch.slices.first() else { return Ok(Vec::new()) };
+    let surfaces = patch.cells.sides.map(|Side { structure, chart, .. }| structure.surface(chart.surface));
+    let height_fields = [0, 1].map(|side: usize| {
+        let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: patch.cells.sides[side].pose };
+        HeightField::new(placed, *patch.cells.frame, first.places[side], true)
+    });
+    let slices = loaded_slices(patch, &height_fields);
+    let deflections = [
+        deflection_slopes(patch, patches, &slices, 0, interrupt)?,
+        deflection_slopes(patch, patches, &slices, 1, interrupt)?,
+    ];
     let mut lines = vec![None; patch.slices.len()];
-    for (slice, slope) in slices.iter().zip(slopes) {
-        let height = 0.5 * (slice.feet[0].height + slice.feet[1].height);
-        let frame = patch.cells.frame;
+    let frame = patch.cells.frame;
+    for (index, slice) in slices.iter().enumerate() {
+        let feet = &slice.feet;
+        let slope = [0, 1].map(|axis| {
+            let of = |side: usize| {
+                slice.shares[axis][side] * (feet[side].slope[axis] + deflections[side][index][axis])
+            };
+            of(0) + of(1)
+        });
+        let height = 0.5 * (feet[0].height + feet[1].height);
         let point = plus(frame.at(slice.load.center), scaled(frame.normal, height));
         lines[slice.index] = Some(LineOfAction { point, slope });
     }
     Ok(lines)
 }
 
+/// Computes the slopes along x and y by which the deflection of a side tilts it at the centres of
+/// pressure.
+fn deflection_slopes(
+    patch: &LoadedPatch,
+    patches: &[LoadedPatch],
+    slices: &[LoadedSlice],
+    side: usize,
+    interrupt: &Interrupt,
+) -> Result<Vec<[f64; 2]>, EngineError> {
+    let observers: Vec<Observer> = slices.iter().flat_map(|slice| observers(patch, side, slice)).collect();
+    let mut deflections = structural(patches, &patch.cells.sides[side], &observers, interrupt)?;
+    add_images(patch, side, (slices, &observers), &mut deflections);
+    // A load presses the first body against the normal of the frame and the second along it.
+    let sign = if side == 0 { -1.0 } else { 1.0 };
+    let slope = |(slice, ends): (&LoadedSlice, &[f64])| {
+        [0, 2].map(|axis| sign * (ends[axis + 1] - ends[axis]) / (2.0 * slice.step))
+    };
+    Ok(slices.iter().zip(deflections.chunks_exact(4)).map(slope).collect())
+}
+
+/// Returns the shares of both flanks in their common slope across the patch. An error of the centre
+/// of pressure changes the slope of a flank in proportion to its curvature, so each counts with the
+/// curvature of the other: the direction of a force on a sharp edge is that of the flank that it
+/// touches.
+fn shares_across(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoint; 2]) -> [f64; 2] {
+    let [x, y] = load.center;
+    let half = 0.5 * load.size[0];
+    let change = |side: usize| {
+        let at = |x: f64| height_fields[side].over([x, y], feet[side].place);
+        Some((at(x + half)?.slope[0] - at(x - half)?.slope[0]).abs())
+    };
+    match (change(0), change(1)) {
+        (Some(first), Some(second)) if first + second > 0.0 => {
+            [second / (first + second), first / (first + second)]
+        }
+        // A flank that ends there is an edge.
+        (None, Some(_)) => [0.0, 1.0],
+        (Some(_), None) => [1.0, 0.0],
+        _ => [0.5; 2],
+    }
+}
+
 /// Returns the loaded slices of a patch whose centre of pressure is on both surfaces.
-fn loaded_slices(patch: &LoadedPatch) -> Vec<LoadedSlice> {
-    let Some(first) = patch.slices.first() else { return Vec::new() };
-    let surfaces = patch.cells.sides.map(|Side { structure, chart, .. }| structure.surface(chart.surface));
-    let height_fields = [0, 1].map(|side: usize| {
-        let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: patch.cells.sides[side].pose };
-        HeightField::new(placed, *patch.cells.frame, first.places[side], true)
-    });
+fn loaded_slices(patch: &LoadedPatch, height_fields: &[HeightField; 2]) -> Vec<LoadedSlice> {
     let of_slice = |(index, slice): (usize, &Slice)| {
         let load = load_of(patch, slice)?;
         let foot = |side: usize| height_fields[side].over(load.center, slice.places[side]);
         let feet = [foot(0)?, foot(1)?];
-        Some(LoadedSlice { index, load, feet, step: STEP * (slice.y[1] - slice.y[0]) })
+        let shares = [shares_across(height_fields, &load, &feet), [0.5; 2]];
+        Some(LoadedSlice { index, load, feet, shares, step: STEP * (slice.y[1] - slice.y[0]) })
     };
     patch.slices.iter().enumerate().filter_map(of_slice).collect()
 }
@@ -175,8 +214,8 @@ fn structural(
     Ok(deflections)
 }
 
-/// Adds the deflections of a side by the images of its half-space in side faces. Distant from a side
-/// face, the images of the cells of a slice act like one of uniform pressure.
+/// Adds the deflections of a side by the images of its half-space in side faces. Distant from a
+/// side face, the images of the cells of a slice act like one of uniform pressure.
 fn add_images(
     patch: &LoadedPatch,
     side: usize,

@@ -28,9 +28,6 @@ pub(super) const MOST_SHIFT: f64 = 0.5;
 /// Motion, m or rad, below which the rigid-body limit on general axes needs no other position of
 /// its contacts: the neglected term is of the order of its square over the radius of a flank.
 const TOUCHING_AT: f64 = 1e-8;
-/// Motion, m or rad, after which another one to the position of rigid contact is below
-/// [`TOUCHING_AT`].
-const NEARLY_TOUCHING: f64 = 1e-4;
 /// Difference of successive relinearization positions, relative to half a grid's width, that counts
 /// as converged.
 const SETTLED: f64 = 1e-3;
@@ -217,13 +214,12 @@ impl<S: ContactGeometry> Solver<'_, S> {
     }
 
     /// Returns the rigid motion of the bodies until teeth touch under the load: zero unless they
-    /// may touch on both flanks or their axes are not parallel. The contact grid is created there,
-    /// because the geometry is linearized: backlash is much larger than elastic deflections, and
-    /// flanks that are not conjugate have other moment arms where they do not touch.
+    /// may touch on both flanks. The contact grid is created there, because the geometry is
+    /// linearized, and backlash is much larger than elastic deflections.
     fn start(&self, time: f64, load: &[f64]) -> Result<Vec<f64>, EngineError> {
         let dofs = self.system.dofs.len();
         let nowhere = vec![0.0; dofs];
-        if dofs == 0 || !(self.both_sides() || self.on_general_axes()) {
+        if dofs == 0 || !self.both_sides() {
             return Ok(nowhere);
         }
         let direction = self.limit_direction();
@@ -237,11 +233,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             match unloaded.rigid_limit(&gaps, &arms, &direction, &self.system.interrupt) {
                 Ok(None) => return Ok(nowhere),
                 Ok(Some(limit)) => {
-                    start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more);
-                    // What remains after a small motion is of the order of its square.
-                    if limit.motion.iter().all(|moved| moved.abs() <= NEARLY_TOUCHING) {
-                        break;
-                    }
+                    start.iter_mut().zip(&limit.motion).for_each(|(start, more)| *start += more)
                 }
                 Err(error @ ContactError::Interrupted(_)) => return Err(self.explain(&error)),
                 // A mesh without backlash overlaps in every position. The contact problem reports
