@@ -68,6 +68,7 @@ pub fn compile_batch(tape: &Tape, varying: &[bool]) -> Result<BatchKernel, Codeg
     for chunk in 0..plan.chunks.len() {
         functions.push(define_chunk(&mut lowering, &batch, (&plan, &solvers), chunk)?);
     }
+    lowering.compile()?;
     let code = jit.into_code()?;
     Ok(BatchKernel::new(&batch, &plan, code, uniform, &functions))
 }

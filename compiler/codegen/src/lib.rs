@@ -98,6 +98,7 @@ pub fn compile_kernel(tape: &Tape) -> Result<Arc<dyn Kernel>, CodegenError> {
     let mut jit = jit::Jit::of_kernels()?;
     let mut lowering = module::ModuleLowering::new(jit.module(), &program)?;
     let function = kernel::lower(&mut lowering, "calyx_kernel", tape)?;
+    lowering.compile()?;
     Ok(jit::kernel(&jit.into_code()?, function, tape.inputs, tape.outputs.len()))
 }
 

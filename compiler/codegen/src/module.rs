@@ -11,10 +11,16 @@ use calyx_lang::ir::Program;
 use calyx_lower::layout::running_sums;
 use calyx_symbolic::Tape;
 use cranelift_codegen::Context;
-use cranelift_codegen::ir::{AbiParam, Signature, types};
+use cranelift_codegen::control::ControlPlane;
+use cranelift_codegen::ir::{AbiParam, Function, Signature, UserFuncName, types};
+use cranelift_codegen::isa::TargetIsa;
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
-use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module};
+use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module, ModuleError, ModuleReloc};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::collections::HashMap;
+
+/// Number of functions that are compiled in parallel.
+const SEVERAL: usize = 8;
 
 /// State shared by all functions of a module.
 pub struct ModuleLowering<'m, M: Module> {
@@ -29,10 +35,20 @@ pub struct ModuleLowering<'m, M: Module> {
     /// For each param, the number of slots of all params before it.
     pub param_offsets: Vec<usize>,
     constants: HashMap<Vec<u8>, DataId>,
-    context: Context,
     builder_context: FunctionBuilderContext,
+    /// Functions whose bodies are built, but not compiled.
+    built: Vec<(FuncId, Function)>,
     /// Receives code listings, if requested.
     listings: Option<&'m mut Vec<Listing>>,
+}
+
+/// Machine code of a function.
+struct Compiled {
+    alignment: u64,
+    bytes: Vec<u8>,
+    relocations: Vec<ModuleReloc>,
+    /// Intermediate representation and assembly, if listings are requested.
+    listed: Option<[String; 2]>,
 }
 
 impl<'m, M: Module> ModuleLowering<'m, M> {
@@ -81,8 +97,8 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
             imports,
             param_offsets,
             constants: HashMap::new(),
-            context: Context::new(),
             builder_context: FunctionBuilderContext::new(),
+            built: Vec::new(),
             listings: None,
         })
     }
@@ -93,7 +109,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         self
     }
 
-    /// Defines all functions and kernels.
+    /// Defines and compiles all functions and kernels.
     pub fn lower(mut self, tapes: &[Tape]) -> Result<Lowered, CodegenError> {
         let signature = slot_signature(self.module);
         for (index, function) in self.program.functions.iter().enumerate() {
@@ -107,34 +123,49 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
             let function = kernel::lower(&mut self, &format!("calyx_kernel_{index}"), tape)?;
             kernels.push(Kernel { function, inputs: tape.inputs, outputs: tape.outputs.len() });
         }
+        self.compile()?;
         Ok(Lowered { functions: self.functions, kernels })
     }
 
-    /// Builds the body of a declared function and defines it.
+    /// Builds the body of a declared function. [`ModuleLowering::compile`] compiles it.
     pub fn define(
         &mut self,
         id: FuncId,
         signature: Signature,
         build: impl FnOnce(&mut Self, FunctionBuilder) -> Result<(), CodegenError>,
     ) -> Result<(), CodegenError> {
-        let mut context = std::mem::replace(&mut self.context, Context::new());
         let mut builder_context = std::mem::take(&mut self.builder_context);
-        context.func.signature = signature;
-        let built = build(self, FunctionBuilder::new(&mut context.func, &mut builder_context));
-        if built.is_ok() {
-            let clif = self.listings.is_some().then(|| context.func.display().to_string());
-            context.set_disasm(clif.is_some());
-            self.module.define_function(id, &mut context)?;
-            if let (Some(listings), Some(clif)) = (&mut self.listings, clif) {
+        let mut function = Function::with_name_signature(UserFuncName::default(), signature);
+        let result = build(self, FunctionBuilder::new(&mut function, &mut builder_context));
+        self.builder_context = builder_context;
+        self.built.extend(result.is_ok().then_some((id, function)));
+        result
+    }
+
+    /// Compiles all functions that were built. They are compiled in parallel and defined in the
+    /// order in which they were built, so that the module does not depend on the number of threads.
+    pub fn compile(&mut self) -> Result<(), CodegenError> {
+        let built = std::mem::take(&mut self.built);
+        let (isa, listed) = (self.module.isa(), self.listings.is_some());
+        let ids: Vec<FuncId> = built.iter().map(|(id, _)| *id).collect();
+        let compile = |context: &mut Context, (id, function)| compile(context, isa, (id, function), listed);
+        let compiled: Vec<Result<Compiled, CodegenError>> = match built.len() {
+            // Starting threads would take longer.
+            0..SEVERAL => {
+                let mut context = Context::new();
+                built.into_iter().map(|built| compile(&mut context, built)).collect()
+            }
+            _ => built.into_par_iter().map_init(Context::new, compile).collect(),
+        };
+        for (id, compiled) in ids.into_iter().zip(compiled) {
+            let Compiled { alignment, bytes, relocations, listed } = compiled?;
+            self.module.define_function_bytes(id, alignment, &bytes, &relocations)?;
+            if let (Some(listings), Some([clif, asm])) = (&mut self.listings, listed) {
                 let declared = self.module.declarations().get_function_decl(id);
-                let asm = context.compiled_code().and_then(|code| code.vcode.clone()).unwrap_or_default();
                 listings.push(Listing { symbol: declared.linkage_name(id).into_owned(), clif, asm });
             }
         }
-        context.clear();
-        self.context = context;
-        self.builder_context = builder_context;
-        built
+        Ok(())
     }
 
     /// Returns a helper or numeric function by its symbol.
@@ -156,6 +187,31 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         self.constants.insert(bytes.to_vec(), id);
         Ok(id)
     }
+}
+
+/// Compiles a function.
+fn compile(
+    context: &mut Context,
+    isa: &dyn TargetIsa,
+    (id, function): (FuncId, Function),
+    listed: bool,
+) -> Result<Compiled, CodegenError> {
+    context.clear();
+    context.func = function;
+    let clif = listed.then(|| context.func.display().to_string());
+    context.set_disasm(listed);
+    let compiled = context.compile(isa, &mut ControlPlane::default());
+    let alignment = compiled.map_err(ModuleError::from)?.buffer.alignment.into();
+    let code = context.compiled_code().ok_or(CodegenError::Malformed("a function without code"))?;
+    let relocations = code.buffer.relocs().iter();
+    Ok(Compiled {
+        alignment,
+        bytes: code.code_buffer().to_vec(),
+        relocations: relocations
+            .map(|relocation| ModuleReloc::from_mach_reloc(relocation, &context.func, id))
+            .collect(),
+        listed: clif.map(|clif| [clif, code.vcode.clone().unwrap_or_default()]),
+    })
 }
 
 /// Returns the signature of [`calyx_abi::SlotFn`].

@@ -92,6 +92,9 @@ fn pivot(
     Ok(Solution { forces, motion, gaps, active, method: Method::Clarabel, iterations, certificate })
 }
 
+/// Number of rows of the compliance whose products are summed at a time.
+const ROWS: usize = 4;
+
 /// Active set with its forces and the motion, in scaled variables.
 struct Found {
     active: Vec<usize>,
@@ -151,7 +154,8 @@ impl Scaled<'_> {
         let right_loads: Vec<f64> = self.load.iter().map(|f| -f).collect();
         let (mut forces, mut motion) = equations.solve(&right_gaps, &right_loads);
         checkpoint()?;
-        let gap_residual: Vec<f64> = active.iter().map(|&i| -self.gap(i, active, &forces, &motion)).collect();
+        let gap_residual: Vec<f64> =
+            self.gaps(active, active, &forces, &motion).iter().map(|gap| -gap).collect();
         let load_residual: Vec<f64> = (0..m)
             .map(|k| {
                 let contact: f64 = active.iter().zip(&forces).map(|(&i, q)| self.arms[(i, k)] * q).sum();
@@ -169,23 +173,43 @@ impl Scaled<'_> {
         Ok((forces, motion))
     }
 
-    fn gap(&self, i: usize, active: &[usize], forces: &[f64], motion: &[f64]) -> f64 {
-        let elastic: f64 = active.iter().zip(forces).map(|(&j, q)| self.compliance(i, j) * q).sum();
-        elastic + row_product(&self.arms, i, motion) + self.gaps[i]
+    /// Returns the gaps of some cells.
+    fn gaps(&self, cells: &[usize], active: &[usize], forces: &[f64], motion: &[f64]) -> Vec<f64> {
+        let elastic = self.sums(cells, active, forces, |term| term);
+        let gap = |(&i, elastic): (&usize, f64)| elastic + row_product(&self.arms, i, motion) + self.gaps[i];
+        cells.iter().zip(elastic).map(gap).collect()
+    }
+
+    /// Returns for some cells the sum of a function of the deflections by the forces on the active
+    /// cells. The function commutes with scaling by a power of two.
+    fn sums(&self, cells: &[usize], active: &[usize], forces: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
+        // The scales are powers of two, so that they can be factored out without rounding.
+        let forces: Vec<(usize, f64)> =
+            active.iter().zip(forces).map(|(&j, q)| (j, self.cell_scale[j] * q)).collect();
+        let mut all = Vec::with_capacity(cells.len());
+        // Several rows at a time, because each sum waits for its last addition.
+        for cells in cells.chunks(ROWS) {
+            let rows: [&[f64]; ROWS] = std::array::from_fn(|k| self.row(cells[k.min(cells.len() - 1)]));
+            let mut sums = [0.0; ROWS];
+            for &(j, q) in &forces {
+                for (sum, row) in sums.iter_mut().zip(&rows) {
+                    *sum += of(row[j] * q);
+                }
+            }
+            all.extend(cells.iter().zip(sums).map(|(&i, sum)| self.cell_scale[i] * sum));
+        }
+        all
     }
 
     /// Returns the largest sum of magnitudes of the terms of an active cell's gap: the scale of
     /// overlaps.
     fn gap_scale(&self, active: &[usize], forces: &[f64], motion: &[f64]) -> f64 {
-        active
-            .iter()
-            .map(|&i| {
-                let elastic: f64 =
-                    active.iter().zip(forces).map(|(&j, q)| (self.compliance(i, j) * q).abs()).sum();
-                let rigid: f64 = self.arms.row(i).iter().zip(motion).map(|(c, y)| (c * y).abs()).sum();
-                elastic + rigid + self.gaps[i].abs()
-            })
-            .fold(0.0, f64::max)
+        let elastic = self.sums(active, active, forces, f64::abs);
+        let scale = |(&i, elastic): (&usize, f64)| {
+            let rigid: f64 = self.arms.row(i).iter().zip(motion).map(|(c, y)| (c * y).abs()).sum();
+            elastic + rigid + self.gaps[i].abs()
+        };
+        active.iter().zip(elastic).map(scale).fold(0.0, f64::max)
     }
 
     /// Returns cells outside the active set that overlap beyond rounding, with their (negative)
@@ -207,9 +231,9 @@ impl Scaled<'_> {
         for &i in &found.active {
             loaded[i] = true;
         }
-        (0..self.cells())
-            .filter(move |&i| !loaded[i])
-            .map(|i| (i, self.gap(i, &found.active, &found.forces, &found.motion)))
+        let cells: Vec<usize> = (0..self.cells()).filter(|&i| !loaded[i]).collect();
+        let gaps = self.gaps(&cells, &found.active, &found.forces, &found.motion);
+        cells.into_iter().zip(gaps)
     }
 
     fn gap_tolerance(&self, found: &Found) -> f64 {

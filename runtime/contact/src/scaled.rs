@@ -74,4 +74,8 @@ impl<'a> Scaled<'a> {
     pub fn compliance(&self, i: usize, j: usize) -> f64 {
         self.cell_scale[i] * self.compliance[i * self.cells() + j] * self.cell_scale[j]
     }
+    /// Returns the influence coefficients of all cells for the gap of cell `i`, not scaled.
+    pub fn row(&self, i: usize) -> &[f64] {
+        &self.compliance[i * self.cells()..][..self.cells()]
+    }
 }

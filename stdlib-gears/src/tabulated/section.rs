@@ -45,7 +45,12 @@ pub struct Placed {
 
 /// `sin(a) / a`.
 fn cardinal_sine(a: f64) -> f64 {
-    if a.abs() < 1e-4 { 1.0 - a * a / 6.0 } else { math::sin(a) / a }
+    cardinal(a, math::sin(a))
+}
+
+/// `sin(a) / a`, from `a` and its sine.
+fn cardinal(a: f64, sine: f64) -> f64 {
+    if a.abs() < 1e-4 { 1.0 - a * a / 6.0 } else { sine / a }
 }
 
 impl SectionCones {
@@ -124,7 +129,7 @@ impl SectionCones {
         let azimuth_by = [
             -sine / radius,
             cosine / radius,
-            rotation[1] - self.sense * azimuth * cardinal_sine(angle) * self.sine / radius,
+            rotation[1] - self.sense * azimuth * cardinal(angle, sine) * self.sine / radius,
         ];
         let along_by = [0.0, 0.0, 1.0];
         let (sine, cosine) = math::sincos(azimuth + rotation[0]);

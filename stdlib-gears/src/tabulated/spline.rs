@@ -19,15 +19,48 @@ pub struct Basis {
     spans: Vec<Span>,
 }
 
-/// Data of the interval between two knots, in the order of an evaluation. Divisions would dominate
-/// it.
+/// Splines on the interval between two knots, as polynomials of a variable from -1 to 1. The
+/// compiler vectorizes their evaluation, unlike de Boor's recursion.
 #[derive(Clone, Copy, Debug)]
 struct Span {
-    /// Knots before the interval, the nearest first, and those after it.
-    before: [f64; MOST_DEGREE],
-    after: [f64; MOST_DEGREE],
-    /// Inverse lengths of the supports of the splines of each order from 1 to the degree.
-    inverse_lengths: [f64; MOST_DEGREE * (MOST_DEGREE + 1) / 2],
+    /// Middle of the interval, and inverse of half its length.
+    middle: f64,
+    scale: f64,
+    /// Coefficients by power, then by spline.
+    coefficients: [[f64; MOST_SPLINES]; MOST_SPLINES],
+}
+
+impl Span {
+    /// Creates the splines of a degree on the interval that starts at a knot, by de Boor's recursion
+    /// between polynomials.
+    fn new(knots: &[f64], start: usize, degree: usize) -> Self {
+        let [from, to] = [knots[start], knots[start + 1]];
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        // Polynomials by spline, then by power.
+        let mut splines = [[0.0; MOST_SPLINES]; MOST_SPLINES];
+        splines[0][0] = 1.0;
+        for order in 1..=degree {
+            let mut carried = [0.0; MOST_SPLINES];
+            for r in 0..order {
+                let (left, right) = (knots[start + 1 + r - order], knots[start + 1 + r]);
+                let share = splines[r].map(|coefficient| coefficient / (right - left));
+                // Products with the distances from the point to the right knot and from the left
+                // one.
+                let times = |constant: f64, slope: f64| -> [f64; MOST_SPLINES] {
+                    std::array::from_fn(|power| {
+                        let below = if power > 0 { share[power - 1] } else { 0.0 };
+                        constant * share[power] + slope * below
+                    })
+                };
+                let (falling, rising) = (times(right - middle, -half), times(middle - left, half));
+                splines[r] = std::array::from_fn(|power| carried[power] + falling[power]);
+                carried = rising;
+            }
+            splines[order] = carried;
+        }
+        let coefficients = std::array::from_fn(|power| std::array::from_fn(|spline| splines[spline][power]));
+        Self { middle, scale: half.recip(), coefficients }
+    }
 }
 
 /// Splines that are not zero at a point: index of the first, values, and first derivatives.
@@ -39,6 +72,21 @@ pub struct Weights {
     pub slopes: [f64; MOST_SPLINES],
 }
 
+impl Weights {
+    /// Value and derivative of a curve with these coefficients of the splines.
+    #[inline(always)]
+    fn sums<const N: usize>(&self, coefficients: &[[f64; N]]) -> [[f64; N]; 2] {
+        let mut sums = [[0.0; N]; 2];
+        for ((coefficient, value), slope) in coefficients.iter().zip(&self.values).zip(&self.slopes) {
+            for component in 0..N {
+                sums[0][component] += value * coefficient[component];
+                sums[1][component] += slope * coefficient[component];
+            }
+        }
+        sums
+    }
+}
+
 impl Basis {
     /// Creates the splines on at least two ascending nodes, with the largest degree up to `degree`
     /// that their number permits.
@@ -48,25 +96,7 @@ impl Basis {
         let mut knots = vec![nodes[0]; degree + 1];
         knots.extend((1..count - degree).map(|j| nodes[j..j + degree].iter().sum::<f64>() / degree as f64));
         knots.extend(vec![nodes[count - 1]; degree + 1]);
-        let span = |span: usize| {
-            let mut own = Span {
-                before: [0.0; MOST_DEGREE],
-                after: [0.0; MOST_DEGREE],
-                inverse_lengths: [0.0; MOST_DEGREE * (MOST_DEGREE + 1) / 2],
-            };
-            let mut place = 0;
-            for order in 1..=degree {
-                (own.before[order - 1], own.after[order - 1]) =
-                    (knots[span + 1 - order], knots[span + order]);
-                for r in 0..order {
-                    let first = span + r + 1 - order;
-                    own.inverse_lengths[place] = (knots[first + order] - knots[first]).recip();
-                    place += 1;
-                }
-            }
-            own
-        };
-        let spans = (degree..count).map(span).collect();
+        let spans = (degree..count).map(|start| Span::new(&knots, start, degree)).collect();
         Self { degree, nodes, knots, spans }
     }
 
@@ -111,49 +141,22 @@ impl Basis {
         weights
     }
 
+    /// Splines between the first and the last knot, by Horner's rule for values and derivatives.
     fn inner_weights(&self, at: f64) -> Weights {
-        match self.degree {
-            1 => self.weights_of_degree::<1>(at),
-            2 => self.weights_of_degree::<2>(at),
-            3 => self.weights_of_degree::<3>(at),
-            4 => self.weights_of_degree::<4>(at),
-            _ => self.weights_of_degree::<MOST_DEGREE>(at),
-        }
-    }
-
-    /// De Boor's recursion between the first and the last knot. The degree is a constant, so that
-    /// the compiler unrolls the loops.
-    fn weights_of_degree<const DEGREE: usize>(&self, at: f64) -> Weights {
         let last = self.spans.len() - 1;
-        let inner = &self.knots[DEGREE + 1..=DEGREE + last];
-        let span = inner.partition_point(|&knot| knot <= at);
-        let Span { before, after, inverse_lengths } = &self.spans[span];
-        let mut values = [0.0; MOST_SPLINES];
+        let inner = &self.knots[self.degree + 1..=self.degree + last];
+        let first = inner.partition_point(|&knot| knot <= at);
+        let Span { middle, scale, coefficients } = &self.spans[first];
+        let x = (at - middle) * scale;
+        let mut values = coefficients[self.degree];
         let mut slopes = [0.0; MOST_SPLINES];
-        values[0] = 1.0;
-        let mut place = 0;
-        for order in 1..=DEGREE {
-            let mut carried = 0.0;
-            let mut slope_carried = 0.0;
-            for r in 0..order {
-                let (right, left) = (after[r], before[order - 1 - r]);
-                let share = values[r] * inverse_lengths[place];
-                place += 1;
-                values[r] = carried + (right - at) * share;
-                carried = (at - left) * share;
-                if order == DEGREE {
-                    // Derivative from the splines of one degree less.
-                    let rate = DEGREE as f64 * share;
-                    slopes[r] = slope_carried - rate;
-                    slope_carried = rate;
-                }
-            }
-            values[order] = carried;
-            if order == DEGREE {
-                slopes[order] = slope_carried;
+        for coefficients in coefficients[..self.degree].iter().rev() {
+            for spline in 0..MOST_SPLINES {
+                slopes[spline] = slopes[spline] * x + values[spline];
+                values[spline] = values[spline] * x + coefficients[spline];
             }
         }
-        Weights { first: span, count: DEGREE + 1, values, slopes }
+        Weights { first, count: self.degree + 1, values, slopes: slopes.map(|slope| slope * scale) }
     }
 }
 
@@ -176,15 +179,7 @@ impl<const N: usize> Line<N> {
     /// Value and derivative.
     pub fn at(&self, x: f64) -> [[f64; N]; 2] {
         let weights = self.basis.weights(x);
-        let mut sums = [[0.0; N]; 2];
-        for k in 0..weights.count {
-            let coefficient = &self.coefficients[weights.first + k];
-            for component in 0..N {
-                sums[0][component] += weights.values[k] * coefficient[component];
-                sums[1][component] += weights.slopes[k] * coefficient[component];
-            }
-        }
-        sums
+        weights.sums(&self.coefficients[weights.first..][..weights.count])
     }
 }
 
@@ -239,13 +234,11 @@ impl Sheet {
         let mut point = SheetPoint { position: [0.0; 2], by_u: [0.0; 2], by_v: [0.0; 2], by_both: [0.0; 2] };
         for k in 0..of_u.count {
             let row = &self.coefficients[(of_u.first + k) * width + of_v.first..][..of_v.count];
-            let (mut value, mut slope) = ([0.0; 2], [0.0; 2]);
-            for (l, coefficient) in row.iter().enumerate() {
-                for axis in 0..2 {
-                    value[axis] += of_v.values[l] * coefficient[axis];
-                    slope[axis] += of_v.slopes[l] * coefficient[axis];
-                }
-            }
+            // The compiler unrolls the loop over a number of splines that it knows.
+            let [value, slope] = match row.first_chunk::<MOST_SPLINES>() {
+                Some(row) => of_v.sums(row),
+                None => of_v.sums(row),
+            };
             for axis in 0..2 {
                 point.position[axis] += of_u.values[k] * value[axis];
                 point.by_u[axis] += of_u.slopes[k] * value[axis];

@@ -17,6 +17,7 @@ use crate::surface::Surface;
 use crate::{Chart, SplineToothForce};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::logarithm::replace_by_logarithms;
 use faer::Mat;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -65,23 +66,71 @@ impl ElasticSolid {
         interrupt: &Interrupt,
     ) -> Result<Mat<f64>, EngineError> {
         let columns = [first, second].map(|points| self.own_points(known, points));
-        let by_second = columns[1].columns(table.as_ref(), interrupt)?;
-        let mut block = columns[0].seen(by_second.as_ref(), interrupt)?;
+        let by_second = columns[1].columns(table, interrupt)?;
+        let mut block = columns[0].seen(&by_second, interrupt)?;
         // The projection of a point load on the polynomials, along the line through the point.
         let per_length = known.metric.as_ref().map(SurfaceMetric::per_length);
         let lines = columns[0].lines(&columns[1], per_length.as_ref().map(Mat::as_ref));
-        let turned = |points: &[SurfaceSegment]| {
-            points.iter().map(|segment| known.normal_angle_at(segment.place[0])).collect::<Vec<NormalAngle>>()
-        };
-        let (first, second) = (turned(first), turned(second));
-        for (column, &a) in first.iter().enumerate() {
+        let angle = |segment: &SurfaceSegment| known.normal_angle_at(segment.place[0]);
+        let others: Vec<NormalAngle> = second.iter().map(angle).collect();
+        let mut terms = CurvatureTerms::new(self, known, &others);
+        for (column, segment) in first.iter().enumerate() {
             interrupt.check()?;
             let from = if equal { column } else { 0 };
-            for (row, &b) in second.iter().enumerate().skip(from) {
-                block[(row, column)] += lines(column, row) * self.curvature_term(known, a, b);
+            let terms = terms.with(angle(segment), from);
+            let entries = &mut block.col_as_slice_mut(column)[from..];
+            let along = lines.of(column);
+            for ((entry, term), &line) in entries.iter_mut().zip(terms).zip(&columns[1].line()[from..]) {
+                *entry += along[line] * term;
             }
         }
         Ok(block)
+    }
+}
+
+/// Terms of the curvature of a surface between one point and many, see
+/// [`ElasticSolid::curvature_term`]. They are most of the work for the points of a grid, so that
+/// they are computed in loops that the compiler vectorizes.
+struct CurvatureTerms<'a> {
+    /// Coordinates across of the others, and the angles of their normals.
+    places: Vec<f64>,
+    angles: Vec<f64>,
+    /// Extent of the surface across, m.
+    extent: f64,
+    solid: &'a ElasticSolid,
+    logarithms: Vec<f64>,
+    terms: Vec<f64>,
+}
+
+impl<'a> CurvatureTerms<'a> {
+    fn new(solid: &'a ElasticSolid, known: &SurfaceTables, others: &[NormalAngle]) -> Self {
+        Self {
+            places: others.iter().map(|other| other.s).collect(),
+            angles: others.iter().map(|other| other.angle).collect(),
+            extent: known.range[1] - known.range[0],
+            solid,
+            logarithms: Vec::with_capacity(others.len()),
+            terms: Vec::with_capacity(others.len()),
+        }
+    }
+
+    /// Returns the terms of one point with the others from an index on.
+    fn with(&mut self, point: NormalAngle, from: usize) -> &[f64] {
+        let Self { places, angles, extent, solid, logarithms, terms } = self;
+        logarithms.clear();
+        logarithms.extend(places[from..].iter().map(|s| (point.s - s).abs() / *extent));
+        replace_by_logarithms(logarithms);
+        // The logarithm of the distance zero is finite, and its factor is zero.
+        let (kink, factor) = solid.curvature_factors();
+        terms.clear();
+        terms.extend(places[from..].iter().zip(&angles[from..]).zip(&*logarithms).map(
+            |((s, angle), logarithm)| {
+                let difference = point.angle - angle;
+                let turn = if point.s >= *s { difference } else { -difference };
+                kink * turn + factor * turn * turn * logarithm
+            },
+        ));
+        terms
     }
 }
 
@@ -171,15 +220,15 @@ impl SolidStructure for ElasticSolid {
                 self.own_compliance(observed, table, points, order.is_eq(), interrupt)?
             }
             Some(table) => {
-                let columns = self.points(known[1], second_points).columns(table.as_ref(), interrupt)?;
-                self.points(known[0], first_points).seen(columns.as_ref(), interrupt)?
+                let columns = self.points(known[1], second_points).columns(table, interrupt)?;
+                self.points(known[0], first_points).seen(&columns, interrupt)?
             }
             None => Mat::zeros(second_points.len(), first_points.len()),
         };
         if let Some(bore) = bore {
             let felt = |known: &SurfaceTables, chart: Chart, points: &[SurfaceSegment]| {
                 let table = bore.loads.get(chart.surface as usize);
-                table.map(|table| self.points(known, points).columns(table.as_ref(), interrupt)).transpose()
+                table.map(|table| self.points(known, points).columns(table, interrupt)).transpose()
             };
             let felt = felt(known[0], first, first_points)?.zip(felt(known[1], second, second_points)?);
             let Some((by_first, by_second)) = felt else { return Ok(()) };
@@ -190,8 +239,10 @@ impl SolidStructure for ElasticSolid {
             mirror_lower(&mut values);
         }
         for (row, target) in block.chunks_exact_mut(loads.len().max(1)).enumerate() {
-            for (column, target) in target.iter_mut().enumerate() {
-                *target += if forward { values[(column, row)] } else { values[(row, column)] };
+            if forward {
+                target.iter_mut().zip(values.col_as_slice(row)).for_each(|(target, value)| *target += value);
+            } else {
+                target.iter_mut().enumerate().for_each(|(column, target)| *target += values[(row, column)]);
             }
         }
         Ok(())

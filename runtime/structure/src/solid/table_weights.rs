@@ -111,13 +111,15 @@ impl TablePoints {
 
     /// Returns columns of a table for loads at the points: one column for each point. There is a
     /// checkpoint before each place of the table.
-    pub fn columns(&self, table: MatRef<'_, f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
+    pub fn columns(&self, table: &Mat<f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
         let mut columns = Mat::<f64>::zeros(table.nrows(), self.across.len());
+        let mut at_place = Mat::<f64>::zeros(table.nrows(), self.modes());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
             interrupt.check()?;
-            let at_place = Mat::from_fn(table.nrows(), self.modes(), |row, mode| {
-                table[(row, mode * self.places + place)]
-            });
+            for mode in 0..self.modes() {
+                let column = table.col_as_slice(mode * self.places + place);
+                at_place.col_as_slice_mut(mode).copy_from_slice(column);
+            }
             let by_line = product(at_place.as_ref(), self.along(&of.lines).as_ref());
             for &(point, weight) in &of.points {
                 let line = of.lines.partition_point(|&line| line < self.line[point]);
@@ -129,14 +131,20 @@ impl TablePoints {
 
     /// Evaluates columns of a table at the points as observers: rows by column, one column for each
     /// observer. There is a checkpoint before each place of the table.
-    pub fn seen(&self, columns: MatRef<'_, f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
+    pub fn seen(&self, columns: &Mat<f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
         let mut seen = Mat::<f64>::zeros(columns.ncols(), self.across.len());
+        let mut at_place = Mat::<f64>::zeros(self.modes(), columns.ncols());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
             interrupt.check()?;
-            let at_place = Mat::from_fn(columns.ncols(), self.modes(), |column, mode| {
-                columns[(mode * self.places + place, column)]
-            });
-            let by_line = product(at_place.as_ref(), self.along(&of.lines).as_ref());
+            for column in 0..columns.ncols() {
+                let by_mode = columns.col_as_slice(column).iter().skip(place).step_by(self.places);
+                at_place
+                    .col_as_slice_mut(column)
+                    .iter_mut()
+                    .zip(by_mode)
+                    .for_each(|(at, value)| *at = *value);
+            }
+            let by_line = product(at_place.transpose(), self.along(&of.lines).as_ref());
             for &(point, weight) in &of.points {
                 let line = of.lines.partition_point(|&line| line < self.line[point]);
                 add(seen.as_mut().col_mut(point), weight, by_line.col(line));
@@ -158,16 +166,30 @@ impl TablePoints {
         loads
     }
 
-    /// Returns the projection of a load on the polynomials, at these points (rows) and others: sums
-    /// of products of polynomials, with a matrix between them where lengths vary along the face.
-    pub fn lines(
-        &self,
-        others: &TablePoints,
-        between: Option<MatRef<'_, f64>>,
-    ) -> impl Fn(usize, usize) -> f64 {
+    /// Line of each point.
+    pub fn line(&self) -> &[usize] {
+        &self.line
+    }
+
+    /// Returns the projection of a load on the polynomials, at these points and others: sums of
+    /// products of polynomials, with a matrix between them where lengths vary along the face.
+    pub fn lines(&self, others: &TablePoints, between: Option<MatRef<'_, f64>>) -> LineProducts<'_> {
         let weighted = between.map(|between| product(between, others.along.as_ref()));
-        let products = product(self.along.transpose(), weighted.as_ref().unwrap_or(&others.along).as_ref());
-        move |point, other| products[(self.line[point], others.line[other])]
+        let others = weighted.as_ref().unwrap_or(&others.along);
+        LineProducts { line: &self.line, products: product(others.transpose(), self.along.as_ref()) }
+    }
+}
+
+/// Projections of loads on the polynomials, by line.
+pub(super) struct LineProducts<'a> {
+    line: &'a [usize],
+    products: Mat<f64>,
+}
+
+impl LineProducts<'_> {
+    /// Returns the projections at a point, by line of the others.
+    pub fn of(&self, point: usize) -> &[f64] {
+        self.products.col_as_slice(self.line[point])
     }
 }
 
