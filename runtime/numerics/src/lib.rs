@@ -8,7 +8,6 @@ pub mod error;
 pub mod fourier;
 pub mod interpolation;
 pub mod interrupt;
-pub mod logarithm;
 pub mod quadrature;
 pub mod vec2;
 pub mod vec3;

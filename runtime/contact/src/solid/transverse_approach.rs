@@ -277,7 +277,7 @@ mod tests {
             let slow = bracketed(&height_fields, y, &guess).expect("no end is near");
             assert!((quick.at()[0] - slow.at()[0]).abs() < 1e-13, "{quick:?} {slow:?}");
             assert!((quick.gap() - slow.gap()).abs() < 1e-14 && quick.end.is_none() && slow.end.is_none());
-            assert!(3 * (between - before) < evaluations() - between, "{y}: {}", between - before);
+            assert!(2 * (between - before) < evaluations() - between, "{y}: {}", between - before);
             guess = quick;
         }
     }

@@ -376,14 +376,7 @@ impl ElasticSolid {
         let turn = if a.s >= b.s { a.angle - b.angle } else { b.angle - a.angle };
         let distance = (a.s - b.s).abs() / (surface.range[1] - surface.range[0]);
         let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
-        let (kink, factor) = self.curvature_factors();
-        kink * turn + factor * logarithmic
-    }
-
-    /// Returns the factors of [`ElasticSolid::curvature_term`]: of the rotation of the normal, and
-    /// of its square times the logarithm of the distance.
-    pub(super) fn curvature_factors(&self) -> (f64, f64) {
-        (self.kink, (PI * self.surface_modulus).recip())
+        self.kink * turn + logarithmic / (PI * self.surface_modulus)
     }
 }
 

@@ -17,7 +17,6 @@ use crate::surface::Surface;
 use crate::{Chart, SplineToothForce};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_numerics::logarithm::replace_by_logarithms;
 use faer::Mat;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -73,64 +72,19 @@ impl ElasticSolid {
         let lines = columns[0].lines(&columns[1], per_length.as_ref().map(Mat::as_ref));
         let angle = |segment: &SurfaceSegment| known.normal_angle_at(segment.place[0]);
         let others: Vec<NormalAngle> = second.iter().map(angle).collect();
-        let mut terms = CurvatureTerms::new(self, known, &others);
         for (column, segment) in first.iter().enumerate() {
             interrupt.check()?;
             let from = if equal { column } else { 0 };
-            let terms = terms.with(angle(segment), from);
+            let own = angle(segment);
             let entries = &mut block.col_as_slice_mut(column)[from..];
             let along = lines.of(column);
-            for ((entry, term), &line) in entries.iter_mut().zip(terms).zip(&columns[1].line()[from..]) {
-                *entry += along[line] * term;
+            for ((entry, &other), &line) in
+                entries.iter_mut().zip(&others[from..]).zip(&columns[1].line()[from..])
+            {
+                *entry += along[line] * self.curvature_term(known, own, other);
             }
         }
         Ok(block)
-    }
-}
-
-/// Terms of the curvature of a surface between one point and many, see
-/// [`ElasticSolid::curvature_term`]. They are most of the work for the points of a grid, so that
-/// they are computed in loops that the compiler vectorizes.
-struct CurvatureTerms<'a> {
-    /// Coordinates across of the others, and the angles of their normals.
-    places: Vec<f64>,
-    angles: Vec<f64>,
-    /// Extent of the surface across, m.
-    extent: f64,
-    solid: &'a ElasticSolid,
-    logarithms: Vec<f64>,
-    terms: Vec<f64>,
-}
-
-impl<'a> CurvatureTerms<'a> {
-    fn new(solid: &'a ElasticSolid, known: &SurfaceTables, others: &[NormalAngle]) -> Self {
-        Self {
-            places: others.iter().map(|other| other.s).collect(),
-            angles: others.iter().map(|other| other.angle).collect(),
-            extent: known.range[1] - known.range[0],
-            solid,
-            logarithms: Vec::with_capacity(others.len()),
-            terms: Vec::with_capacity(others.len()),
-        }
-    }
-
-    /// Returns the terms of one point with the others from an index on.
-    fn with(&mut self, point: NormalAngle, from: usize) -> &[f64] {
-        let Self { places, angles, extent, solid, logarithms, terms } = self;
-        logarithms.clear();
-        logarithms.extend(places[from..].iter().map(|s| (point.s - s).abs() / *extent));
-        replace_by_logarithms(logarithms);
-        // The logarithm of the distance zero is finite, and its factor is zero.
-        let (kink, factor) = solid.curvature_factors();
-        terms.clear();
-        terms.extend(places[from..].iter().zip(&angles[from..]).zip(&*logarithms).map(
-            |((s, angle), logarithm)| {
-                let difference = point.angle - angle;
-                let turn = if point.s >= *s { difference } else { -difference };
-                kink * turn + factor * turn * turn * logarithm
-            },
-        ));
-        terms
     }
 }
 
