@@ -98,15 +98,14 @@ fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
             let off = loaded.iter().zip(&rigid).map(|(loaded, rigid)| (loaded - rigid).abs());
             off.fold(0.0, f64::max) / spread(&rigid)
         };
-        let [light, lightest] = ["0.26 lbf*inch", "0.026 lbf*inch"].map(deviation);
+        let [light, lightest] = ["0.026 lbf*inch", "0.0026 lbf*inch"].map(deviation);
         assert!(lightest < 0.01, "{fidelity}: {lightest}");
         assert!((0.2..0.3).contains(&(lightest / light)), "{fidelity}: {light} {lightest}");
     }
 }
 
-/// A pair of straight bevel gears with small cone angles has the transmission error and the root
-/// stresses of the spur pair of its mean section within 1 %. The contact pressure is that of the
-/// end where the teeth are smaller, so that its difference is proportional to the angles.
+/// A pair of straight bevel gears with small cone angles has the transmission error, the root
+/// stresses and the contact pressure of the spur pair of its mean section within 1 %.
 #[test]
 fn a_bevel_pair_of_small_cone_angles_is_a_spur_pair() {
     cone_limit("medium", "0 deg");
@@ -133,26 +132,19 @@ fn cone_limit(fidelity: &str, helix_angle: &str) {
         let at = columns["cycle"].iter().position(|at| (at - cycle).abs() < 1e-4);
         columns[output][at.unwrap_or_else(|| panic!("no position {cycle}: {:?}", columns["cycle"]))]
     };
-    let [wide, narrow] = ["16 deg", "4 deg"].map(|angle| {
-        let bevel = pair(angle);
-        let outputs =
-            ["transmission_error", "max_root_stress_pinion", "max_root_stress_gear", "max_contact_pressure"];
-        outputs.map(|output| {
-            // At 0 a tooth pair enters contact. Results vary fast there, and the cycle of the spur
-            // pair begins at the tip form circle, that of the bevel pair at the first contact of
-            // the edge.
-            let off = (1..4).map(|index| {
-                let cycle = 0.25 * f64::from(index);
-                (value(&bevel, output, cycle) / value(&spur, output, cycle) - 1.0).abs()
-            });
-            off.fold(0.0, f64::max)
-        })
+    let bevel = pair("4 deg");
+    let outputs =
+        ["transmission_error", "max_root_stress_pinion", "max_root_stress_gear", "max_contact_pressure"];
+    let narrow = outputs.map(|output| {
+        // At 0 a tooth pair enters contact. Results vary fast there, and the cycle of the spur pair
+        // begins at the tip form circle, that of the bevel pair at the first contact of the edge.
+        let off = (1..4).map(|index| {
+            let cycle = 0.25 * f64::from(index);
+            (value(&bevel, output, cycle) / value(&spur, output, cycle) - 1.0).abs()
+        });
+        off.fold(0.0, f64::max)
     });
     assert!(narrow[..3].iter().all(|off| *off < 0.01), "{narrow:?}");
-    if fidelity == "analytic" {
-        // The pressure at the ends of the face depends on the slices, see the how-to.
-        return;
-    }
-    let ratio = wide[3] / narrow[3];
-    assert!((3.0..5.0).contains(&ratio) && narrow[3] < 0.03, "{wide:?} {narrow:?}");
+    // The pressure of closed forms at the ends of the face depends on the slices, see the how-to.
+    assert!(fidelity == "analytic" || narrow[3] < 0.01, "{narrow:?}");
 }

@@ -8,8 +8,8 @@
 //! in the direction of that line, or of the least relative curvature.
 //!
 //! Samples of both surfaces provide starting points. Then frame and contact line are improved
-//! alternately. Across the patch the slope of the gap is monotonic, and its zero is computed to
-//! rounding. Along it, the least gap is searched among points of the contact line.
+//! alternately. Across the patch the slope of the gap is monotonic, so its zero is bracketed and
+//! computed to rounding. Along it, the least gap is searched among points of the contact line.
 //!
 //! See `docs/theory/contact.md`.
 
@@ -90,8 +90,6 @@ const PASSES_INTO: f64 = 4.0;
 /// Convergence: the next change of the frame is below this, translation (relative to the patch's
 /// length) and rotation.
 const SETTLED: f64 = 1e-14;
-/// Changes of the frame below this that no longer decrease are rounding.
-const ROUNDING: f64 = 1e-11;
 /// Principal curvatures that differ by less than this fraction of their sum are equal.
 const ROUND: f64 = 1e-6;
 /// Step of a finite difference, relative to the extent of a surface.
@@ -206,7 +204,6 @@ impl<'a> Search<'a> {
         let frame = PatchFrame::new(middle, normal, tangent);
         let mut frame = self.along_least_curvature(frame, start);
         let mut places = start;
-        let mut previous = f64::INFINITY;
         for _ in 0..ROUNDS {
             let height_fields = self.height_fields(frame, places);
             let stations = self.stations(&height_fields, places)?;
@@ -216,19 +213,15 @@ impl<'a> Search<'a> {
             let turn = length(minus(next.normal, frame.normal)).max(length(minus(next.along, frame.along)));
             frame = next;
             places = stations.least.places();
-            // Converged, or limited by rounding.
-            let change = shift.max(turn);
-            if change <= SETTLED || (change <= ROUNDING && change >= 0.5 * previous) {
+            if shift.max(turn) <= SETTLED {
                 break;
             }
-            previous = change;
         }
         let height_fields = self.height_fields(frame, places);
         let stations = self.stations(&height_fields, places)?;
         let on_edge = [0, 1].map(|side| self.placed[side].on_edge(places[side]));
         let points = stations.found.iter().map(|closest| self.point(closest)).collect();
-        let start = TransverseApproach::start(&height_fields, places);
-        let center = closest_across(&height_fields, 0.0, &start)?;
+        let center = closest_across(&height_fields, 0.0, places)?;
         Some(ContactLine { frame, gap: center.gap(), places, on_edge, at_end: center.end.is_some(), points })
     }
 
@@ -257,12 +250,12 @@ impl<'a> Search<'a> {
 
     /// Computes closest approaches from end to end.
     fn stations(&self, height_fields: &[HeightField; 2], places: Places) -> Option<Stations> {
-        let center = closest_across(height_fields, 0.0, &TransverseApproach::start(height_fields, places))?;
+        let center = closest_across(height_fields, 0.0, places)?;
         let mut ends = ends_along(height_fields, center.at()[0], center.places())?;
         // The end of a curved contact line is not below its middle.
         for _ in 0..2 {
             for end in 0..2 {
-                if let Some(closest) = closest_across(height_fields, ends[end], &center) {
+                if let Some(closest) = closest_across(height_fields, ends[end], center.places()) {
                     ends[end] = ends_along(height_fields, closest.at()[0], closest.places())?[end];
                 }
             }
@@ -272,17 +265,17 @@ impl<'a> Search<'a> {
         let mut found: Vec<TransverseApproach> = Vec::with_capacity(STATIONS + 2);
         // Proceed upwards from the middle, then downwards, each starting from the previous point.
         let middle = (0..STATIONS).find(|&station| y(station) >= center.at()[1]).unwrap_or(STATIONS);
-        let mut guess = center;
+        let mut guess = center.places();
         for station in middle..STATIONS {
-            let Some(closest) = closest_across(height_fields, y(station), &guess) else { break };
-            guess = closest;
+            let Some(closest) = closest_across(height_fields, y(station), guess) else { break };
+            guess = closest.places();
             found.push(closest);
         }
         found.reverse();
-        guess = center;
+        guess = center.places();
         for station in (0..middle).rev() {
-            let Some(closest) = closest_across(height_fields, y(station), &guess) else { break };
-            guess = closest;
+            let Some(closest) = closest_across(height_fields, y(station), guess) else { break };
+            guess = closest.places();
             found.push(closest);
         }
         found.sort_by(|a, b| a.at()[1].total_cmp(&b.at()[1]));
@@ -315,7 +308,7 @@ impl<'a> Search<'a> {
             let (mut kept, mut beyond) = (inside, outside);
             for _ in 0..40 {
                 let middle = 0.5 * (kept.at()[1] + beyond);
-                match closest_across(height_fields, middle, &kept).filter(&usable) {
+                match closest_across(height_fields, middle, kept.places()).filter(&usable) {
                     Some(closest) => kept = closest,
                     None => beyond = middle,
                 }
@@ -344,7 +337,7 @@ impl<'a> Search<'a> {
         let same = |closest: &TransverseApproach| closest.gap() <= lowest + SAME_GAP * reach;
         let first = found.iter().position(same)?;
         let last = found.iter().rposition(same)?;
-        let guess = &found[(first + last) / 2];
+        let guess = found[(first + last) / 2].places();
         if first < last {
             let y = 0.5 * (found[first].at()[1] + found[last].at()[1]);
             return closest_across(height_fields, y, guess).or(Some(found[first]));
@@ -373,7 +366,7 @@ impl<'a> Search<'a> {
             if (b - a).abs() <= 4.0 * f64::EPSILON * reach {
                 break;
             }
-            let Some(closest) = closest_across(height_fields, y, &middle) else { break };
+            let Some(closest) = closest_across(height_fields, y, middle.places()) else { break };
             let moved = (closest.at()[1] - middle.at()[1]).abs();
             middle = closest;
             if moved <= 4.0 * f64::EPSILON * reach {
@@ -470,10 +463,9 @@ pub(super) fn relative_curvature(height_fields: &[HeightField; 2], places: Place
         u.min(v)
     };
     let step = span(&height_fields[0], places[0]).min(span(&height_fields[1], places[1]));
-    let start = TransverseApproach::start(height_fields, places);
     let [x, y] = height_fields[0].foot(places[0]).at;
     let slope = |at: [f64; 2]| -> Option<[f64; 2]> {
-        let feet = [height_fields[0].over(at, &start.feet[0])?, height_fields[1].over(at, &start.feet[1])?];
+        let feet = [height_fields[0].over(at, places[0])?, height_fields[1].over(at, places[1])?];
         Some([0, 1].map(|axis| feet[1].slope[axis] - feet[0].slope[axis]))
     };
     let difference = |ahead: [f64; 2], behind: [f64; 2]| -> Option<[f64; 2]> {

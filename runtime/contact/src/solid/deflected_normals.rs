@@ -145,7 +145,7 @@ fn shares_across(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoin
     let [x, y] = load.center;
     let half = 0.5 * load.size[0];
     let change = |side: usize| {
-        let at = |x: f64| height_fields[side].over([x, y], &feet[side]);
+        let at = |x: f64| height_fields[side].over([x, y], feet[side].place);
         Some((at(x + half)?.slope[0] - at(x - half)?.slope[0]).abs())
     };
     match (change(0), change(1)) {
@@ -163,9 +163,7 @@ fn shares_across(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoin
 fn loaded_slices(patch: &LoadedPatch, height_fields: &[HeightField; 2]) -> Vec<LoadedSlice> {
     let of_slice = |(index, slice): (usize, &Slice)| {
         let load = load_of(patch, slice)?;
-        let foot = |side: usize| {
-            height_fields[side].over(load.center, &height_fields[side].foot_near(slice.places[side]))
-        };
+        let foot = |side: usize| height_fields[side].over(load.center, slice.places[side]);
         let feet = [foot(0)?, foot(1)?];
         let shares = [shares_across(height_fields, &load, &feet), [0.5; 2]];
         Some(LoadedSlice { index, load, feet, shares, step: STEP * (slice.y[1] - slice.y[0]) })

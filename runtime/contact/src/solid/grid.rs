@@ -10,7 +10,7 @@
 
 use super::contact_line::{ContactLine, ends_along, relative_curvature};
 use super::grid_region::{GridOptions, Region};
-use super::height_field::{FootPoint, HeightField};
+use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
 use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
 use crate::grid::{Edge, cell_bounds};
@@ -332,20 +332,19 @@ impl Layer<'_> {
     /// Creates a slice; `None` if the surfaces do not face each other.
     fn slice(&self, index: i32, guess: Places) -> Option<Laid> {
         let y = self.center(index);
-        let guess = TransverseApproach::start(&self.height_fields, guess);
-        let contact_line = closest_across(&self.height_fields, y, &guess)?;
+        let contact_line = closest_across(&self.height_fields, y, guess)?;
         let places = contact_line.places();
         if contact_line.end.is_some() && !self.search_edges {
             return Some(Laid { places, ..Laid::default() });
         }
         let column = (contact_line.at()[0] / self.pitch[0]).round();
         let center = column * self.pitch[0];
-        let (bounds, mut surface_ends) = self.bounds(center, y, &contact_line);
+        let (bounds, mut surface_ends) = self.bounds(center, y, places);
         let cut = self.is_cut(&bounds, y, places);
         let mut cells = Vec::with_capacity(bounds.len());
-        let mut guess = contact_line.feet;
+        let mut guess = places;
         for x in bounds.windows(2) {
-            if let Some((cell, found)) = self.cell([x[0], x[1]], y, &contact_line, cut, &guess) {
+            if let Some((cell, found)) = self.cell([x[0], x[1]], y, &contact_line, cut, guess) {
                 guess = found;
                 cells.push(cell);
             }
@@ -360,8 +359,7 @@ impl Layer<'_> {
     }
 
     /// Returns the ends of the cells of a slice, and whether a surface ends it.
-    fn bounds(&self, center: f64, y: f64, closest: &TransverseApproach) -> (Vec<f64>, [bool; 2]) {
-        let places = closest.places();
+    fn bounds(&self, center: f64, y: f64, places: Places) -> (Vec<f64>, [bool; 2]) {
         let count = 2 * self.half_count + 1;
         let half = 0.5 * count as f64 * self.pitch[0];
         let mut range = [center - half, center + half];
@@ -370,7 +368,7 @@ impl Layer<'_> {
                 let height_field = &self.height_fields[side];
                 let across = height_field.roles[0];
                 let edge = self.edges.iter().find(|edge| edge.side == side && across == 0);
-                height_field.over([x, y], &closest.feet[side]).is_some_and(|foot| {
+                height_field.over([x, y], places[side]).is_some_and(|foot| {
                     let [low, high] = height_field.range[across];
                     let high = edge.map_or(high, |edge| edge.start.min(high));
                     (low..=high).contains(&foot.place[across])
@@ -463,22 +461,22 @@ impl Layer<'_> {
     }
 
     /// Returns the cell over `x` of the slice at `y`, whose closest approach is given, optionally
-    /// `cut` at the side faces, and the points of both surfaces at its centre.
+    /// `cut` at the side faces, and the surface coordinates of its centre.
     fn cell(
         &self,
         x: [f64; 2],
         y: f64,
         closest: &TransverseApproach,
         cut: bool,
-        guess: &[FootPoint; 2],
-    ) -> Option<(Cell, [FootPoint; 2])> {
+        guess: Places,
+    ) -> Option<(Cell, Places)> {
         let middle = 0.5 * (x[0] + x[1]);
         let slice = [y - 0.5 * self.pitch[1], y + 0.5 * self.pitch[1]];
-        let ends = if cut { self.cut_ends(middle, slice, guess.map(|foot| foot.place))? } else { slice };
+        let ends = if cut { self.cut_ends(middle, slice, guess)? } else { slice };
         let center = [middle, 0.5 * (ends[0] + ends[1])];
         let size = [x[1] - x[0], ends[1] - ends[0]];
         let feet =
-            [self.height_fields[0].over(center, &guess[0])?, self.height_fields[1].over(center, &guess[1])?];
+            [self.height_fields[0].over(center, guess[0])?, self.height_fields[1].over(center, guess[1])?];
         let places = feet.map(|foot| foot.place);
         let own = feet[1].height - feet[0].height;
         let mut gap = 0.0;
@@ -493,11 +491,7 @@ impl Layer<'_> {
         // A whole cell shares the closest approach of its slice, which costs more than its gap.
         let closest = match ends == slice {
             true => *closest,
-            false => closest_across(
-                &self.height_fields,
-                center[1],
-                &TransverseApproach { feet, end: None, bend: None },
-            )?,
+            false => closest_across(&self.height_fields, center[1], places)?,
         };
         let edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
         let axial = self.placed.map(|placed| size[1] * dot(self.frame.along, placed.pose.axis()).abs());
@@ -514,7 +508,7 @@ impl Layer<'_> {
             }
             false => (self.frame.at([self.snapped(closest.at()[0]), center[1]]), [0.0; 2]),
         };
-        Some((Cell { center, size, places, axial, spans, gap, point, slope, edge }, feet))
+        Some((Cell { center, size, places, axial, spans, gap, point, slope, edge }, places))
     }
 
     /// Returns the ends along the contact line of a cell at `x` of a slice: those of the side faces

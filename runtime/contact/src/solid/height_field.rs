@@ -128,16 +128,9 @@ impl<'a> HeightField<'a> {
         FootPoint::new(&self.placed, &self.frame, place)
     }
 
-    /// Returns the surface point at surface coordinates, or at the nearest ones to which the
-    /// surface can be extrapolated.
-    pub fn foot_near(&self, place: [f64; 2]) -> FootPoint {
-        self.foot(self.clamped(place))
-    }
-
-    /// Returns the point over `at`, from a known point of this height field; `None` if the surface
-    /// ends before it.
-    pub fn over(&self, at: [f64; 2], guess: &FootPoint) -> Option<FootPoint> {
-        let mut foot = *guess;
+    /// Returns the point over `at`; `None` if the surface ends before it.
+    pub fn over(&self, at: [f64; 2], guess: [f64; 2]) -> Option<FootPoint> {
+        let mut foot = self.foot(self.clamped(guess));
         let mut previous = f64::INFINITY;
         for _ in 0..NEWTON_STEPS {
             let (step, _) = foot.step_to(at);
@@ -149,17 +142,12 @@ impl<'a> HeightField<'a> {
             if size <= SETTLED || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
                 return Some(foot);
             }
-            let sought = [foot.place[0] + step[0], foot.place[1] + step[1]];
-            let next = self.clamped(sought);
+            let next = self.clamped([foot.place[0] + step[0], foot.place[1] + step[1]]);
             if next == foot.place {
                 return None;
             }
             previous = size;
             foot = self.foot(next);
-            // The error of the step is of second order.
-            if size <= NEARLY && next == sought {
-                return Some(foot);
-            }
         }
         None
     }
@@ -222,12 +210,8 @@ impl<'a> HeightField<'a> {
             if !size.is_finite() || next == foot.place[free] {
                 break;
             }
-            let converged = size <= NEARLY && next == foot.place[free] + step;
             previous = size;
             foot = self.foot(place(next));
-            if converged {
-                return (foot, true);
-            }
         }
         (foot, false)
     }
@@ -243,17 +227,6 @@ impl<'a> HeightField<'a> {
         let [u, v] = [0, 1].map(|k| step[k].abs() / self.span(k));
         // `max` would ignore NaN.
         if u.is_nan() || v.is_nan() { f64::NAN } else { u.max(v) }
-    }
-
-    /// Returns the width of the surface across the patch at a point, m: exact for a plane one.
-    pub fn width_at(&self, foot: &FootPoint) -> f64 {
-        let across = self.roles[0];
-        foot.tangents[0][across].abs() * self.span(across)
-    }
-
-    /// Returns whether a point lies between the ends of the surface.
-    pub fn contains(&self, foot: &FootPoint) -> bool {
-        foot.place.iter().zip(&self.range).all(|(value, [low, high])| (low..=high).contains(&value))
     }
 
     fn span(&self, coordinate: usize) -> f64 {
