@@ -1,8 +1,8 @@
 //! Computing times of bevel gears: `cargo bench -p calyx --bench bevel`. They cover points of a
-//! flank with and without sensitivities, the check of `examples/spiral_bevel.cx` as a whole and after
-//! edits as editors run it, and its analysis over a mesh cycle without and with cached structures.
-//! Times depend on the machine; the last column is the ratio to a time measured before in the same
-//! run.
+//! flank with and without sensitivities, the check of `examples/spiral_bevel.cx` as a whole and
+//! after edits as editors run it, and its analysis over a mesh cycle without and with cached
+//! structures. Times depend on the machine; the last column is the ratio to a time measured before
+//! in the same run.
 
 use calyx::{Engine, Module, check_text};
 use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};

@@ -1,6 +1,6 @@
 //! Benchmarks checks after edits, elaboration and its cancellation, on the gear pair of the report
-//! and a model with many gears, and the formatting of a symbolic definition. Run it with `cargo bench
-//! -p calyx-elaborate`. `cargo bench -p calyx --bench bevel` measures a spiral bevel pair.
+//! and a model with many gears, and the formatting of a symbolic definition. Run it with `cargo
+//! bench -p calyx-elaborate`. `cargo bench -p calyx --bench bevel` measures a spiral bevel pair.
 
 use calyx_elaborate::binding::{binding, definition_in};
 use calyx_elaborate::{Cancel, ModelLoader, Params, elaborate};

@@ -1,5 +1,5 @@
-//! Operations on vectors and transforms, expanded into scalar operations, and comparisons with texts.
-//! The interpreter and the code generator share these definitions.
+//! Operations on vectors and transforms, expanded into scalar operations, and comparisons with
+//! texts. The interpreter and the code generator share these definitions.
 //!
 //! The order of additions is part of the definition, so that both produce the same bits.
 

@@ -265,9 +265,9 @@ entry_points! {
         helpers::eval_symbolic(ctx, value, f64::from_bits(time), &repr, slots_mut(result, count))
     }
 
-    /// Executes a `:=` with `count` captured slots and as many bytes with their kinds, and evaluates
-    /// it at a time; stores its `result_count` slots in `result`. `from` is the representation of the
-    /// site, `to` that of the result.
+    /// Executes a `:=` with `count` captured slots and as many bytes with their kinds, and
+    /// evaluates it at a time; stores its `result_count` slots in `result`. `from` is the
+    /// representation of the site, `to` that of the result.
     fn calyx_evaluate_site(
         ctx, site, from, from_count, kinds, address, count, time, to, to_count, result, result_count
     ) {

@@ -365,8 +365,8 @@ pub fn eval_symbolic(
 
 /// Executes a `:=` and evaluates it at a time with the present params, without its derivatives: as
 /// [`make_symbolic`] and [`eval_symbolic`], but without a symbolic value, unless captures are
-/// symbolic. `kinds` contains [`CaptureKind`]s as bytes. `reprs` are the representations of the site
-/// and of the result; `None` if they are equal and consist of numbers.
+/// symbolic. `kinds` contains [`CaptureKind`]s as bytes. `reprs` are the representations of the
+/// site and of the result; `None` if they are equal and consist of numbers.
 ///
 /// # Errors
 /// As for [`make_symbolic`] and [`eval_symbolic`].

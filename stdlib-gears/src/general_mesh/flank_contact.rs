@@ -287,8 +287,8 @@ impl<'a> Mate<'a> {
         None
     }
 
-    /// Returns the rotation to a point of the first flank; `None` if this flank and its continuation
-    /// have no point with its radius and axial position, or face the same way.
+    /// Returns the rotation to a point of the first flank; `None` if this flank and its
+    /// continuation have no point with its radius and axial position, or face the same way.
     fn ray(&self, driver: &Driver<'_>, place: [f64; 2], guess: Option<[f64; 2]>) -> Option<Ray> {
         let own = driver.surface.at(place[0], place[1]);
         let (point, normal) = (driver.pose.point(own.position), driver.pose.direction(own.normal));
@@ -458,8 +458,8 @@ impl<'a> Mate<'a> {
         Some(Local { rotation, bounds: [own_end(0), own_end(1), other_end(0), other_end(1)] })
     }
 
-    /// Returns the rotation to a point near a target whose mate is on this flank. `mate` is the guess
-    /// of the mate.
+    /// Returns the rotation to a point near a target whose mate is on this flank. `mate` is the
+    /// guess of the mate.
     fn reached(&self, driver: &Driver<'_>, target: [f64; 2], mate: [f64; 2]) -> Option<Ray> {
         let range = flank_range(driver.surface);
         let spans = range.map(|[low, high]| high - low);

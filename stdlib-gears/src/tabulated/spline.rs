@@ -31,8 +31,8 @@ struct Span {
 }
 
 impl Span {
-    /// Creates the splines of a degree on the interval that starts at a knot, by de Boor's recursion
-    /// between polynomials.
+    /// Creates the splines of a degree on the interval that starts at a knot, by de Boor's
+    /// recursion between polynomials.
     fn new(knots: &[f64], start: usize, degree: usize) -> Self {
         let [from, to] = [knots[start], knots[start + 1]];
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));

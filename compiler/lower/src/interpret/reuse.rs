@@ -1,8 +1,9 @@
 //! Reuse of the results of earlier calls of repeatable functions, also of earlier runs.
 //!
 //! A reused result leaves everything as the call would: values, the number of basic blocks that
-//! remain, and the memory that the call took. Its arrays share no elements with copies that the call
-//! made, so a later change of an array may take less memory. Calls that fail are always executed.
+//! remain, and the memory that the call took. Its arrays share no elements with copies that the
+//! call made, so a later change of an array may take less memory. Calls that fail are always
+//! executed.
 
 use super::{Interpreter, Machine};
 use crate::fingerprint::{Fingerprint, FingerprintHasher};

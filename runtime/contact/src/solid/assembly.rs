@@ -99,8 +99,8 @@ pub(super) fn softness(side: &Side) -> f64 {
     if modulus.is_infinite() { 0.0 } else { (PI * modulus).recip() }
 }
 
-/// Returns the mirrors of a side of a patch. A curved side face counts where the patch is closest to
-/// it: images matter only there.
+/// Returns the mirrors of a side of a patch. A curved side face counts where the patch is closest
+/// to it: images matter only there.
 pub(super) fn mirrors(patch: &PatchCells, side: usize) -> Vec<PlacedMirror> {
     let places = || patch.cells.iter().map(|cell| cell.places[side]);
     let by_v = |a: &[f64; 2], b: &[f64; 2]| a[1].total_cmp(&b[1]);

@@ -62,8 +62,8 @@ impl FootPoint {
         }
     }
 
-    /// Returns the derivatives of the surface coordinates by x (`axis` 0) at constant y, or by y (1)
-    /// at constant x.
+    /// Returns the derivatives of the surface coordinates by x (`axis` 0) at constant y, or by y
+    /// (1) at constant x.
     pub fn place_by(&self, axis: usize) -> [f64; 2] {
         let [x, y] = self.tangents;
         let determinant = x[0] * y[1] - x[1] * y[0];

@@ -9,11 +9,11 @@
 //! to the tractions, so the flexibility is symmetric, and it includes the coupling of teeth through
 //! the ring.
 //!
-//! The tractions of an oblique tooth are constant along it. Each harmonic around the ring then varies
-//! along the normal of the tooth, with a wave number that is larger than that around the ring by the
-//! reciprocal cosine of the helix angle, and deforms the section normal to the tooth in plane strain.
-//! Its compliance is that of this wave number. Forces act in the normal section, and per length along
-//! the face.
+//! The tractions of an oblique tooth are constant along it. Each harmonic around the ring then
+//! varies along the normal of the tooth, with a wave number that is larger than that around the
+//! ring by the reciprocal cosine of the helix angle, and deforms the section normal to the tooth in
+//! plane strain. Its compliance is that of this wave number. Forces act in the normal section, and
+//! per length along the face.
 
 use super::cantilever::RootLoad;
 use calyx_fe::material::{Material, Plane};
