@@ -51,7 +51,7 @@ struct State {
     torque_excess: f64,
     /// Deviation of the pinion from uniform rotation in its sense, rad.
     deviation: f64,
-    /// Whether an edge of a tooth carries load.
+    /// True if an edge of a tooth carries load.
     on_edge: bool,
 }
 

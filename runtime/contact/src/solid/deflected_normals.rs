@@ -7,7 +7,7 @@
 //! `p` times the slope of the deflection `C p`, so the forces are derivatives of the energy if they
 //! act normal to the deflected surface. Slopes also move the pressure across the patch, where the
 //! flanks have other normals; this is of the same order. In contact both bodies share the deflected
-//! surface. The mean of their slopes gives them opposite forces along one line.
+//! surface. A mean of their slopes gives them opposite forces along one line.
 //!
 //! The deflections of the half-spaces at their own patch are left out: for equal materials they
 //! move the surface between both flanks nowhere, and otherwise their slopes have no resultant,
@@ -39,7 +39,7 @@ pub struct LoadedPatch<'a> {
 pub struct LineOfAction {
     /// Point half-way between both flanks, m.
     pub point: Vector,
-    /// Slopes along x and y of the deflected surface between both flanks.
+    /// Slopes along x and y of the deflected surface between both flanks, a weighted mean.
     pub slope: [f64; 2],
 }
 

@@ -26,9 +26,9 @@ const RADIUS: f64 = 0.1;
 const NO_WORK: f64 = 1e-8;
 
 /// Returns a motion of the DOFs, a combination of those that strain no spring, that neither stops
-/// (`stops`: derivatives of their gaps by the DOFs, row-major) nor teeth can resist. Of several such
-/// motions it is the one that the load drives most, if it drives any. Meshes on general axes and
-/// surfaces that are not gear flanks may resist any motion.
+/// (`stops`: derivatives of their gaps by the DOFs, row-major) nor teeth can resist. Of several
+/// such motions it is the one that the load drives most, if it drives any. Meshes on general axes
+/// and surfaces that are not gear flanks may resist any motion.
 ///
 /// # Errors
 /// A frame is NaN.
