@@ -15,7 +15,7 @@
 
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::transverse_approach::{TransverseApproach, closest_across};
+use super::transverse_approach::{TransverseApproach, closest_across, closest_near};
 use calyx_numerics::vec3::{Vector, dot, length, minus, plus, scaled, unit};
 
 /// Point of the contact line.
@@ -255,7 +255,7 @@ impl<'a> Search<'a> {
         // The end of a curved contact line is not below its middle.
         for _ in 0..2 {
             for end in 0..2 {
-                if let Some(closest) = closest_across(height_fields, ends[end], center.places()) {
+                if let Some(closest) = closest_near(height_fields, ends[end], &center) {
                     ends[end] = ends_along(height_fields, closest.at()[0], closest.places())?[end];
                 }
             }
@@ -265,17 +265,17 @@ impl<'a> Search<'a> {
         let mut found: Vec<TransverseApproach> = Vec::with_capacity(STATIONS + 2);
         // Proceed upwards from the middle, then downwards, each starting from the previous point.
         let middle = (0..STATIONS).find(|&station| y(station) >= center.at()[1]).unwrap_or(STATIONS);
-        let mut guess = center.places();
+        let mut near = center;
         for station in middle..STATIONS {
-            let Some(closest) = closest_across(height_fields, y(station), guess) else { break };
-            guess = closest.places();
+            let Some(closest) = closest_near(height_fields, y(station), &near) else { break };
+            near = closest;
             found.push(closest);
         }
         found.reverse();
-        guess = center.places();
+        near = center;
         for station in (0..middle).rev() {
-            let Some(closest) = closest_across(height_fields, y(station), guess) else { break };
-            guess = closest.places();
+            let Some(closest) = closest_near(height_fields, y(station), &near) else { break };
+            near = closest;
             found.push(closest);
         }
         found.sort_by(|a, b| a.at()[1].total_cmp(&b.at()[1]));
@@ -308,7 +308,7 @@ impl<'a> Search<'a> {
             let (mut kept, mut beyond) = (inside, outside);
             for _ in 0..40 {
                 let middle = 0.5 * (kept.at()[1] + beyond);
-                match closest_across(height_fields, middle, kept.places()).filter(&usable) {
+                match closest_near(height_fields, middle, &kept).filter(&usable) {
                     Some(closest) => kept = closest,
                     None => beyond = middle,
                 }
@@ -337,10 +337,10 @@ impl<'a> Search<'a> {
         let same = |closest: &TransverseApproach| closest.gap() <= lowest + SAME_GAP * reach;
         let first = found.iter().position(same)?;
         let last = found.iter().rposition(same)?;
-        let guess = found[(first + last) / 2].places();
         if first < last {
             let y = 0.5 * (found[first].at()[1] + found[last].at()[1]);
-            return closest_across(height_fields, y, guess).or(Some(found[first]));
+            let near = &found[(first + last) / 2];
+            return closest_near(height_fields, y, near).or(Some(found[first]));
         }
         // Between neighbours at which the slope of the gap along the contact line changes its sign.
         let slope = |closest: &TransverseApproach| closest.slope()[1];
@@ -366,7 +366,7 @@ impl<'a> Search<'a> {
             if (b - a).abs() <= 4.0 * f64::EPSILON * reach {
                 break;
             }
-            let Some(closest) = closest_across(height_fields, y, middle.places()) else { break };
+            let Some(closest) = closest_near(height_fields, y, &middle) else { break };
             let moved = (closest.at()[1] - middle.at()[1]).abs();
             middle = closest;
             if moved <= 4.0 * f64::EPSILON * reach {

@@ -42,6 +42,10 @@ const LEAST_COSINE: f64 = 0.3;
 const BISECTIONS: usize = 30;
 /// Step of a coordinate, relative to its range, that is rounding.
 const SETTLED: f64 = 4.0 * f64::EPSILON;
+/// Ratio of a step of Newton's method to the square of the one before, for coordinates relative to
+/// their ranges: assumed if only one step is known. On rounded edges it is their length divided by
+/// their radius.
+const FIRST_RATE: f64 = 100.0;
 /// Step whose square is rounding.
 const NEARLY: f64 = 1e-8;
 
@@ -130,7 +134,12 @@ impl<'a> HeightField<'a> {
 
     /// Returns the point over `at`; `None` if the surface ends before it.
     pub fn over(&self, at: [f64; 2], guess: [f64; 2]) -> Option<FootPoint> {
-        let mut foot = self.foot(self.clamped(guess));
+        self.over_near(at, &self.foot(self.clamped(guess)))
+    }
+
+    /// Returns the point over `at`, near a known point; `None` as for [`HeightField::over`].
+    pub fn over_near(&self, at: [f64; 2], foot: &FootPoint) -> Option<FootPoint> {
+        let mut foot = *foot;
         let mut previous = f64::INFINITY;
         for _ in 0..NEWTON_STEPS {
             let (step, _) = foot.step_to(at);
@@ -142,12 +151,18 @@ impl<'a> HeightField<'a> {
             if size <= SETTLED || (size <= 1e3 * SETTLED && size >= 0.5 * previous) {
                 return Some(foot);
             }
-            let next = self.clamped([foot.place[0] + step[0], foot.place[1] + step[1]]);
+            let target = [foot.place[0] + step[0], foot.place[1] + step[1]];
+            let next = self.clamped(target);
             if next == foot.place {
                 return None;
             }
-            previous = size;
             foot = self.foot(next);
+            // The next step is known from the last two, so its point needs no confirmation.
+            let rate = if previous.is_finite() { (size / previous.powi(2)).max(1.0) } else { FIRST_RATE };
+            if rate * size * size <= 0.5 * f64::EPSILON && next == target {
+                return Some(foot);
+            }
+            previous = size;
         }
         None
     }

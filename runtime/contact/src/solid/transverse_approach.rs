@@ -10,6 +10,17 @@ pub struct TransverseApproach {
     pub feet: [FootPoint; 2],
     /// Body whose surface ends here before the minimum of the gap.
     pub end: Option<usize>,
+    /// Minimum of the gap across the patch; `None` if a surface ends before it.
+    minimum: Option<Minimum>,
+}
+
+/// Shape of the gap across the patch at its minimum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Minimum {
+    /// Second derivative by x, 1/m.
+    curvature: f64,
+    /// Length of the interval on which both surfaces exist, there or at a near y, m.
+    length: f64,
 }
 
 impl TransverseApproach {
@@ -50,6 +61,10 @@ const WALK: f64 = 12.0;
 /// Smallest step, relative to the interval on which both surfaces exist.
 const LEAST_STRIDE: f64 = 1e-5;
 const BISECTIONS: usize = 60;
+/// Maximum number of secant steps from a near minimum.
+const SECANTS: usize = 12;
+/// Steps that are smaller than this multiple of their rounding do not determine a curvature.
+const ROUNDED: f64 = 1e4;
 
 /// End of the interval of x on which both surfaces exist, and the surface that ends.
 #[derive(Clone, Copy, Debug)]
@@ -66,64 +81,135 @@ pub fn closest_across(
     guess: [[f64; 2]; 2],
 ) -> Option<TransverseApproach> {
     let [low, high] = limits(height_fields, y, guess)?;
-    let at = |x: f64, guess: [[f64; 2]; 2]| -> Option<TransverseApproach> {
-        let first = height_fields[0].over([x, y], guess[0])?;
-        let second = height_fields[1].over([x, y], guess[1])?;
-        Some(TransverseApproach { feet: [first, second], end: None })
+    let at = |x: f64, near: Option<&[FootPoint; 2]>| -> Option<[FootPoint; 2]> {
+        let [first, second] = height_fields;
+        Some(match near {
+            Some(near) => [first.over_near([x, y], &near[0])?, second.over_near([x, y], &near[1])?],
+            None => [first.over([x, y], guess[0])?, second.over([x, y], guess[1])?],
+        })
     };
     let length = high.x - low.x;
     let middle = 0.5 * (height_fields[0].foot(guess[0]).at[0] + height_fields[1].foot(guess[1]).at[0]);
     let mut here = middle.clamp(low.x, high.x);
-    let mut closest = at(here, guess)?;
+    let mut closest = at(here, None)?;
     // Descend in growing steps until the slope changes its sign or a surface ends.
-    let downhill = -closest.slope()[0].signum();
-    if closest.slope()[0] == 0.0 {
-        return Some(closest);
+    let downhill = -slope_across(&closest).signum();
+    if slope_across(&closest) == 0.0 {
+        return Some(TransverseApproach { feet: closest, end: None, minimum: None });
     }
+    let ended = |feet, limit: &SurfaceEnd| TransverseApproach { feet, end: Some(limit.side), minimum: None };
     let mut stride = length / WALK;
     let mut bracket = loop {
         let limit = if downhill > 0.0 { high } else { low };
         let next = here + downhill * stride;
         let beyond = downhill * (next - limit.x) >= 0.0;
         let next = if beyond { limit.x } else { next };
-        let Some(there) = at(next, closest.places()) else {
+        let Some(there) = at(next, Some(&closest)) else {
             // The other coordinate ends before this one.
             stride *= 0.25;
             if stride > LEAST_STRIDE * length {
                 continue;
             }
-            return Some(TransverseApproach { end: Some(limit.side), ..closest });
+            return Some(ended(closest, &limit));
         };
-        if there.slope()[0] * downhill >= 0.0 {
+        if slope_across(&there) * downhill >= 0.0 {
             break [(here, closest), (next, there)];
         }
         (here, closest) = (next, there);
         if beyond {
-            return Some(TransverseApproach { end: Some(limit.side), ..closest });
+            return Some(ended(closest, &limit));
         }
         stride *= 1.5;
     };
     // Secant steps inside the bracket, bisection if they gain too little.
     for round in 0..BISECTIONS {
         let [(a, at_a), (b, at_b)] = bracket;
-        let (slope_a, slope_b) = (at_a.slope()[0], at_b.slope()[0]);
-        // Rounding of positions and slopes.
-        let settled = 4.0 * f64::EPSILON * (2.0 * length + ((b - a) / (slope_b - slope_a)).abs());
+        let (slope_a, slope_b) = (slope_across(&at_a), slope_across(&at_b));
+        let curvature = (slope_b - slope_a) / (b - a);
+        let settled = rounding(length, curvature);
         let (nearest_x, nearest) = if slope_a.abs() < slope_b.abs() { (a, at_a) } else { (b, at_b) };
+        let found =
+            TransverseApproach { feet: nearest, end: None, minimum: Some(Minimum { curvature, length }) };
         if slope_a == 0.0 || slope_b == 0.0 || (b - a).abs() <= settled {
-            return Some(nearest);
+            return Some(found);
         }
-        let secant = a - slope_a * (b - a) / (slope_b - slope_a);
+        let secant = a - slope_a / curvature;
         let x = if round % 3 == 2 { 0.5 * (a + b) } else { secant };
         if (x - a) * (b - x) <= 0.0 || (secant - nearest_x).abs() <= settled {
-            return Some(nearest);
+            return Some(found);
         }
-        let there = at(x, nearest.places())?;
-        let same_side = there.slope()[0] * downhill < 0.0;
+        let there = at(x, Some(&nearest))?;
+        let same_side = slope_across(&there) * downhill < 0.0;
         bracket = if same_side { [(x, there), (b, at_b)] } else { [(a, at_a), (x, there)] };
     }
     let [(_, at_a), (_, at_b)] = bracket;
-    Some(if at_a.slope()[0].abs() < at_b.slope()[0].abs() { at_a } else { at_b })
+    let feet = if slope_across(&at_a).abs() < slope_across(&at_b).abs() { at_a } else { at_b };
+    Some(TransverseApproach { feet, end: None, minimum: None })
+}
+
+/// Finds the closest approach at `y`, starting from that at a near y of the same height fields.
+/// The result is that of [`closest_across`].
+pub fn closest_near(
+    height_fields: &[HeightField; 2],
+    y: f64,
+    near: &TransverseApproach,
+) -> Option<TransverseApproach> {
+    by_secants(height_fields, y, near).or_else(|| closest_across(height_fields, y, near.places()))
+}
+
+/// Finds a minimum of the gap that both surfaces have inside their ends, by secant steps from that
+/// at a near y. `None` unless each step reduces the slope to less than half, as it does near the
+/// minimum.
+fn by_secants(
+    height_fields: &[HeightField; 2],
+    y: f64,
+    near: &TransverseApproach,
+) -> Option<TransverseApproach> {
+    let Minimum { curvature, length } = near.minimum?;
+    let at = |x: f64, near: &[FootPoint; 2]| -> Option<[FootPoint; 2]> {
+        let [first, second] = height_fields;
+        let feet = [first.over_near([x, y], &near[0])?, second.over_near([x, y], &near[1])?];
+        let inside = height_fields.iter().zip(&feet).all(|(field, foot)| field.is_inside_across(foot));
+        inside.then_some(feet)
+    };
+    let mut x = near.at()[0];
+    let mut feet = at(x, &near.feet)?;
+    let mut minimum = Minimum { curvature, length };
+    for _ in 0..SECANTS {
+        let slope = slope_across(&feet);
+        let step = -slope / minimum.curvature;
+        let settled = rounding(length, minimum.curvature);
+        if step.abs() <= settled {
+            return Some(TransverseApproach { feet, end: None, minimum: Some(minimum) });
+        }
+        let next = at(x + step, &feet)?;
+        let slope_there = slope_across(&next);
+        let curvature = (slope_there - slope) / step;
+        // Near the end of the iteration rounding determines the slope.
+        let is_rounding = step.abs() <= ROUNDED * settled;
+        if is_rounding && slope_there.abs() >= 0.5 * slope.abs() {
+            let feet = if slope_there.abs() < slope.abs() { next } else { feet };
+            return Some(TransverseApproach { feet, end: None, minimum: Some(minimum) });
+        }
+        if slope_there.abs() >= 0.5 * slope.abs() || curvature <= 0.0 {
+            return None;
+        }
+        if !is_rounding {
+            minimum.curvature = curvature;
+        }
+        (x, feet) = (x + step, next);
+    }
+    None
+}
+
+/// Returns the derivative of the gap by x.
+fn slope_across(feet: &[FootPoint; 2]) -> f64 {
+    feet[1].slope[0] - feet[0].slope[0]
+}
+
+/// Returns the rounding of x at a zero of the slope, m: that of positions and of slopes.
+fn rounding(length: f64, curvature: f64) -> f64 {
+    4.0 * f64::EPSILON * (2.0 * length + curvature.abs().recip())
 }
 
 /// Returns the interval of x at `y` on which both surfaces exist; `None` if it is empty.
@@ -144,6 +230,13 @@ pub fn limits(height_fields: &[HeightField; 2], y: f64, guess: [[f64; 2]; 2]) ->
 }
 
 impl HeightField<'_> {
+    /// Returns whether a point is between the surface's ends across the patch.
+    fn is_inside_across(&self, foot: &FootPoint) -> bool {
+        let across = self.roles[0];
+        let [low, high] = self.range[across];
+        (low..=high).contains(&foot.place[across])
+    }
+
     /// Returns x of the surface's ends across the patch at `y`.
     fn ends_across(&self, y: f64, guess: [f64; 2]) -> [f64; 2] {
         let across = self.roles[0];
