@@ -88,8 +88,11 @@ const DIRECTION_DEPTH: f64 = 1e-3;
 /// near over a length larger by this factor.
 const PASSES_INTO: f64 = 4.0;
 /// Convergence: the next change of the frame is below this, translation (relative to the patch's
-/// length) and rotation.
-const SETTLED: f64 = 1e-14;
+/// length) and rotation. Each round reduces it to a few percent.
+const SETTLED: f64 = 1e-12;
+/// Gap, relative to the patch's length, beyond which surfaces are too far apart to touch; their
+/// frame is not refined.
+const FAR: f64 = 0.02;
 /// Principal curvatures that differ by less than this fraction of their sum are equal.
 const ROUND: f64 = 1e-6;
 /// Step of a finite difference, relative to the extent of a surface.
@@ -204,7 +207,7 @@ impl<'a> Search<'a> {
         let frame = PatchFrame::new(middle, normal, tangent);
         let mut frame = self.along_least_curvature(frame, start);
         let mut places = start;
-        for _ in 0..ROUNDS {
+        for round in 0..ROUNDS {
             let height_fields = self.height_fields(frame, places);
             let stations = self.stations(&height_fields, places)?;
             let next = self.improved(&frame, &stations);
@@ -213,7 +216,8 @@ impl<'a> Search<'a> {
             let turn = length(minus(next.normal, frame.normal)).max(length(minus(next.along, frame.along)));
             frame = next;
             places = stations.least.places();
-            if shift.max(turn) <= SETTLED {
+            let is_far = round > 0 && stations.least.gap() > FAR * reach;
+            if shift.max(turn) <= SETTLED || is_far {
                 break;
             }
         }

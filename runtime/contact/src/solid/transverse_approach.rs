@@ -60,7 +60,7 @@ impl TransverseApproach {
 const WALK: f64 = 12.0;
 /// Smallest step, relative to the interval on which both surfaces exist.
 const LEAST_STRIDE: f64 = 1e-5;
-const BISECTIONS: usize = 60;
+const STEPS: usize = 100;
 /// Maximum number of secant steps from a near minimum.
 const SECANTS: usize = 12;
 /// Steps that are smaller than this multiple of their rounding do not determine a curvature.
@@ -99,7 +99,7 @@ pub fn closest_across(
     }
     let ended = |feet, limit: &SurfaceEnd| TransverseApproach { feet, end: Some(limit.side), minimum: None };
     let mut stride = length / WALK;
-    let mut bracket = loop {
+    let bracket = loop {
         let limit = if downhill > 0.0 { high } else { low };
         let next = here + downhill * stride;
         let beyond = downhill * (next - limit.x) >= 0.0;
@@ -121,30 +121,61 @@ pub fn closest_across(
         }
         stride *= 1.5;
     };
-    // Secant steps inside the bracket, bisection if they gain too little.
-    for round in 0..BISECTIONS {
-        let [(a, at_a), (b, at_b)] = bracket;
-        let (slope_a, slope_b) = (slope_across(&at_a), slope_across(&at_b));
-        let curvature = (slope_b - slope_a) / (b - a);
+    let (feet, curvature) = zero_of_slope(bracket, length, at)?;
+    Some(TransverseApproach { feet, end: None, minimum: Some(Minimum { curvature, length }) })
+}
+
+/// Finds the zero of the slope in a bracket of two points with their x: by inverse quadratic
+/// interpolation, bisection where that gains too little (Chandrupatla, Advances in Engineering
+/// Software 28, 1997, 145-149). The slope has kinks where a rounded edge begins. Returns also its
+/// derivative there; `None` if a surface has no point in between.
+fn zero_of_slope(
+    [first, second]: [(f64, [FootPoint; 2]); 2],
+    length: f64,
+    at: impl Fn(f64, Option<&[FootPoint; 2]>) -> Option<[FootPoint; 2]>,
+) -> Option<([FootPoint; 2], f64)> {
+    let with_slope = |(x, feet)| (x, slope_across(&feet), feet);
+    // The newest point, the other end of the bracket, and the point before.
+    let (mut new, mut other) = (with_slope(second), with_slope(first));
+    let mut before = other;
+    for _ in 0..STEPS {
+        let curvature = (other.1 - new.1) / (other.0 - new.0);
         let settled = rounding(length, curvature);
-        let (nearest_x, nearest) = if slope_a.abs() < slope_b.abs() { (a, at_a) } else { (b, at_b) };
-        let found =
-            TransverseApproach { feet: nearest, end: None, minimum: Some(Minimum { curvature, length }) };
-        if slope_a == 0.0 || slope_b == 0.0 || (b - a).abs() <= settled {
-            return Some(found);
+        let nearest = if new.1.abs() < other.1.abs() { new } else { other };
+        let size = other.0 - new.0;
+        let secant = nearest.1 / curvature;
+        if nearest.1 == 0.0 || size.abs() <= settled || secant.abs() <= settled {
+            return Some((nearest.2, curvature));
         }
-        let secant = a - slope_a / curvature;
-        let x = if round % 3 == 2 { 0.5 * (a + b) } else { secant };
-        if (x - a) * (b - x) <= 0.0 || (secant - nearest_x).abs() <= settled {
-            return Some(found);
+        let share = interpolated(new, other, before).unwrap_or(0.5);
+        // A step that is not lost by rounding.
+        let least = (settled / size.abs()).min(0.5);
+        let x = new.0 + share.clamp(least, 1.0 - least) * size;
+        let there = with_slope((x, at(x, Some(&nearest.2))?));
+        if (there.1 > 0.0) == (new.1 > 0.0) {
+            (before, new) = (new, there);
+        } else {
+            (before, other, new) = (other, new, there);
         }
-        let there = at(x, Some(&nearest))?;
-        let same_side = slope_across(&there) * downhill < 0.0;
-        bracket = if same_side { [(x, there), (b, at_b)] } else { [(a, at_a), (x, there)] };
     }
-    let [(_, at_a), (_, at_b)] = bracket;
-    let feet = if slope_across(&at_a).abs() < slope_across(&at_b).abs() { at_a } else { at_b };
-    Some(TransverseApproach { feet, end: None, minimum: None })
+    let nearest = if new.1.abs() < other.1.abs() { new } else { other };
+    Some((nearest.2, (other.1 - new.1) / (other.0 - new.0)))
+}
+
+/// Returns the part of the bracket from its newest point at which the inverse quadratic
+/// interpolation of three points with their slopes is zero, or the secant if there are only two;
+/// `None` if the inverse is not nearly a parabola.
+fn interpolated<T>(new: (f64, f64, T), other: (f64, f64, T), before: (f64, f64, T)) -> Option<f64> {
+    let [(a, at_a), (b, at_b), (c, at_c)] = [(new.0, new.1), (other.0, other.1), (before.0, before.1)];
+    if c == b {
+        return Some(at_a / (at_a - at_b));
+    }
+    let place = (a - b) / (c - b);
+    let value = (at_a - at_b) / (at_c - at_b);
+    let is_parabola = value * value < place && (1.0 - value) * (1.0 - value) < 1.0 - place;
+    let share = at_a / (at_b - at_a) * at_c / (at_b - at_c)
+        + (c - a) / (b - a) * at_a / (at_c - at_a) * at_b / (at_c - at_b);
+    is_parabola.then_some(share)
 }
 
 /// Finds the closest approach at `y`, starting from that at a near y of the same height fields.
@@ -172,7 +203,16 @@ fn by_secants(
         let inside = height_fields.iter().zip(&feet).all(|(field, foot)| field.is_inside_across(foot));
         inside.then_some(feet)
     };
-    let mut x = near.at()[0];
+    // On a rounded edge the contact line follows the edge.
+    let on_edge = (0..2).find(|&side| height_fields[side].placed.on_edge(near.feet[side].place));
+    let mut x = match on_edge {
+        Some(side) => {
+            let (field, place) = (&height_fields[side], near.feet[side].place);
+            let [across, along] = field.roles;
+            field.on_line(across, place[across], 1, y, place[along])?.at[0]
+        }
+        None => near.at()[0],
+    };
     let mut feet = at(x, &near.feet)?;
     let mut minimum = Minimum { curvature, length };
     for _ in 0..SECANTS {
