@@ -43,6 +43,10 @@ use prepared::{Prepared, prepare};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
+use wide::f64x4;
+
+/// Numbers of an [`f64x4`].
+const LANES: usize = 4;
 
 /// Loadable surface of a solid mesh. Sets of faces are named as in
 /// [`calyx_fe::solid::SolidMesh::faces`] and swept from chains of the section.
@@ -377,6 +381,32 @@ impl ElasticSolid {
         let distance = (a.s - b.s).abs() / (surface.range[1] - surface.range[0]);
         let logarithmic = if distance > 0.0 { turn * turn * distance.ln() } else { 0.0 };
         self.kink * turn + logarithmic / (PI * self.surface_modulus)
+    }
+
+    /// Computes [`Self::curvature_term`] of a point with each of several others, four at a time.
+    pub(super) fn curvature_terms(
+        &self,
+        surface: &SurfaceTables,
+        own: NormalAngle,
+        others: &[NormalAngle],
+        terms: &mut [f64],
+    ) {
+        let length = f64x4::splat(surface.range[1] - surface.range[0]);
+        let kink = f64x4::splat(self.kink);
+        let stiffness = f64x4::splat(PI * self.surface_modulus);
+        let (s, angle) = (f64x4::splat(own.s), f64x4::splat(own.angle));
+        for (others, terms) in others.chunks(LANES).zip(terms.chunks_mut(LANES)) {
+            let lanes = |value: fn(&NormalAngle) -> f64| {
+                f64x4::from(std::array::from_fn::<f64, LANES, _>(|k| others.get(k).map_or(own.s, value)))
+            };
+            let (other_s, other_angle) = (lanes(|other| other.s), lanes(|other| other.angle));
+            let ahead = s - other_s;
+            let turn = (angle - other_angle).flip_signs(ahead);
+            // The angles are equal where the distance is zero.
+            let distance = (ahead.abs() / length).max(f64x4::splat(f64::MIN_POSITIVE));
+            let all = kink * turn + turn * turn * distance.ln() / stiffness;
+            terms.copy_from_slice(&all.to_array()[..terms.len()]);
+        }
     }
 }
 

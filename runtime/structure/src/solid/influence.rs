@@ -72,16 +72,17 @@ impl ElasticSolid {
         let lines = columns[0].lines(&columns[1], per_length.as_ref().map(Mat::as_ref));
         let angle = |segment: &SurfaceSegment| known.normal_angle_at(segment.place[0]);
         let others: Vec<NormalAngle> = second.iter().map(angle).collect();
+        let mut curved = vec![0.0; second.len()];
         for (column, segment) in first.iter().enumerate() {
             interrupt.check()?;
             let from = if equal { column } else { 0 };
-            let own = angle(segment);
+            self.curvature_terms(known, angle(segment), &others[from..], &mut curved[from..]);
             let entries = &mut block.col_as_slice_mut(column)[from..];
             let along = lines.of(column);
-            for ((entry, &other), &line) in
-                entries.iter_mut().zip(&others[from..]).zip(&columns[1].line()[from..])
+            for ((entry, &line), curved) in
+                entries.iter_mut().zip(&columns[1].line()[from..]).zip(&curved[from..])
             {
-                *entry += along[line] * self.curvature_term(known, own, other);
+                *entry += along[line] * curved;
             }
         }
         Ok(block)
