@@ -6,9 +6,9 @@
 //! [`structure`] and [`positions`] count the operations of an analysis from its plan. Their
 //! constants were fitted to runs of the examples on one machine (`docs/accuracy.md`).
 //!
-//! Predictions of these runs are within a third of the measured times. On helical flanks, contact
-//! takes half to twice the predicted time. `calyx tradeoff` prints predicted and measured times. A
-//! prediction is accurate enough to distinguish seconds from minutes.
+//! Predicted times of structures and positions in three dimensions are between half and twice the
+//! measured ones. `calyx tradeoff` prints both. A prediction is accurate enough to distinguish
+//! seconds from minutes.
 //!
 //! See `docs/theory/fidelity.md`.
 
@@ -148,49 +148,72 @@ pub fn elastic_body(size: &ElasticBodySize, rates: &Rates) -> Cost {
     Cost { time: time / (EFFICIENCY * rates.threads.max(1) as f64), memory: size.bytes() }
 }
 
-/// Time per degree of freedom of a sector of a solid model, in logarithms. Measured: 41 to 56
-/// microseconds on a machine with 3.6 nanoseconds per logarithm, for up to 127,000 degrees of
+/// Time per degree of freedom of a sector of a solid model, in logarithms. Measured: 46 to 60
+/// microseconds on a machine with 8.9 nanoseconds per logarithm, for up to 127,000 degrees of
 /// freedom.
-const LOGARITHMS_PER_SOLID_DOF: f64 = 13_000.0;
-/// The same for plane models. Measured: 10 microseconds for 7,000 to 35,000 degrees of freedom.
-const LOGARITHMS_PER_PLANE_DOF: f64 = 2_900.0;
-/// Time per pair of loads of a plane model, in logarithms. Measured: 5 microseconds on the same
+const LOGARITHMS_PER_SOLID_DOF: f64 = 6_100.0;
+/// The same for plane models. Measured: 8 microseconds for 7,000 to 35,000 degrees of freedom.
+const LOGARITHMS_PER_PLANE_DOF: f64 = 900.0;
+/// Time per pair of loads of a plane model, in logarithms. Measured: 4 microseconds on the same
 /// machine, for meshes of different density with 256 loads.
-const LOGARITHMS_PER_PAIR_OF_LOADS: f64 = 1_450.0;
+const LOGARITHMS_PER_PAIR_OF_LOADS: f64 = 450.0;
 /// Fraction of the multiplications for the coupling of sectors that mirror symmetry leaves.
 const MIRROR_SYMMETRIC_PRODUCTS: f64 = 0.25;
 /// Factors on time and memory of a solid model without mirror symmetry, such as a helical gear.
-const WITHOUT_MIRROR_SYMMETRY: [f64; 2] = [4.6, 5.4];
+/// Measured: 2.0 to 4.0 and 2.4 to 3.0.
+const WITHOUT_MIRROR_SYMMETRY: [f64; 2] = [2.8, 2.8];
 /// Parallel efficiency of an analysis.
 const EFFICIENCY: f64 = 0.8;
 /// Memory for the elimination of a sector of a plane model, per degree of freedom.
 const BYTES_PER_PLANE_DOF: f64 = 1_100.0;
 /// The same for solid models.
-const BYTES_PER_SOLID_DOF: f64 = 3_900.0;
+const BYTES_PER_SOLID_DOF: f64 = 5_000.0;
+
+/// Flanks in contact, by the work of their influence coefficients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flanks {
+    /// Profiles in the plane.
+    Plane,
+    /// Surfaces whose cells form rows with common coefficients.
+    Straight,
+    /// Surfaces whose cells do not.
+    Helical,
+    /// Surfaces on general axes, whose contact grids are adapted to the share of each tooth.
+    General,
+}
+
+impl Flanks {
+    /// Returns the time per pair of cells, in logarithms. Measured: 0.75 microseconds in the plane
+    /// and 0.1 to 0.2 in three dimensions.
+    fn logarithms_per_pair_of_cells(self) -> f64 {
+        match self {
+            Flanks::Plane => 83.0,
+            Flanks::Straight => 12.0,
+            Flanks::Helical => 25.0,
+            Flanks::General => 75.0,
+        }
+    }
+
+    /// Returns the time of the contact search and of the observables per position, in logarithms.
+    fn logarithms_per_position(self) -> f64 {
+        if self == Flanks::Plane { 1e5 } else { 3.5e6 }
+    }
+}
 
 /// Returns the cost of solving `count` positions, each a contact problem with `cells` cells, either
 /// in `parallel` or one after the other.
 ///
 /// The influence coefficients between cells take more time than the solution of the contact
-/// problem. Plane and solid models take the same time per pair of cells. `helical` flanks take
-/// longer, because their cells do not form rows with common coefficients.
-pub fn positions(cells: usize, helical: bool, count: usize, parallel: bool, rates: &Rates) -> Cost {
+/// problem.
+pub fn positions(cells: usize, flanks: Flanks, count: usize, parallel: bool, rates: &Rates) -> Cost {
     let cells = cells as f64;
-    let pair = LOGARITHMS_PER_PAIR_OF_CELLS * if helical { HELICAL } else { 1.0 };
-    let one = pair * cells * cells / rates.logarithms
-        + cells.powi(3) / 6.0 / rates.products
-        + LOGARITHMS_PER_POSITION / rates.logarithms;
+    let logarithms = flanks.logarithms_per_pair_of_cells() * cells * cells + flanks.logarithms_per_position();
+    let one = logarithms / rates.logarithms + cells.powi(3) / 6.0 / rates.products;
     let threads = if parallel { rates.threads.max(1).min(count.max(1)) as f64 } else { 1.0 };
     let time = one * count as f64 / (EFFICIENCY * threads).max(1.0);
     Cost { time, memory: threads * MATRICES * size_of::<f64>() as f64 * cells * cells }
 }
 
-/// Time per pair of cells, in logarithms. Measured: 0.3 microseconds on the same machine.
-const LOGARITHMS_PER_PAIR_OF_CELLS: f64 = 83.0;
-/// Factor on the time per pair of cells for helical flanks.
-const HELICAL: f64 = 2.1;
-/// Time of the contact search and of the observables per position, in logarithms.
-const LOGARITHMS_PER_POSITION: f64 = 1e5;
 /// Number of matrices, with a row and a column per cell, that a contact problem stores.
 const MATRICES: f64 = 4.0;
 
@@ -223,11 +246,11 @@ mod tests {
         assert!(asymmetric.time > own.time && asymmetric.memory > own.memory);
         let faster = Rates { products: 2e10, logarithms: 6e8, ..RATES };
         assert!((structure(&SIZE, true, &faster).time / own.time - 0.5).abs() < 1e-12);
-        let [few, many] = [100, 700].map(|cells| positions(cells, false, 32, true, &RATES));
-        assert!(many.time > 10.0 * few.time);
+        let [few, many] = [100, 700].map(|cells| positions(cells, Flanks::Straight, 32, true, &RATES));
+        assert!(many.time > 5.0 * few.time);
         // Steps of a transient analysis are solved one after the other.
-        assert!(positions(100, false, 32, false, &RATES).time > few.time);
-        assert_eq!(positions(100, false, 0, true, &RATES).time, 0.0);
+        assert!(positions(100, Flanks::Straight, 32, false, &RATES).time > few.time);
+        assert_eq!(positions(100, Flanks::Straight, 0, true, &RATES).time, 0.0);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Cost of a whole analysis: structures, positions and error estimates.
 
-use super::{Cost, Rates, elastic_body, positions, structure};
+use super::{Cost, Flanks, Rates, elastic_body, positions, structure};
 use crate::estimate::{Estimates, PerturbedSolve, perturbed_solves_of};
 use crate::scene::Scene;
 use calyx_model::connection::ElasticConnection;
@@ -78,19 +78,19 @@ impl Task<'_> {
     /// Those of [`Task::cost`].
     pub fn cost_with(&self, meshes: &mut Meshes, rates: &Rates) -> Result<AnalysisCost, EngineError> {
         let Task { scene, fidelity, structure: options, in_time, .. } = *self;
-        let Part { structures, helical, three_dimensional } =
+        let Part { structures, flanks, three_dimensional } =
             self.condensed(fidelity, options, meshes, rates)?;
         let solve =
-            |fidelity: Fidelity, three_dimensional: bool, helical: bool, coarse: bool, count: usize| {
+            |fidelity: Fidelity, three_dimensional: bool, flanks: Flanks, coarse: bool, count: usize| {
                 positions(
                     cells_in_contact(scene, fidelity, three_dimensional, coarse),
-                    helical,
+                    flanks,
                     count,
                     !in_time,
                     rates,
                 )
             };
-        let own = solve(fidelity, three_dimensional, helical, false, self.positions);
+        let own = solve(fidelity, three_dimensional, flanks, false, self.positions);
         let mut errors = Cost::default();
         let mut add = |cost: Cost| {
             errors.time += cost.time;
@@ -108,7 +108,7 @@ impl Task<'_> {
                     else {
                         continue;
                     };
-                    let Part { structures, helical, three_dimensional } = part;
+                    let Part { structures, flanks, three_dimensional } = part;
                     let memory = structures.iter().map(|(_, cost)| cost.memory).sum();
                     let time = structures.iter().map(|(_, cost)| cost.time).sum();
                     // The structures of the analysis are available.
@@ -118,7 +118,7 @@ impl Task<'_> {
                     add(solve(
                         fidelity,
                         three_dimensional,
-                        helical,
+                        flanks,
                         perturbed_solve.coarse_grid,
                         perturbed_solve.positions,
                     ));
@@ -168,7 +168,13 @@ impl Task<'_> {
             }
         };
         let Mesh { three_dimensional, sizes, elastic_bodies, .. } = &meshes.0[counted];
-        let helical = *three_dimensional && sizes.iter().any(|(_, size)| !size.mirrored);
+        let general = self.scene.pairs.iter().any(|pair| pair.mesh.as_ref().is_some_and(is_general));
+        let flanks = match *three_dimensional {
+            false => Flanks::Plane,
+            true if general => Flanks::General,
+            true if sizes.iter().any(|(_, size)| !size.mirrored) => Flanks::Helical,
+            true => Flanks::Straight,
+        };
         let cost = |(names, size): &(Vec<String>, StructureSize)| {
             (names.clone(), structure(size, *three_dimensional, rates))
         };
@@ -176,7 +182,7 @@ impl Task<'_> {
             |(name, size): &(String, ElasticBodySize)| (vec![name.clone()], elastic_body(size, rates));
         Ok(Part {
             structures: sizes.iter().map(cost).chain(elastic_bodies.iter().map(of_body)).collect(),
-            helical,
+            flanks,
             three_dimensional: *three_dimensional,
         })
     }
@@ -197,7 +203,7 @@ struct Mesh {
 
 struct Part {
     structures: Vec<(Vec<String>, Cost)>,
-    helical: bool,
+    flanks: Flanks,
     three_dimensional: bool,
 }
 
@@ -243,8 +249,17 @@ fn cells_in_contact(scene: &Scene, fidelity: Fidelity, three_dimensional: bool, 
     scene.pairs.iter().map(of).sum()
 }
 
-/// Returns the largest number of tooth pairs in contact: the contact ratio rounded up.
+/// Returns whether the axes of a mesh are not parallel.
+fn is_general(mesh: &GearMesh) -> bool {
+    mesh.first_contact.is_some()
+}
+
+/// Returns the largest number of tooth pairs in contact: the contact ratio rounded up; two on
+/// general axes, where it depends on the load.
 fn pairs_of_teeth(mesh: &GearMesh) -> usize {
+    if is_general(mesh) {
+        return 2;
+    }
     let [pitch, path] = [mesh.roll, mesh.path].map(|[from, to]| (to - from).abs());
     if pitch > 0.0 { (path / pitch).ceil().clamp(1.0, f64::from(mesh.teeth[0])) as usize } else { 1 }
 }
