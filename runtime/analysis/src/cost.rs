@@ -246,8 +246,8 @@ mod tests {
         assert!(asymmetric.time > own.time && asymmetric.memory > own.memory);
         let faster = Rates { products: 2e10, logarithms: 6e8, ..RATES };
         assert!((structure(&SIZE, true, &faster).time / own.time - 0.5).abs() < 1e-12);
-        let [few, many] = [100, 700].map(|cells| positions(cells, Flanks::Straight, 32, true, &RATES));
-        assert!(many.time > 5.0 * few.time);
+        let [few, many] = [100, 2000].map(|cells| positions(cells, Flanks::Straight, 32, true, &RATES));
+        assert!(many.time > 10.0 * few.time);
         // Steps of a transient analysis are solved one after the other.
         assert!(positions(100, Flanks::Straight, 32, false, &RATES).time > few.time);
         assert_eq!(positions(100, Flanks::Straight, 0, true, &RATES).time, 0.0);

@@ -6,6 +6,7 @@
 
 #![warn(missing_docs)]
 
+mod axial_section;
 pub mod block;
 pub mod builder;
 pub mod dissection;
@@ -22,7 +23,9 @@ pub mod solid;
 pub mod solve;
 pub mod sparse;
 pub mod stress;
+mod strips;
 
+pub use axial_section::{AxialCut, AxialSection, station_name};
 pub use block::{Block, Curve, Side, graded, uniform};
 pub use builder::{MeshBuilder, MeshError};
 pub use calyx_numerics::quadrature;

@@ -23,6 +23,7 @@ use super::interpolation::ElementOrder;
 use super::mesh::{EdgeChain, Element, PlaneMesh};
 use super::model::gradients;
 use super::sparse::summed;
+use super::strips::{Cell, Cut, cells};
 use crate::inertia::Inertia;
 use crate::material::Material;
 use calyx_numerics::quadrature::gauss_legendre;
@@ -39,8 +40,6 @@ const MORE_POINTS: usize = 2;
 const ACROSS: usize = 2;
 const ALONG: usize = 3;
 const MOST_ALONG: usize = 24;
-/// Tolerance relative to the section: points nearer to a line of the mesh are on it.
-const SAME: f64 = 1e-6;
 
 /// Axial extent of a section at a radius, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,30 +55,6 @@ pub struct Station {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     stations: Vec<Station>,
-}
-
-/// Stretch of a section between steps, with its dividing lines.
-struct Stretch<'a> {
-    stations: &'a [Station],
-    /// Positions from its axial start (0) to its end (1), ascending.
-    lines: Vec<f64>,
-}
-
-impl Stretch<'_> {
-    fn add(&mut self, station: Station, z: f64) {
-        let [from, to] = station.ends;
-        let share = (z - from) / (to - from);
-        let known = self.lines.iter().any(|line| (line - share).abs() < SAME);
-        if share > 0.0 && share < 1.0 && !known {
-            self.lines.push(share);
-            self.lines.sort_by(f64::total_cmp);
-        }
-    }
-
-    /// Returns the axial coordinates of its lines at a station.
-    fn places(&self, station: Station) -> Vec<f64> {
-        self.lines.iter().map(|&line| between(station.ends, line)).collect()
-    }
 }
 
 fn between([from, to]: [f64; 2], share: f64) -> f64 {
@@ -144,32 +119,6 @@ impl Section {
         inertia
     }
 
-    /// Returns the stretches between steps, with the same divisions on both sides of each step.
-    fn stretches(&self) -> Vec<Stretch<'_>> {
-        let mut stretches: Vec<Stretch<'_>> = self
-            .stations
-            .chunk_by(|a, b| a.radius != b.radius)
-            .map(|stations| Stretch { stations, lines: vec![0.0, 1.0] })
-            .collect();
-        let steps: Vec<usize> = (1..stretches.len()).collect();
-        // Outwards and back again: a line from a step is propagated to all stretches.
-        for (step, outwards) in
-            steps.iter().map(|&step| (step, true)).chain(steps.iter().rev().map(|&step| (step, false)))
-        {
-            let (inner, outer) = stretches.split_at_mut(step);
-            let (Some(inner), Some(outer)) = (inner.last_mut(), outer.first_mut()) else { continue };
-            let (Some(&end), Some(&start)) = (inner.stations.last(), outer.stations.first()) else {
-                continue;
-            };
-            let (from, from_station, to, to_station) =
-                if outwards { (inner, end, outer, start) } else { (outer, start, inner, end) };
-            for z in from.places(from_station) {
-                to.add(to_station, z);
-            }
-        }
-        stretches
-    }
-
     /// Meshes the section, radius as x and axial coordinate as y, with the chains `bore` and `rim`.
     /// `fineness` is a factor on the number of elements in each direction.
     ///
@@ -177,33 +126,29 @@ impl Section {
     /// The stations leave no room for elements.
     pub fn mesh(&self, order: ElementOrder, fineness: usize) -> Result<PlaneMesh, MeshError> {
         let mut builder = MeshBuilder::new();
-        let stretches = self.stretches();
         let [inside, outside] = self.outermost();
-        for stretch in &stretches {
-            for pair in stretch.stations.windows(2) {
-                let (length, width) =
-                    (pair[1].radius - pair[0].radius, |station: Station| station.ends[1] - station.ends[0]);
-                let squares = 2.0 * length / (width(pair[0]) + width(pair[1]));
-                let along = (squares.ceil() as usize).clamp(ALONG, MOST_ALONG) * fineness;
-                let lines = [pair[0], pair[1]].map(|station| stretch.places(station));
-                for (inner, outer) in lines[0].windows(2).zip(lines[1].windows(2)) {
-                    let corners = [
-                        [pair[0].radius, inner[0]],
-                        [pair[1].radius, outer[0]],
-                        [pair[1].radius, outer[1]],
-                        [pair[0].radius, inner[1]],
-                    ];
-                    let mut block =
-                        Block::quadrilateral(corners).divided(uniform(along), uniform(ACROSS * fineness));
-                    if pair[0].radius == inside.radius {
-                        block = block.named(Side::Left, "bore");
-                    }
-                    if pair[1].radius == outside.radius {
-                        block = block.named(Side::Right, "rim");
-                    }
-                    builder.block(block);
-                }
+        let cuts: Vec<Cut> =
+            self.stations.iter().map(|station| Cut { at: station.radius, ends: station.ends }).collect();
+        for Cell { cut, lines: [inner, outer] } in cells(&cuts) {
+            let pair = [self.stations[cut], self.stations[cut + 1]];
+            let (length, width) =
+                (pair[1].radius - pair[0].radius, |station: Station| station.ends[1] - station.ends[0]);
+            let squares = 2.0 * length / (width(pair[0]) + width(pair[1]));
+            let along = (squares.ceil() as usize).clamp(ALONG, MOST_ALONG) * fineness;
+            let corners = [
+                [pair[0].radius, inner[0]],
+                [pair[1].radius, outer[0]],
+                [pair[1].radius, outer[1]],
+                [pair[0].radius, inner[1]],
+            ];
+            let mut block = Block::quadrilateral(corners).divided(uniform(along), uniform(ACROSS * fineness));
+            if pair[0].radius == inside.radius {
+                block = block.named(Side::Left, "bore");
             }
+            if pair[1].radius == outside.radius {
+                block = block.named(Side::Right, "rim");
+            }
+            builder.block(block);
         }
         builder.finish(order)
     }

@@ -30,6 +30,7 @@ pub use terms::{add_connection_mass, add_connection_stiffness};
 use crate::bearing::Support;
 use crate::body::Body;
 use crate::elastic_body::{ElasticBody, SharedElasticBody, rigid_links};
+use crate::fidelity::Fidelity;
 use crate::ids::BodyId;
 use crate::shaft::Shaft;
 use calyx_numerics::error::{EngineError, Subject};
@@ -147,12 +148,28 @@ impl ElasticConnection {
     /// Returns an error about the elastic body of the connection with its name, at the body of its
     /// first attachment.
     pub fn named(&self, error: EngineError) -> EngineError {
-        let message = format!("the elastic body \"{}\": {}", self.name, error.message);
+        self.about("elastic body", error)
+    }
+
+    /// Returns an error about the shaft of the connection with its name, at its first body.
+    pub fn about_shaft(&self, error: EngineError) -> EngineError {
+        self.about("shaft", error)
+    }
+
+    fn about(&self, what: &str, error: EngineError) -> EngineError {
+        let message = format!("the {what} \"{}\": {}", self.name, error.message);
         let error = EngineError { message, ..error };
         match self.bodies().next() {
             Some(BodyId(body)) => error.about(Subject::Body(body)),
             None => error,
         }
+    }
+
+    /// Returns the shaft of the connection if it is modelled as a solid at this fidelity: elastic
+    /// shafts at those of three-dimensional finite elements, otherwise they are beams.
+    pub fn solid_shaft(&self, fidelity: Fidelity) -> Option<&CondensedShaft> {
+        let elements = matches!(fidelity, Fidelity::Solid(_));
+        self.shaft.as_ref().filter(|shaft| elements && !shaft.rigid && shaft.stations.len() > 1)
     }
 
     /// Returns the number of rows of the matrices.

@@ -1,7 +1,7 @@
-//! Condenses the elastic bodies of a planned scene, or takes their matrices from the structure
-//! cache.
+//! Condenses the elastic bodies and the solid shafts of a planned scene, or takes their matrices
+//! from the structure cache.
 
-use crate::connection::ElasticConnection;
+use crate::connection::{CondensedShaft, ElasticConnection};
 use crate::elastic_body::ElasticBody;
 use crate::fidelity::{BodyModel, Fidelity};
 use crate::mechanism::Mechanism;
@@ -10,13 +10,17 @@ use crate::resources::Resources;
 use crate::structure_building::StructureCounts;
 use calyx_numerics::error::EngineError;
 use calyx_structure::AttachmentMatrices;
-use calyx_structure::cache::Claim;
+use calyx_structure::cache::{Claim, Key};
 use std::sync::Arc;
 
 /// Stiffness of a rigid body relative to the typical stiffness of the elastic one.
 const RIGID: f64 = 1e3;
 /// The same in the check of restraints, where it is compared with that of bearings.
 const COMPARABLE: f64 = 1.0;
+
+/// Factor on the number of elements of solid shafts in each direction. The flexibility that steps
+/// add is then accurate to 2 %.
+const SHAFT_FINENESS: usize = 2;
 
 /// Returns the connections of a planned scene with their matrices, in the order of the scene.
 /// Connections that are left out remain without.
@@ -31,6 +35,12 @@ pub fn build_connections(
     let mut counts = StructureCounts::default();
     let one = |(index, connection): (usize, &ElasticConnection)| {
         let planned = plan.connections.get(index).filter(|planned| !planned.left_out);
+        if let (Some(shaft), Some(_)) = (connection.solid_shaft(plan.fidelity), planned) {
+            let about = |error: EngineError| connection.about_shaft(error);
+            let (matrices, anew) = shaft_matrices(shaft, resources).map_err(about)?;
+            *if anew { &mut counts.built } else { &mut counts.reused } += 1;
+            return Ok(ElasticConnection { stiffness: matrices.stiffness.clone(), ..connection.clone() });
+        }
         let (Some(body), Some(planned)) = (&connection.body, planned) else { return Ok(connection.clone()) };
         let with_mass = planned.with_mass;
         if is_rigid(plan.fidelity) {
@@ -61,6 +71,25 @@ pub fn connections_as_links(scene: &Mechanism) -> Result<Vec<ElasticConnection>,
     scene.connections.iter().map(|connection| connection.rigid(&scene.bodies, COMPARABLE)).collect()
 }
 
+/// Returns the stiffness of a solid shaft, from the cache if possible, and whether it was computed.
+fn shaft_matrices(
+    CondensedShaft { shaft, stations, .. }: &CondensedShaft,
+    resources: &Resources,
+) -> Result<(Arc<AttachmentMatrices>, bool), EngineError> {
+    let key = Key::of("solid shaft")
+        .text(crate::SOURCE)
+        .key(&shaft.key())
+        .numbers(stations)
+        .count(SHAFT_FINENESS as u64)
+        .finish();
+    let condense = || {
+        let stiffness =
+            resources.install(|| shaft.solid_stiffness(stations, SHAFT_FINENESS, &resources.interrupt))?;
+        Ok(AttachmentMatrices { stiffness, mass: Vec::new() })
+    };
+    cached(Some(key), (stations.len(), false), resources, condense)
+}
+
 /// Returns the matrices of an elastic body, from the cache if possible, and whether they were
 /// computed.
 fn matrices(
@@ -68,12 +97,23 @@ fn matrices(
     with_mass: bool,
     resources: &Resources,
 ) -> Result<(Arc<AttachmentMatrices>, bool), EngineError> {
-    let condense = || resources.install(|| body.condense(with_mass, &resources.interrupt)).map(Arc::new);
-    let (Some(cache), Some(key)) = (resources.cache.as_deref(), body.key()) else {
-        return Ok((condense()?, true));
-    };
-    let key = calyx_structure::cache::Key::of("attachments").key(&key).flag(with_mass).finish();
+    let condense = || resources.install(|| body.condense(with_mass, &resources.interrupt));
+    let key = body.key().map(|key| Key::of("attachments").key(&key).flag(with_mass).finish());
     let attachments = body.positions().len() + usize::from(body.is_grounded());
+    cached(key, (attachments, with_mass), resources, condense)
+}
+
+/// Returns matrices of a number of attachments, with or without mass: from the cache by their key,
+/// or computed.
+fn cached(
+    key: Option<Key>,
+    (attachments, with_mass): (usize, bool),
+    resources: &Resources,
+    condense: impl Fn() -> Result<AttachmentMatrices, EngineError>,
+) -> Result<(Arc<AttachmentMatrices>, bool), EngineError> {
+    let (Some(cache), Some(key)) = (resources.cache.as_deref(), key) else {
+        return Ok((Arc::new(condense()?), true));
+    };
     let mut anew = false;
     let matrices = cache.attachments(key, &resources.interrupt, |claim| {
         let on_disk = claim.and_then(Claim::on_disk);
@@ -90,7 +130,7 @@ fn matrices(
         {
             store.write(&key, &content);
         }
-        Ok(matrices)
+        Ok(Arc::new(matrices))
     })?;
     Ok((matrices, anew))
 }

@@ -194,9 +194,9 @@ impl Plan {
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
         ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
         let vibrations = targets.iter().any(|target| target.mode.is_some()) || modes_table;
-        let treatment = (model == BodyModel::Rigid, vibrations);
+        let treatment = (fidelity, vibrations);
         let connections = connections::plan_connections(scene, &bodies, treatment);
-        connections::check_bodies(scene, &connections)?;
+        connections::check_bodies(scene, &connections, fidelity)?;
         ignored.extend(connections::ignored_inputs(scene, &connections));
         ignored.sort();
         ignored.dedup();

@@ -15,6 +15,7 @@
 
 mod beam;
 mod segment;
+mod solid;
 
 pub use beam::SectionForces;
 pub use segment::{ShaftSegment, shear_coefficient};
@@ -24,6 +25,7 @@ use calyx_fe::inertia::Inertia;
 use calyx_fe::material::Material;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::quadrature::gauss_legendre;
+use calyx_structure::cache::Key;
 use segment::Section;
 
 /// Motion or force: three components along and three about the axes of the shaft.
@@ -64,6 +66,17 @@ impl Shaft {
             ends.push(ends[ends.len() - 1] + segment.length);
         }
         Ok(Shaft { segments, material, ends })
+    }
+
+    /// Returns a key of the contents, for caches.
+    pub fn key(&self) -> Key {
+        let Material { youngs_modulus, poissons_ratio, density } = self.material;
+        let material = Key::of("shaft").numbers(&[youngs_modulus, poissons_ratio, density]);
+        let all = self.segments.iter().fold(material, |key, segment| {
+            let ShaftSegment { length, diameter: [start, end], bore, stiffness_diameter } = *segment;
+            key.numbers(&[length, start, end, bore[0], bore[1]]).number(stiffness_diameter.unwrap_or(0.0))
+        });
+        all.finish()
     }
 
     /// Returns the length, m.

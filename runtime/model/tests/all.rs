@@ -9,4 +9,5 @@ mod flanks;
 mod lubrication;
 mod motion;
 mod shafts;
+mod solid_shafts;
 mod structure_building;

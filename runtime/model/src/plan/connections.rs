@@ -1,7 +1,9 @@
 //! Plan of elastic connections.
 
 use super::BodyPlan;
+use crate::connection::CondensedShaft;
 use crate::dof::DOF_NAMES;
+use crate::fidelity::{BodyModel, Fidelity};
 use crate::ids::BodyId;
 use crate::mechanism::Mechanism;
 use crate::prototype::Ignored;
@@ -24,8 +26,9 @@ pub struct ConnectionPlan {
 pub(super) fn plan_connections(
     scene: &Mechanism,
     bodies: &[BodyPlan],
-    (rigid, with_mass): (bool, bool),
+    (fidelity, with_mass): (Fidelity, bool),
 ) -> Vec<ConnectionPlan> {
+    let rigid = fidelity.body_model() == BodyModel::Rigid;
     let plan = |connection: &crate::connection::ElasticConnection| {
         let unwanted = connection.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
         let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
@@ -38,6 +41,9 @@ pub(super) fn plan_connections(
             reason: match (unwanted, idle) {
                 (true, _) => "left out: no output depends on the bodies that it connects",
                 (_, true) if !massive => "left out: it connects nothing that moves relative to each other",
+                _ if connection.solid_shaft(fidelity).is_some() => {
+                    "a solid of revolution, condensed onto its sections"
+                }
                 _ if connection.body.is_none() => "a stiffness between the frames of its bodies",
                 _ if rigid => "rigid at this fidelity: its attachments move together",
                 _ => "elastic: condensed onto its attachments",
@@ -49,13 +55,20 @@ pub(super) fn plan_connections(
     scene.connections.iter().map(plan).collect()
 }
 
-/// Checks the modelled elastic bodies with their attachments.
+/// Checks the modelled elastic bodies with their attachments, and the shafts.
 ///
 /// # Errors
-/// Those of [`crate::elastic_body::ElasticBody::check`].
-pub(super) fn check_bodies(scene: &Mechanism, plans: &[ConnectionPlan]) -> Result<(), EngineError> {
+/// Those of [`crate::elastic_body::ElasticBody::check`] and [`crate::shaft::Shaft::check_solid`].
+pub(super) fn check_bodies(
+    scene: &Mechanism,
+    plans: &[ConnectionPlan],
+    fidelity: Fidelity,
+) -> Result<(), EngineError> {
     let modelled = scene.connections.iter().zip(plans).filter(|(_, plan)| !plan.left_out);
     for (connection, _) in modelled {
+        if let Some(CondensedShaft { shaft, stations, .. }) = connection.solid_shaft(fidelity) {
+            shaft.check_solid(stations).map_err(|error| connection.about_shaft(error))?;
+        }
         let Some(body) = &connection.body else { continue };
         body.0.check().map_err(|error| connection.named(error))?;
     }

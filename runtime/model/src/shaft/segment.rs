@@ -110,6 +110,11 @@ impl Section {
         area([self.carrying, self.bore])
     }
 
+    /// Returns the radii of the bore and of the outside that carries load, m.
+    pub(super) fn carrying_radii(&self) -> [f64; 2] {
+        [0.5 * self.bore, 0.5 * self.carrying]
+    }
+
     /// Returns the section modulus of bending, m³; that of torsion is twice as large.
     pub(super) fn bending_modulus(&self) -> f64 {
         2.0 * second_moment([self.carrying, self.bore]) / self.carrying

@@ -1,0 +1,207 @@
+//! Shaft as a solid of revolution, condensed onto the mean motions of its sections.
+//!
+//! A shaft responds to axial forces and torques in the harmonic 0 around its axis, and to bending
+//! in the harmonic 1 ([`RevolutionModel`]). The motion of a station is the mean displacement of its
+//! section, weighted so that a force is spread uniformly over the section, a moment and a torque in
+//! proportion to the distance from its axis: the definition with which Cowper derived the shear
+//! coefficient of beams. Rigid-body motions have exactly these means, and the work of a force is
+//! its product with the mean.
+//!
+//! With `m` columns of mean forms F and balanced unit loads B, the flexibility of the stations
+//! relative to the first one is `C = B^T F^T K^-1 F B`, and the stiffness between all stations `B
+//! C^-1 B^T`.
+//!
+//! See `docs/theory/shafts.md`.
+
+use super::Shaft;
+use calyx_fe::{
+    AxialCut, AxialSection, Constraints, ElementOrder, RevolutionModel, SolveError, Solver, station_name,
+};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use faer::Mat;
+use nalgebra::{Cholesky, DMatrix};
+use std::f64::consts::PI;
+
+/// Unknowns of a node: radial, tangential, axial.
+const COMPONENTS: usize = 3;
+/// Motions of a station in one harmonic: along and about the axis (0), or across it and about the
+/// normal of the plane of bending (1).
+const MOTIONS: usize = 2;
+
+impl Shaft {
+    /// Returns the section of the shaft that carries load, with cuts at the stations (m,
+    /// ascending).
+    ///
+    /// # Errors
+    /// E0858: two segments do not touch.
+    fn axial_section(&self, stations: &[f64]) -> Result<AxialSection, EngineError> {
+        let mut cuts: Vec<AxialCut> = Vec::new();
+        for (segment, ends) in self.segments.iter().zip(self.ends.windows(2)) {
+            let inner = stations.iter().copied().filter(|&z| ends[0] < z && z < ends[1]);
+            for position in [ends[0]].into_iter().chain(inner).chain([ends[1]]) {
+                let cut = AxialCut {
+                    position,
+                    radii: segment.section((position - ends[0]) / segment.length).carrying_radii(),
+                };
+                if cuts.last() != Some(&cut) {
+                    cuts.push(cut);
+                }
+            }
+        }
+        AxialSection::new(cuts).ok_or_else(|| {
+            EngineError::new(
+                "E0858",
+                "two neighbouring segments of a shaft do not touch: the bore of one is not smaller than the diameter of the other",
+                "let their walls overlap at the step",
+            )
+            .blame("segments")
+        })
+    }
+
+    fn revolved(&self, stations: &[f64], fineness: usize) -> Result<RevolutionModel, EngineError> {
+        let section = self.axial_section(stations)?;
+        let mesh = section.mesh(ElementOrder::CUBIC, fineness, stations).map_err(|error| {
+            EngineError::new(
+                "E0858",
+                format!("a shaft cannot be meshed: {error}"),
+                "leave out segments and differences of diameters that are much smaller than the others, or choose the fidelity \"analytic\"",
+            )
+            .blame("segments")
+        })?;
+        Ok(RevolutionModel { mesh, material: self.material })
+    }
+
+    /// Checks whether the shaft with these stations (m, ascending) can be a solid.
+    ///
+    /// # Errors
+    /// E0858: segments do not touch or cannot be meshed.
+    pub fn check_solid(&self, stations: &[f64]) -> Result<(), EngineError> {
+        self.revolved(stations, 1).map(|_| ())
+    }
+
+    /// Returns the stiffness matrix of the solid shaft between stations at these ascending
+    /// positions (m), six rows a station, row-major. Rigid-body motions of the shaft cause no
+    /// forces. `fineness` is a factor on the number of elements in each direction.
+    ///
+    /// # Errors
+    /// E0858: segments do not touch or cannot be meshed. Those of the interrupt.
+    pub fn solid_stiffness(
+        &self,
+        stations: &[f64],
+        fineness: usize,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<f64>, EngineError> {
+        let size = 6 * stations.len();
+        let mut matrix = vec![0.0; size * size];
+        if stations.len() < 2 {
+            return Ok(matrix);
+        }
+        let model = self.revolved(stations, fineness)?;
+        let mut radii = Vec::with_capacity(stations.len());
+        let section = self.axial_section(stations)?;
+        for &station in stations {
+            radii.push(section.radii_at(station).unwrap_or([0.0, 1.0]));
+        }
+        // Components of a station by harmonic, and the sign of each motion there: bending about the
+        // x axis moves the shaft along -y.
+        let places: [(u16, [(usize, f64); MOTIONS]); 3] =
+            [(0, [(2, 1.0), (5, 1.0)]), (1, [(0, 1.0), (4, 1.0)]), (1, [(1, 1.0), (3, -1.0)])];
+        let between = [
+            stiffness_of_harmonic(&model, 0, stations, &radii, interrupt)?,
+            stiffness_of_harmonic(&model, 1, stations, &radii, interrupt)?,
+        ];
+        for (harmonic, components) in places {
+            let block = &between[usize::from(harmonic)];
+            for row in 0..block.nrows() {
+                for column in 0..block.ncols() {
+                    let of = |index: usize| {
+                        let (component, sign) = components[index % MOTIONS];
+                        (6 * (index / MOTIONS) + component, sign)
+                    };
+                    let ((at_row, sign), (at_column, other)) = (of(row), of(column));
+                    matrix[at_row * size + at_column] = sign * other * block[(row, column)];
+                }
+            }
+        }
+        Ok(matrix)
+    }
+}
+
+/// Returns the traction of a unit force or moment on a section with these radii: radial, tangential
+/// and axial amplitude at a radius.
+fn traction(harmonic: u16, motion: usize, [bore, outside]: [f64; 2]) -> impl Fn([f64; 2]) -> [f64; 3] {
+    let area = PI * (outside * outside - bore * bore);
+    let second_moment = 0.25 * PI * (outside.powi(4) - bore.powi(4));
+    move |[r, _]| match (harmonic, motion) {
+        (0, 0) => [0.0, 0.0, area.recip()],
+        (0, _) => [0.0, r / (2.0 * second_moment), 0.0],
+        (_, 0) => [area.recip(), -area.recip(), 0.0],
+        (_, _) => [0.0, 0.0, -r / second_moment],
+    }
+}
+
+/// Returns the stiffness between the motions of the stations in one harmonic.
+fn stiffness_of_harmonic(
+    model: &RevolutionModel,
+    harmonic: u16,
+    stations: &[f64],
+    radii: &[[f64; 2]],
+    interrupt: &Interrupt,
+) -> Result<DMatrix<f64>, EngineError> {
+    interrupt.check()?;
+    let mut forms: Vec<Vec<f64>> = Vec::with_capacity(MOTIONS * stations.len());
+    for (station, &radii) in radii.iter().enumerate() {
+        let Some(chain) = model.mesh.chain(&station_name(station)) else { return Err(unsolved(None)) };
+        forms.extend(
+            (0..MOTIONS).map(|motion| model.edge_load(chain, harmonic, traction(harmonic, motion, radii))),
+        );
+    }
+    // Balanced unit loads: at a station, and their reaction at the first one.
+    let count = forms.len();
+    let balanced = DMatrix::from_fn(count, count - MOTIONS, |row, column| {
+        let (station, motion) = (column / MOTIONS + 1, column % MOTIONS);
+        let arm = if harmonic == 1 { stations[station] - stations[0] } else { 0.0 };
+        match (row / MOTIONS, row % MOTIONS) {
+            (0, own) if own == motion => -1.0,
+            // A force across the shaft has a moment about the first station.
+            (0, 1) => -arm,
+            (other, own) if other == station && own == motion => 1.0,
+            _ => 0.0,
+        }
+    });
+    let loads = Mat::from_fn(model.dof_count(), balanced.ncols(), |dof, column| {
+        forms.iter().enumerate().map(|(k, form)| form[dof] * balanced[(k, column)]).sum()
+    });
+    // The loads are in equilibrium, so a statically determinate support carries nothing. It needs a
+    // distance from the axis.
+    let far = |a: &&[f64; 2], b: &&[f64; 2]| a[0].total_cmp(&b[0]);
+    let farthest =
+        model.mesh.nodes.iter().max_by(far).and_then(|far| model.mesh.nodes.iter().position(|n| n == far));
+    let node = farthest.unwrap_or(0);
+    let mut support = Constraints::new();
+    support.prescribe(COMPONENTS * node + if harmonic == 0 { 1 } else { 0 }, 0.0);
+    support.prescribe(COMPONENTS * node + 2, 0.0);
+    let solver = Solver::new(&model.stiffness(harmonic), support).map_err(|error| unsolved(Some(error)))?;
+    let moved = solver.solve(loads.as_ref()).map_err(|error| unsolved(Some(error)))?;
+    let flexibility = loads.transpose() * &moved;
+    let n = balanced.ncols();
+    let flexibility =
+        DMatrix::from_fn(n, n, |row, column| 0.5 * (flexibility[(row, column)] + flexibility[(column, row)]));
+    let inverse = Cholesky::new(flexibility).ok_or_else(|| unsolved(None))?.inverse();
+    let stiffness = &balanced * inverse * balanced.transpose();
+    Ok(DMatrix::from_fn(count, count, |row, column| {
+        0.5 * (stiffness[(row, column)] + stiffness[(column, row)])
+    }))
+}
+
+fn unsolved(error: Option<SolveError>) -> EngineError {
+    let reason =
+        error.map_or_else(|| "its stations are too close to each other".into(), |error| error.to_string());
+    EngineError::new(
+        "E0858",
+        format!("the stiffness of a shaft cannot be computed: {reason}"),
+        "leave out segments and distances that are much smaller than the others, or choose the fidelity \"analytic\"",
+    )
+    .blame("segments")
+}
