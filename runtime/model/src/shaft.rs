@@ -51,7 +51,7 @@ impl Shaft {
     /// Creates a shaft from segments in the order of their positions.
     ///
     /// # Errors
-    /// E0858: there is no segment.
+    /// E0858: there is no segment, or two neighbours do not touch each other.
     pub fn new(segments: Vec<ShaftSegment>, material: Material) -> Result<Shaft, EngineError> {
         if segments.is_empty() {
             return Err(EngineError::new(
@@ -60,6 +60,19 @@ impl Shaft {
                 "give at least one, such as `gears.shaft_segment(length = 80 mm, diameter = 30 mm)`",
             )
             .blame("segments"));
+        }
+        for (index, pair) in segments.windows(2).enumerate() {
+            let [end, start] =
+                [pair[0].section(1.0), pair[1].section(0.0)].map(|section| section.carrying_radii());
+            if end[0].max(start[0]) >= end[1].min(start[1]) {
+                let message = format!(
+                    "segments {} and {} of a shaft do not touch: the bore of one is not smaller than the diameter of the other",
+                    index + 1,
+                    index + 2
+                );
+                let help = "let their walls overlap where they meet";
+                return Err(EngineError::new("E0858", message, help).blame("segments"));
+            }
         }
         let mut ends = vec![0.0];
         for segment in &segments {

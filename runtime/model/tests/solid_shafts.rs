@@ -155,7 +155,37 @@ fn further_stations_change_nothing() {
 
 #[test]
 fn segments_that_do_not_touch_are_refused() {
-    let shaft = shaft(&[cylinder(0.05, 0.02, 0.0), cylinder(0.04, 0.03, 0.022)]);
-    let error = shaft.check_solid(&[0.0, 0.09]).expect_err("there is no wall in common");
+    let apart = vec![cylinder(0.05, 0.02, 0.0), cylinder(0.04, 0.03, 0.022)];
+    let error = Shaft::new(apart, STEEL).expect_err("there is no wall in common");
     assert_eq!(error.code, "E0858");
+    let touching = shaft(&[cylinder(0.05, 0.02, 0.0), cylinder(0.04, 0.03, 0.018)]);
+    assert!(touching.check_solid(&[0.0, 0.05, 0.09]).is_ok());
+    let error = touching.check_solid(&[0.0, 0.0, 0.09]).expect_err("stations coincide");
+    assert_eq!(error.code, "E0858");
+}
+
+/// A shaft of 1 mm next to one of 1 m, a wall of 0.02 mm, a step of 0.1 nm and a slab of 1 um.
+#[test]
+fn extreme_dimensions_have_a_stiffness_or_an_error() {
+    let cases = [
+        vec![cylinder(0.01, 0.001, 0.0), cylinder(1.0, 1.0, 0.0)],
+        vec![cylinder(0.1, 0.03, 0.02996)],
+        vec![cylinder(0.1, 0.03, 0.0), cylinder(0.1, 0.03 + 1e-10, 0.0)],
+        vec![cylinder(0.1, 0.03, 0.0), cylinder(1e-6, 0.04, 0.0), cylinder(0.1, 0.03, 0.0)],
+        vec![segment(1e-4, [0.002, 0.9], [0.0, 0.0]), cylinder(2.0, 0.9, 0.0)],
+    ];
+    for segments in cases {
+        let length: f64 = segments.iter().map(|segment| segment.length).sum();
+        let stations = [0.0, segments[0].length, length];
+        let stations = if segments.len() > 1 { stations.to_vec() } else { vec![0.0, length] };
+        match shaft(&segments).solid_stiffness(&stations, 1, &Interrupt::never()) {
+            Ok(stiffness) => {
+                assert!(stiffness.iter().all(|entry| entry.is_finite()), "{segments:?}");
+                let softest =
+                    (0..6).map(|k| stiffness[k * 6 * stations.len() + k]).fold(f64::INFINITY, f64::min);
+                assert!(softest > 0.0, "{segments:?}");
+            }
+            Err(error) => assert_eq!(error.code, "E0858", "{segments:?}"),
+        }
+    }
 }

@@ -14,9 +14,7 @@
 //! See `docs/theory/shafts.md`.
 
 use super::Shaft;
-use calyx_fe::{
-    AxialCut, AxialSection, Constraints, ElementOrder, RevolutionModel, SolveError, Solver, station_name,
-};
+use calyx_fe::{AxialCut, AxialSection, Constraints, ElementOrder, RevolutionModel, Solver, station_name};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use faer::Mat;
@@ -28,54 +26,47 @@ const COMPONENTS: usize = 3;
 /// Motions of a station in one harmonic: along and about the axis (0), or across it and about the
 /// normal of the plane of bending (1).
 const MOTIONS: usize = 2;
+/// Reason of an error.
+const TOO_CLOSE: &str = "positions on the shaft are too close to each other";
 
 impl Shaft {
     /// Returns the section of the shaft that carries load, with cuts at the stations (m,
-    /// ascending).
-    ///
-    /// # Errors
-    /// E0858: two segments do not touch.
-    fn axial_section(&self, stations: &[f64]) -> Result<AxialSection, EngineError> {
+    /// ascending); `None` if stations or ends of segments coincide to rounding.
+    fn axial_section(&self, stations: &[f64]) -> Option<AxialSection> {
         let mut cuts: Vec<AxialCut> = Vec::new();
         for (segment, ends) in self.segments.iter().zip(self.ends.windows(2)) {
             let inner = stations.iter().copied().filter(|&z| ends[0] < z && z < ends[1]);
             for position in [ends[0]].into_iter().chain(inner).chain([ends[1]]) {
-                let cut = AxialCut {
-                    position,
-                    radii: segment.section((position - ends[0]) / segment.length).carrying_radii(),
-                };
+                let section = segment.section((position - ends[0]) / segment.length);
+                let cut = AxialCut { position, radii: section.carrying_radii() };
                 if cuts.last() != Some(&cut) {
                     cuts.push(cut);
                 }
             }
         }
-        AxialSection::new(cuts).ok_or_else(|| {
-            EngineError::new(
-                "E0858",
-                "two neighbouring segments of a shaft do not touch: the bore of one is not smaller than the diameter of the other",
-                "let their walls overlap at the step",
-            )
-            .blame("segments")
-        })
+        AxialSection::new(cuts)
     }
 
-    fn revolved(&self, stations: &[f64], fineness: usize) -> Result<RevolutionModel, EngineError> {
-        let section = self.axial_section(stations)?;
-        let mesh = section.mesh(ElementOrder::CUBIC, fineness, stations).map_err(|error| {
-            EngineError::new(
-                "E0858",
-                format!("a shaft cannot be meshed: {error}"),
-                "leave out segments and differences of diameters that are much smaller than the others, or choose the fidelity \"analytic\"",
-            )
-            .blame("segments")
-        })?;
-        Ok(RevolutionModel { mesh, material: self.material })
+    /// Returns the section with its cuts, and its mesh.
+    fn revolved(
+        &self,
+        stations: &[f64],
+        fineness: usize,
+    ) -> Result<(AxialSection, RevolutionModel), EngineError> {
+        let section = self.axial_section(stations).ok_or_else(|| unsolved(TOO_CLOSE))?;
+        let mesh = section
+            .mesh(ElementOrder::CUBIC, fineness, stations)
+            .map_err(|error| unsolved(&error.to_string()))?;
+        if (0..stations.len()).any(|station| mesh.chain(&station_name(station)).is_none()) {
+            return Err(unsolved(TOO_CLOSE));
+        }
+        Ok((section, RevolutionModel { mesh, material: self.material }))
     }
 
     /// Checks whether the shaft with these stations (m, ascending) can be a solid.
     ///
     /// # Errors
-    /// E0858: segments do not touch or cannot be meshed.
+    /// E0858: the section cannot be meshed.
     pub fn check_solid(&self, stations: &[f64]) -> Result<(), EngineError> {
         self.revolved(stations, 1).map(|_| ())
     }
@@ -85,7 +76,7 @@ impl Shaft {
     /// forces. `fineness` is a factor on the number of elements in each direction.
     ///
     /// # Errors
-    /// E0858: segments do not touch or cannot be meshed. Those of the interrupt.
+    /// E0858: the section cannot be meshed. Those of the interrupt.
     pub fn solid_stiffness(
         &self,
         stations: &[f64],
@@ -97,12 +88,10 @@ impl Shaft {
         if stations.len() < 2 {
             return Ok(matrix);
         }
-        let model = self.revolved(stations, fineness)?;
-        let mut radii = Vec::with_capacity(stations.len());
-        let section = self.axial_section(stations)?;
-        for &station in stations {
-            radii.push(section.radii_at(station).unwrap_or([0.0, 1.0]));
-        }
+        let (section, model) = self.revolved(stations, fineness)?;
+        let radii: Option<Vec<[f64; 2]>> =
+            stations.iter().map(|&station| section.radii_at(station)).collect();
+        let radii = radii.ok_or_else(|| unsolved(TOO_CLOSE))?;
         // Components of a station by harmonic, and the sign of each motion there: bending about the
         // x axis moves the shaft along -y.
         let places: [(u16, [(usize, f64); MOTIONS]); 3] =
@@ -152,7 +141,7 @@ fn stiffness_of_harmonic(
     interrupt.check()?;
     let mut forms: Vec<Vec<f64>> = Vec::with_capacity(MOTIONS * stations.len());
     for (station, &radii) in radii.iter().enumerate() {
-        let Some(chain) = model.mesh.chain(&station_name(station)) else { return Err(unsolved(None)) };
+        let Some(chain) = model.mesh.chain(&station_name(station)) else { return Err(unsolved(TOO_CLOSE)) };
         forms.extend(
             (0..MOTIONS).map(|motion| model.edge_load(chain, harmonic, traction(harmonic, motion, radii))),
         );
@@ -182,26 +171,25 @@ fn stiffness_of_harmonic(
     let mut support = Constraints::new();
     support.prescribe(COMPONENTS * node + if harmonic == 0 { 1 } else { 0 }, 0.0);
     support.prescribe(COMPONENTS * node + 2, 0.0);
-    let solver = Solver::new(&model.stiffness(harmonic), support).map_err(|error| unsolved(Some(error)))?;
-    let moved = solver.solve(loads.as_ref()).map_err(|error| unsolved(Some(error)))?;
+    let solver =
+        Solver::new(&model.stiffness(harmonic), support).map_err(|error| unsolved(&error.to_string()))?;
+    let moved = solver.solve(loads.as_ref()).map_err(|error| unsolved(&error.to_string()))?;
     let flexibility = loads.transpose() * &moved;
     let n = balanced.ncols();
     let flexibility =
         DMatrix::from_fn(n, n, |row, column| 0.5 * (flexibility[(row, column)] + flexibility[(column, row)]));
-    let inverse = Cholesky::new(flexibility).ok_or_else(|| unsolved(None))?.inverse();
+    let inverse = Cholesky::new(flexibility).ok_or_else(|| unsolved(TOO_CLOSE))?.inverse();
     let stiffness = &balanced * inverse * balanced.transpose();
     Ok(DMatrix::from_fn(count, count, |row, column| {
         0.5 * (stiffness[(row, column)] + stiffness[(column, row)])
     }))
 }
 
-fn unsolved(error: Option<SolveError>) -> EngineError {
-    let reason =
-        error.map_or_else(|| "its stations are too close to each other".into(), |error| error.to_string());
+fn unsolved(reason: &str) -> EngineError {
     EngineError::new(
         "E0858",
-        format!("the stiffness of a shaft cannot be computed: {reason}"),
-        "leave out segments and distances that are much smaller than the others, or choose the fidelity \"analytic\"",
+        format!("its section cannot be meshed: {reason}"),
+        "leave out segments, distances and steps that are much smaller than the others, or choose the fidelity \"analytic\"",
     )
     .blame("segments")
 }
