@@ -7,7 +7,7 @@
 //! constants were fitted to runs of the examples on one machine (`docs/accuracy.md`).
 //!
 //! Predicted times of structures and positions in three dimensions are between half and twice the
-//! measured ones. `calyx tradeoff` prints both. A prediction is accurate enough to distinguish
+//! measured ones; in the plane those of planetary sets are up to three times too long. `calyx tradeoff` prints both. A prediction is accurate enough to distinguish
 //! seconds from minutes.
 //!
 //! See `docs/theory/fidelity.md`.
@@ -183,8 +183,8 @@ pub enum Flanks {
 }
 
 impl Flanks {
-    /// Returns the time per pair of cells, in logarithms. Measured: 0.75 microseconds in the plane
-    /// and 0.1 to 0.2 in three dimensions.
+    /// Returns the time per pair of cells, in logarithms. Measured: 0.75 microseconds in the plane,
+    /// 0.1 to 0.2 in three dimensions on parallel axes, and 0.5 to 0.7 on general ones.
     fn logarithms_per_pair_of_cells(self) -> f64 {
         match self {
             Flanks::Plane => 83.0,

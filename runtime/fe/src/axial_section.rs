@@ -11,8 +11,8 @@ use super::strips::{Cell, Cut, cells};
 const ACROSS: usize = 2;
 const ALONG: usize = 2;
 const MOST_ALONG: usize = 24;
-/// Tolerance of radii and positions, relative to the section.
-const SAME: f64 = 1e-9;
+/// Tolerance of radii relative to the wall: twice that of the lines.
+const SAME: f64 = 2e-6;
 
 /// Radii of a shaft at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,7 +90,7 @@ impl AxialSection {
             let mut block = Block::quadrilateral(corners).divided(uniform(ACROSS * fineness), uniform(along));
             let inside = |at: f64, [from, to]: [f64; 2]| {
                 self.radii_at(at).is_some_and(|[bore, outside]| {
-                    let slack = SAME * outside;
+                    let slack = SAME * (outside - bore);
                     bore - slack <= from && to <= outside + slack
                 })
             };

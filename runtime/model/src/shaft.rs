@@ -1,5 +1,5 @@
 //! Shafts: straight beams of circular sections with shear deformation and rotary inertia
-//! (Timoshenko), condensed onto their stations.
+//! (Timoshenko), condensed onto their stations; or solids of revolution ([`solid`]).
 //!
 //! A shaft extends along the z axis of its coordinates, from 0 to its length. Forces and masses of
 //! gears, bearings and couplings act at its *stations*. Between neighbouring stations the shaft is
@@ -114,11 +114,12 @@ impl Shaft {
         &self.ends
     }
 
-    /// Returns the position on the shaft next to `z` if both differ by rounding only; `None` if `z`
-    /// is off the shaft.
+    /// Returns the position on the shaft next to `z` if both differ by rounding only, at the end of
+    /// a segment that end; `None` if `z` is off the shaft.
     pub fn on_shaft(&self, z: f64) -> Option<f64> {
         let slack = SAME_POSITION * self.length();
-        (z >= -slack && z <= self.length() + slack).then(|| z.clamp(0.0, self.length()))
+        let end = self.ends.iter().copied().find(|end| (z - end).abs() <= slack);
+        end.or((0.0 < z && z < self.length()).then_some(z))
     }
 
     /// Returns the segment at a position, and the section there. At a step it is the segment

@@ -260,8 +260,13 @@ fn impossible_segments_are_rejected() {
         (ShaftSegment { bore: [0.01, 0.04], ..good }, "end_bore", "leaves no wall in a segment of 30 mm"),
         (
             ShaftSegment { stiffness_diameter: Some(0.01), ..good },
-            "bore",
-            "leaves no wall in a segment of 10 mm",
+            "stiffness_diameter",
+            "leaves no wall inside the `stiffness_diameter` of 10 mm",
+        ),
+        (
+            ShaftSegment { stiffness_diameter: Some(0.04), ..good },
+            "stiffness_diameter",
+            "40 mm is larger than the diameter of 30 mm",
         ),
     ];
     for (segment, argument, message) in wrong {

@@ -87,11 +87,11 @@ const DIRECTION_DEPTH: f64 = 1e-3;
 /// If a flank and its edge meet at the least gap, the direction of the other one is used if it is
 /// near over a length larger by this factor.
 const PASSES_INTO: f64 = 4.0;
-/// Convergence: the next change of the frame is below this, translation (relative to the patch's
-/// length) and rotation. Each round reduces it to a few percent.
+/// Convergence: the last change of the frame is below this, translation (relative to the patch's
+/// length) and rotation. The next one is a few percent of it.
 const SETTLED: f64 = 1e-12;
-/// Gap, relative to the patch's length, beyond which surfaces are too far apart to touch; their
-/// frame is not refined.
+/// Gap, relative to the size of the first surface, beyond which deflections do not close it; the
+/// frame is not refined there, and the gap is accurate to a few percent.
 const FAR: f64 = 0.02;
 /// Principal curvatures that differ by less than this fraction of their sum are equal.
 const ROUND: f64 = 1e-6;
@@ -207,6 +207,9 @@ impl<'a> Search<'a> {
         let frame = PatchFrame::new(middle, normal, tangent);
         let mut frame = self.along_least_curvature(frame, start);
         let mut places = start;
+        let [[from_u, to_u], [from_v, to_v]] = self.placed[0].surface.range();
+        let corners = [[from_u, from_v], [to_u, to_v]].map(|corner| self.placed[0].at(corner).position);
+        let size = length(minus(corners[1], corners[0]));
         for round in 0..ROUNDS {
             let height_fields = self.height_fields(frame, places);
             let stations = self.stations(&height_fields, places)?;
@@ -216,7 +219,7 @@ impl<'a> Search<'a> {
             let turn = length(minus(next.normal, frame.normal)).max(length(minus(next.along, frame.along)));
             frame = next;
             places = stations.least.places();
-            let is_far = round > 0 && stations.least.gap() > FAR * reach;
+            let is_far = round > 0 && stations.least.gap() > FAR * size;
             if shift.max(turn) <= SETTLED || is_far {
                 break;
             }

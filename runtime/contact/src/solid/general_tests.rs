@@ -1,6 +1,8 @@
 //! Tests of surfaces with coordinates of any kind, and of curved side faces.
 
-use super::test_surfaces::{HELICAL, Helicoid};
+use super::height_field::HeightField;
+use super::test_surfaces::{HELICAL, Helicoid, Pair};
+use super::transverse_approach::{closest_across, closest_near};
 use super::*;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -94,6 +96,32 @@ fn cells_have_the_length_of_the_surface_coordinate() {
         let [one, next] = [&pair[0], &pair[1]].map(|slice| &grid.cells[slice.cells.start + 2]);
         let gap = (one.places[0][1] - next.places[0][1]).abs() - 0.5 * (one.spans[0] + next.spans[0]);
         assert!(gap.abs() < 1e-3 * one.spans[0], "{gap}");
+    }
+}
+
+/// The search from a near minimum finds that of the search between the ends of both surfaces.
+#[test]
+fn minima_do_not_depend_on_where_their_search_starts() {
+    let (flanks, turns) = Pair { crown: 3.0, ..HELICAL }.turned();
+    let poses = [0, 1].map(|side: usize| {
+        let origin = [[0.0, HELICAL.center()][side], 0.0, 0.0];
+        Pose { origin, ..Pose::IDENTITY }.rotated_first(turns[side])
+    });
+    let placed = [0, 1].map(|side: usize| PlacedSurface { surface: &flanks[side], pose: poses[side] });
+    let line = find_contact_line(placed[0], placed[1], true).expect("they face each other");
+    let fields =
+        [0, 1].map(|side: usize| HeightField::new(placed[side], line.frame, line.places[side], true));
+    let first = closest_across(&fields, 0.0, line.places).expect("a minimum");
+    let [low, high] = line.extent();
+    for step in 0..=40 {
+        let y = low + (high - low) * f64::from(step) / 40.0;
+        let near = closest_near(&fields, y, &first);
+        let far = closest_across(&fields, y, line.places);
+        assert_eq!(near.is_some(), far.is_some(), "{y}");
+        let (Some(near), Some(far)) = (near, far) else { continue };
+        assert_eq!(near.end, far.end, "{y}");
+        assert!((near.gap() - far.gap()).abs() < 1e-16, "{y}: {:e} {:e}", near.gap(), far.gap());
+        assert!((near.at()[0] - far.at()[0]).abs() < 1e-13, "{y}: {:?} {:?}", near.at(), far.at());
     }
 }
 

@@ -23,8 +23,8 @@ impl ShaftSegment {
     /// Checks the dimensions.
     ///
     /// # Errors
-    /// E0858: a dimension is not positive, or the bore is as large as the diameter that carries
-    /// load.
+    /// E0858: a dimension is not positive, the bore is as large as the diameter that carries load,
+    /// or that diameter is larger than the outside one.
     pub fn check(&self) -> Result<(), EngineError> {
         let refused = |argument, message: String, help: &str| {
             Err(EngineError::new("E0858", message, help).blame(argument))
@@ -43,8 +43,30 @@ impl ShaftSegment {
                 return refused(argument, message, "give a positive diameter");
             }
         }
+        if let Some(carrying) = self.stiffness_diameter {
+            if let Some(outside) = self.diameter.into_iter().find(|&outside| carrying > outside) {
+                let message = format!(
+                    "a `stiffness_diameter` of {} mm is larger than the diameter of {} mm",
+                    mm(carrying),
+                    mm(outside)
+                );
+                return refused("stiffness_diameter", message, "give the root diameter, or leave it out");
+            }
+            if let Some(bore) = self.bore.into_iter().find(|&bore| bore >= carrying) {
+                let message = format!(
+                    "the bore of {} mm leaves no wall inside the `stiffness_diameter` of {} mm",
+                    mm(bore),
+                    mm(carrying)
+                );
+                return refused(
+                    "stiffness_diameter",
+                    message,
+                    "reduce the bore, or enlarge the root diameter",
+                );
+            }
+        }
         for (end, argument) in ["bore", "end_bore"].into_iter().enumerate() {
-            let (bore, outside) = (self.bore[end], self.stiffness_diameter.unwrap_or(self.diameter[end]));
+            let (bore, outside) = (self.bore[end], self.diameter[end]);
             if !(bore.is_finite() && bore >= 0.0) {
                 let message = format!("the bore of a shaft cannot have a diameter of {} mm", mm(bore));
                 return refused(argument, message, "give a positive diameter, or 0 for a solid shaft");

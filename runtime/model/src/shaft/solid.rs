@@ -26,19 +26,31 @@ const COMPONENTS: usize = 3;
 /// Motions of a station in one harmonic: along and about the axis (0), or across it and about the
 /// normal of the plane of bending (1).
 const MOTIONS: usize = 2;
-/// Reason of an error.
+/// Difference of two radii relative to the wall below which they are equal for the mesh.
+const LEAST_STEP: f64 = 1e-5;
+/// Reasons of errors.
+const UNSTABLE: &str = "its flexibility is not positive";
 const TOO_CLOSE: &str = "positions on the shaft are too close to each other";
 
 impl Shaft {
     /// Returns the section of the shaft that carries load, with cuts at the stations (m,
     /// ascending); `None` if stations or ends of segments coincide to rounding.
     fn axial_section(&self, stations: &[f64]) -> Option<AxialSection> {
+        // Noticeable steps only: the lines of the mesh have a tolerance.
+        let snapped = |radius: f64, [bore, outside]: [f64; 2]| {
+            let slack = LEAST_STEP * (outside - bore);
+            [bore, outside].into_iter().find(|known| (radius - known).abs() <= slack).unwrap_or(radius)
+        };
         let mut cuts: Vec<AxialCut> = Vec::new();
         for (segment, ends) in self.segments.iter().zip(self.ends.windows(2)) {
             let inner = stations.iter().copied().filter(|&z| ends[0] < z && z < ends[1]);
             for position in [ends[0]].into_iter().chain(inner).chain([ends[1]]) {
                 let section = segment.section((position - ends[0]) / segment.length);
-                let cut = AxialCut { position, radii: section.carrying_radii() };
+                let mut radii = section.carrying_radii();
+                if let Some(before) = cuts.last().filter(|before| before.position == position) {
+                    radii = radii.map(|radius| snapped(radius, before.radii));
+                }
+                let cut = AxialCut { position, radii };
                 if cuts.last() != Some(&cut) {
                     cuts.push(cut);
                 }
@@ -53,6 +65,8 @@ impl Shaft {
         stations: &[f64],
         fineness: usize,
     ) -> Result<(AxialSection, RevolutionModel), EngineError> {
+        let on_shaft: Option<Vec<f64>> = stations.iter().map(|&station| self.on_shaft(station)).collect();
+        let stations = &on_shaft.ok_or_else(|| unsolved(TOO_CLOSE))?;
         let section = self.axial_section(stations).ok_or_else(|| unsolved(TOO_CLOSE))?;
         let mesh = section
             .mesh(ElementOrder::CUBIC, fineness, stations)
@@ -89,8 +103,8 @@ impl Shaft {
             return Ok(matrix);
         }
         let (section, model) = self.revolved(stations, fineness)?;
-        let radii: Option<Vec<[f64; 2]>> =
-            stations.iter().map(|&station| section.radii_at(station)).collect();
+        let radii_of = |&station: &f64| section.radii_at(self.on_shaft(station)?);
+        let radii: Option<Vec<[f64; 2]>> = stations.iter().map(radii_of).collect();
         let radii = radii.ok_or_else(|| unsolved(TOO_CLOSE))?;
         // Components of a station by harmonic, and the sign of each motion there: bending about the
         // x axis moves the shaft along -y.
@@ -178,7 +192,7 @@ fn stiffness_of_harmonic(
     let n = balanced.ncols();
     let flexibility =
         DMatrix::from_fn(n, n, |row, column| 0.5 * (flexibility[(row, column)] + flexibility[(column, row)]));
-    let inverse = Cholesky::new(flexibility).ok_or_else(|| unsolved(TOO_CLOSE))?.inverse();
+    let inverse = Cholesky::new(flexibility).ok_or_else(|| unsolved(UNSTABLE))?.inverse();
     let stiffness = &balanced * inverse * balanced.transpose();
     Ok(DMatrix::from_fn(count, count, |row, column| {
         0.5 * (stiffness[(row, column)] + stiffness[(column, row)])
@@ -188,7 +202,7 @@ fn stiffness_of_harmonic(
 fn unsolved(reason: &str) -> EngineError {
     EngineError::new(
         "E0858",
-        format!("its section cannot be meshed: {reason}"),
+        format!("it cannot be modelled as a solid: {reason}"),
         "leave out segments, distances and steps that are much smaller than the others, or choose the fidelity \"analytic\"",
     )
     .blame("segments")

@@ -2,6 +2,7 @@
 
 use super::bodies::{Ring, TEETH};
 use crate::Chart;
+use crate::elastic::NormalAngle;
 use crate::solid::{ElasticSolid, SegmentLoad, SolidSplitOptions, SolidStructure, SurfaceSegment};
 use crate::tests::bodies::COARSE;
 
@@ -106,4 +107,27 @@ fn the_number_of_threads_changes_no_bit_and_memory_is_told() {
     let stress = (4 * 2 - 1) * (2 * rows) * (2 * loads);
     let expected = (compliance + stress) * size_of::<f64>();
     assert!(one.1 >= expected && one.1 < expected + expected / 4, "{} against {expected}", one.1);
+}
+
+/// Terms of several points at a time are those of single ones, also where points coincide.
+#[test]
+fn curvature_terms_are_those_of_single_points() {
+    let structure = small();
+    let surface = &structure.surfaces[0];
+    let [from, to] = surface.range;
+    let angles: Vec<NormalAngle> =
+        (0..11).map(|k| surface.normal_angle_at(from + (to - from) * f64::from(k) / 10.0)).collect();
+    for own in &angles {
+        for count in 1..=angles.len() {
+            let mut terms = vec![f64::NAN; count];
+            structure.curvature_terms(surface, *own, &angles[..count], &mut terms);
+            for (term, other) in terms.iter().zip(&angles) {
+                let expected = structure.curvature_term(surface, *own, *other);
+                assert!(
+                    (term - expected).abs() <= 1e-14 * expected.abs().max(1e-20),
+                    "{term:e} {expected:e}"
+                );
+            }
+        }
+    }
 }
