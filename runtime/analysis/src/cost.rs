@@ -7,8 +7,8 @@
 //! constants were fitted to runs of the examples on one machine (`docs/accuracy.md`).
 //!
 //! Predicted times of structures and positions in three dimensions are between half and twice the
-//! measured ones; in the plane those of planetary sets are up to three times too long. `calyx tradeoff` prints both. A prediction is accurate enough to distinguish
-//! seconds from minutes.
+//! measured ones; in the plane those of planetary sets are up to three times too long. `calyx
+//! tradeoff` prints both. A prediction is accurate enough to distinguish seconds from minutes.
 //!
 //! See `docs/theory/fidelity.md`.
 

@@ -68,8 +68,8 @@ fn uniform_tension_torsion_and_bending_are_exact() {
 }
 
 /// Under forces that are uniform over their sections, the deflection by shear grows along the shaft
-/// with the shear coefficient of Hutchinson (Journal of Applied Mechanics 68, 2001, 87-92, equations
-/// 44 and 52), and the two loaded ends add the same at any length.
+/// with the shear coefficient of Hutchinson (Journal of Applied Mechanics 68, 2001, 87-92), and the
+/// two loaded ends add the same at any length.
 #[test]
 fn shear_has_the_coefficient_of_hutchinson() {
     for bore in [0.0, 0.01] {
