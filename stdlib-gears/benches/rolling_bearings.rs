@@ -10,7 +10,7 @@ mod common;
 mod pairs;
 
 use calyx_gears::helix::Hand;
-use calyx_runtime::bearing::{Bearing, RollingElements};
+use calyx_runtime::bearing::{Bearing, NonlinearLoad, RollingElements};
 use calyx_runtime::rolling::{BallKind, Elements, Motion, RollingBearing, Row};
 use calyx_runtime::scene::{Component, Fidelity, StructureOptions};
 use common::built;
@@ -34,9 +34,10 @@ fn position(elements: &Elements, springs: bool) -> f64 {
         let typical = *elements.typical_stiffness();
         let bearing = match springs {
             true => Bearing::new(name, FIRST, at, typical),
-            false => {
-                Bearing { rolling: Some(Arc::new(elements)), ..Bearing::new(name, FIRST, at, [[0.0; 6]; 6]) }
-            }
+            false => Bearing {
+                nonlinear: Some(NonlinearLoad::Rolling(Arc::new(elements))),
+                ..Bearing::new(name, FIRST, at, [[0.0; 6]; 6])
+            },
         };
         scene.add_bearing(bearing).expect("a bearing");
     }

@@ -6,10 +6,13 @@ use crate::observable_externs::observe;
 use crate::shaft_externs::{as_shaft, bearing_mounting, bearing_seat};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
-use calyx_runtime::bearing::{Bearing, BearingMatrix, Stop, Support, axisymmetric};
+use calyx_runtime::bearing::{
+    Bearing, BearingMatrix, LoadCurve, LoadCurves, NonlinearLoad, Stop, Support, axisymmetric,
+};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Direction};
 use calyx_runtime::scene::{BearingId, BodyId};
+use std::sync::Arc;
 
 /// Handle of ground, which is not a body of the scene.
 pub(crate) const GROUND: Handle = Handle(u64::MAX);
@@ -26,6 +29,7 @@ calyx_abi::externs! {
         radial_damping: f64, axial_damping: f64, tilting_damping: f64, torsional_damping: f64,
         unloaded_displacement: [f64; 3], unloaded_rotation: [f64; 3], force: [f64; 3], moment: [f64; 3],
         gap_clearances: Vec<f64>, gap_directions: Vec<[f64; 3]>, gap_arms: Vec<[f64; 3]>, gap_stiffness: f64,
+        radial_displacements: Vec<f64>, radial_forces: Vec<f64>, axial_displacements: Vec<f64>, axial_forces: Vec<f64>,
     ) -> Handle {
         let Mounting { name, body, to, at, .. } = Mounting::new(context, name, body, to, at)?;
         for (argument, clearance) in [("radial_clearance", radial_clearance), ("axial_clearance", axial_clearance)] {
@@ -52,6 +56,25 @@ calyx_abi::externs! {
         }
         let mut stops = clearances([radial_clearance, axial_clearance], [radial_stiffness, axial_stiffness]);
         stops.extend(gaps(&gap_clearances, &gap_directions, &gap_arms, gap_stiffness)?);
+        let curves = LoadCurves {
+            radial: radial_curve(radial_displacements, radial_forces)?,
+            axial: axial_curve(axial_displacements, axial_forces)?,
+            origin: unloaded_displacement,
+        };
+        let replaced = [
+            ("radial_forces", "radial_stiffness", curves.radial.is_some() && radial_stiffness > 0.0),
+            ("axial_forces", "axial_stiffness", curves.axial.is_some() && axial_stiffness > 0.0),
+        ];
+        for (curve, argument, twice) in replaced {
+            if twice {
+                let message = format!("the bearing has both `{argument}` and a load curve, `{curve}`");
+                return Err(refusal("E0996", argument, &message, "give one of them: the curve contains the whole force"));
+            }
+        }
+        let nonlinear = match (&curves.radial, &curves.axial) {
+            (None, None) => None,
+            _ => Some(NonlinearLoad::Curves(Arc::new(curves))),
+        };
         let bearing = Bearing {
             name,
             body,
@@ -62,7 +85,7 @@ calyx_abi::externs! {
             unloaded: six(unloaded_displacement, unloaded_rotation),
             load: six(force, moment),
             stops,
-            rolling: None,
+            nonlinear,
         };
         add(context, bearing)
     }
@@ -224,6 +247,34 @@ fn clearances([radial, axial]: [f64; 2], [radial_stiffness, axial_stiffness]: [f
         }
     }
     stops
+}
+
+/// Returns the load curve across the axis; `None` without points.
+fn radial_curve(displacements: Vec<f64>, forces: Vec<f64>) -> Result<Option<LoadCurve>, RuntimeError> {
+    if displacements.is_empty() && forces.is_empty() {
+        return Ok(None);
+    }
+    let curve =
+        LoadCurve::new(displacements, forces).map_err(|error| of_curve(error, "radial_displacements"))?;
+    // A curve for all directions is one for both sides.
+    curve.mirrored().map_err(|error| of_curve(error, "radial_displacements"))?;
+    Ok(Some(curve))
+}
+
+/// Returns the load curve along the axis: as given, or for both sides if no displacement is
+/// negative; `None` without points.
+fn axial_curve(displacements: Vec<f64>, forces: Vec<f64>) -> Result<Option<LoadCurve>, RuntimeError> {
+    if displacements.is_empty() && forces.is_empty() {
+        return Ok(None);
+    }
+    let both_sides = !displacements.iter().any(|displacement| *displacement < 0.0);
+    let curve = LoadCurve::new(displacements, forces);
+    let curve = if both_sides { curve.and_then(|curve| curve.mirrored()) } else { curve };
+    curve.map(Some).map_err(|error| of_curve(error, "axial_displacements"))
+}
+
+fn of_curve(error: EngineError, argument: &str) -> RuntimeError {
+    refusal(error.code, argument, &error.message, &error.help)
 }
 
 fn gaps(

@@ -7,7 +7,7 @@ use crate::externs::{self, entry, host, refusal};
 use crate::observable_externs::observe;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
-use calyx_runtime::bearing::{Bearing, RollingElements};
+use calyx_runtime::bearing::{Bearing, NonlinearLoad, RollingElements};
 use calyx_runtime::observables::{
     BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingElementLoad, StaticSafety,
 };
@@ -300,8 +300,12 @@ pub(crate) fn add(
     let elements = if operation.ring == "outer" { elements.inverted() } else { elements };
     let none = [[0.0; 6]; 6];
     let Mounting { name, body, to, at, .. } = mounting;
-    let bearing =
-        Bearing { to, at, rolling: Some(Arc::new(elements)), ..Bearing::new(name, body, 0.0, none) };
+    let bearing = Bearing {
+        to,
+        at,
+        nonlinear: Some(NonlinearLoad::Rolling(Arc::new(elements))),
+        ..Bearing::new(name, body, 0.0, none)
+    };
     crate::bearing_externs::add(context, bearing)
 }
 
@@ -342,7 +346,7 @@ pub(crate) fn unused(
 fn rolling(context: &mut Context, handle: Handle) -> Result<(BearingId, Arc<RollingElements>), RuntimeError> {
     let id = bearing(context, handle)?;
     let own = &host(context)?.scene.bearings[id.0];
-    match &own.rolling {
+    match own.rolling() {
         Some(elements) => Ok((id, elements.clone())),
         None => {
             let message = format!("bearing \"{}\" has no rolling elements", own.name);

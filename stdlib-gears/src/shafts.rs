@@ -20,6 +20,7 @@ use calyx_runtime::motion::{Motion, Orientation, spatial_pose};
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, ConnectionId, Prototype, Scene};
 use calyx_runtime::shaft::{SAME_POSITION, Shaft};
+use calyx_runtime::structure::ComponentModes;
 use calyx_runtime::vec3::{cross, length, minus};
 use std::sync::Arc;
 
@@ -181,6 +182,7 @@ impl ModelShaft {
             attachments: vec![Attachment { to: Support::Body(body), at: [0.0; 3] }],
             stiffness: vec![0.0; 36],
             mass: if rigid { Vec::new() } else { shaft.mass(&[0.0]) },
+            modes: ComponentModes::default(),
             shaft: Some(CondensedShaft { shaft: shaft.clone(), stations: vec![0.0], rigid }),
             body: None,
         };
@@ -305,6 +307,7 @@ impl ModelShaft {
             stiffness: self.shaft.stiffness(&stations).into_iter().map(|entry| factor * entry).collect(),
             mass: if self.rigid { Vec::new() } else { self.shaft.mass(&stations) },
             attachments,
+            modes: ComponentModes::default(),
             shaft: Some(CondensedShaft { shaft: self.shaft.clone(), stations, rigid: self.rigid }),
             body: None,
         };

@@ -2,6 +2,7 @@
 //! once, and its tests run in parallel.
 
 mod architecture;
+mod bearing_curves;
 mod bevel_analytic;
 mod bevel_pair;
 mod carriers;

@@ -6,9 +6,10 @@ use calyx_runtime::cache::Key;
 use calyx_runtime::elastic::assembly::System;
 use calyx_runtime::elastic::attachment::{Attachment, Connection, Region, attach};
 use calyx_runtime::elastic::import::{NastranOptions, Units, Unreadable, read_nastran};
+use calyx_runtime::elastic::modes::{Request, natural_modes};
 use calyx_runtime::elastic::stress::{nodal_stresses_of, von_mises};
 use calyx_runtime::elastic::{FixedComponents, NodalLoad, Resources, statics};
-use calyx_runtime::elastic_body::{ElasticBody, FiniteElementBody};
+use calyx_runtime::elastic_body::{ElasticBody, FiniteElementBody, MassReduction};
 use calyx_runtime::interrupt::Interrupt;
 use std::collections::BTreeMap;
 use std::fs;
@@ -91,7 +92,7 @@ output {name}_turn_{axis} := gears.rotation({name}_seat, \"{axis}\");
 /// whole housing.
 fn check_interior(body: &FiniteElementBody, motions: &[[f64; 6]], whole: &[[f64; 6]]) {
     let never = Interrupt::never();
-    let matrices = body.condense(false, &never).expect("condensed");
+    let matrices = body.condense(MassReduction::None, &never).expect("condensed");
     let recovery = body.recovery(&never).expect("solved").expect("a mesh");
     let deformed = recovery.deformed(&matrices.stiffness, motions).expect("valid");
     let whole = &whole[..body.model().nodes.len()];
@@ -266,6 +267,84 @@ fn a_housing_takes_part_in_vibrations() {
         assert!(
             light[mode] < grounded[mode] && heavy[mode] < light[mode],
             "{grounded:?} {light:?} {heavy:?}"
+        );
+    }
+}
+
+/// With component modes, a housing on its feet has the natural frequencies of the whole housing
+/// below half of their highest frequency. By its static displacements it has the motions of its seats
+/// only.
+#[test]
+fn a_housing_vibrates_like_the_whole_housing() {
+    for how in ["rigid", "average"] {
+        let mut open = |path: &str| match path {
+            "housing.bdf" => Ok(housing_file().into_bytes()),
+            _ => Err(Unreadable::new("no such file", "")),
+        };
+        let options = NastranOptions { units: Units::N_MM_S, subcase: None };
+        let mut model = read_nastran("housing.bdf", &options, &mut open).expect("a housing").model;
+        let mut text = String::from(
+            "import gears;
+units mm_N_s;
+var housing = gears.nastran(\"housing\", \"housing.bdf\", units = \"N-mm-s\", frame := Translate(0 mm * e3));
+",
+        );
+        for foot in 1..=4 {
+            text += &format!(
+                "gears.attachment(\"foot {foot}\", housing, gears.node_set(\"SET1 {foot}\"), fixed = TRUE);\n"
+            );
+            let region = Region::Set(format!("SET1 {foot}"));
+            let foot = Attachment {
+                name: format!("foot {foot}"),
+                position: None,
+                region,
+                connection: Connection::Rigid,
+            };
+            let node = attach(&mut model, &foot).expect("a foot")[0];
+            model.fixed.push(FixedComponents { node, components: [true; 6], value: 0.0 });
+        }
+        for (name, z) in [("front", -45.0), ("back", 45.0)] {
+            text += &format!(
+                "gears.attachment(\"{name}\", housing, gears.cylinder_region({z} mm * e3, e3, radius = 20 mm, from = 0 mm, to = 0 mm), how = \"{how}\", position = {z} mm * e3);\n"
+            );
+            let seat = Attachment {
+                name: name.into(),
+                position: Some([0.0, 0.0, 1e-3 * z]),
+                region: Region::Cylinder {
+                    origin: [0.0, 0.0, 1e-3 * z],
+                    axis: [0.0, 0.0, 1.0],
+                    radius: 0.02,
+                    heights: [0.0, 0.0],
+                    tolerance: 2e-4,
+                },
+                connection: if how == "rigid" { Connection::Rigid } else { Connection::Average },
+            };
+            attach(&mut model, &seat).expect("a seat");
+        }
+        let resources = Resources::default();
+        let system = System::new(&model, &resources).expect("valid");
+        let mass = system.mass(&resources).expect("valid");
+        let highest = 8000.0;
+        let exact = natural_modes(&system, &mass, Request::Below(0.5 * highest), &resources);
+        let exact = exact.expect("converges").frequencies();
+        assert!(exact.len() >= 5, "{exact:?}");
+        let found = |highest: f64| {
+            let outputs: String = (1..=exact.len().min(12))
+                .map(|mode| format!("output mode_{mode} := gears.natural_frequency({mode});\n"))
+                .collect();
+            let analysis = format!(
+                "analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = \"analytic\", highest_frequency = {highest} Hz, error_estimates = \"none\");\n"
+            );
+            let ranges = in_housing(&format!("{text}{outputs}{analysis}"), &housing_file());
+            (1..=exact.len().min(12)).map(|mode| ranges[&format!("mode_{mode}")][0]).collect::<Vec<_>>()
+        };
+        for (found, exact) in found(highest).iter().zip(&exact) {
+            assert!((found / exact - 1.0).abs() < 1e-3, "{how}: {found} instead of {exact}");
+        }
+        let statically = found(0.0);
+        assert!(
+            statically.iter().zip(&exact).any(|(found, exact)| found / exact > 1.05),
+            "{statically:?} {exact:?}"
         );
     }
 }

@@ -5,7 +5,7 @@ use calyx::{Engine, Module, check_text};
 use std::collections::BTreeMap;
 
 /// Largest and smallest value of each output over the positions, SI.
-fn solved(text: &str) -> BTreeMap<String, [f64; 2]> {
+pub(crate) fn solved(text: &str) -> BTreeMap<String, [f64; 2]> {
     let module =
         Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
     let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
@@ -18,7 +18,7 @@ fn solved(text: &str) -> BTreeMap<String, [f64; 2]> {
 }
 
 #[track_caller]
-fn close(what: &str, found: f64, expected: f64, tolerance: f64, scale: f64) {
+pub(crate) fn close(what: &str, found: f64, expected: f64, tolerance: f64, scale: f64) {
     let difference = (found - expected).abs();
     assert!(difference <= tolerance * scale.max(expected.abs()), "{what}: {found} instead of {expected}");
 }
@@ -30,7 +30,7 @@ const BALLS: &str = "count = 9, ball_diameter = 11.9 mm, pitch_diameter = 60 mm,
 
 /// A helical pair whose pinion is on bearings; `bearings` creates `near` and `far`. The whole is
 /// turned by an angle in degrees.
-fn helical(bearings: &str, torque: f64, turned: f64) -> String {
+pub(crate) fn helical(bearings: &str, torque: f64, turned: f64) -> String {
     format!(
         "import gears;
 units mm_N_s;

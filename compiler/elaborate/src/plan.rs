@@ -11,6 +11,7 @@ use calyx_lang::units::UnitSystem;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::connection::{Attachment, ElasticConnection};
 use calyx_runtime::cost::Task;
+use calyx_runtime::elastic_body::ElasticBodySize;
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Wrench;
 use calyx_runtime::plan::{ConnectionPlan, Plan};
@@ -193,6 +194,8 @@ pub struct PlannedShaft {
     pub sections: Vec<String>,
     /// Number of degrees of freedom of its sections.
     pub dofs: usize,
+    /// Size of the mesh of a solid of revolution.
+    pub solid: Option<ElasticBodySize>,
     pub rigid: bool,
     pub left_out: bool,
     /// The reason for its model, or for omitting it.
@@ -218,6 +221,10 @@ impl PlannedShaft {
                 name: connection.name.clone(),
                 sections: connection.attachments.iter().enumerate().map(section).collect(),
                 dofs: connection.bodies().map(|body| free(body).iter().filter(|free| **free).count()).sum(),
+                solid: connection
+                    .solid_shaft(plan.fidelity)
+                    .filter(|_| !planned.left_out)
+                    .and_then(|shaft| shaft.shaft.solid_size(&shaft.stations, planned.shaft_mesh)),
                 rigid: shaft.is_some_and(|shaft| shaft.rigid),
                 left_out: planned.left_out,
                 reason: planned.reason,
@@ -228,7 +235,15 @@ impl PlannedShaft {
     }
 
     fn line(&self) -> String {
-        let kind = if self.rigid { "rigid" } else { "elastic" };
+        let kind = match &self.solid {
+            _ if self.rigid => "rigid".to_owned(),
+            None => "elastic".to_owned(),
+            Some(size) => format!(
+                "a solid of revolution of {} elements and {} degrees of freedom, condensed to its sections",
+                grouped(size.elements),
+                grouped(size.dofs)
+            ),
+        };
         format!("\"{}\", {kind}, {} degrees of freedom: {}", self.name, self.dofs, self.sections.join(", "))
     }
 }

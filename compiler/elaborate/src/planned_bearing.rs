@@ -42,7 +42,7 @@ impl PlannedBearing {
                 walls: bearing.walls(),
                 left_out: planned.left_out,
                 reason: planned.reason,
-                rolling: bearing.rolling.as_ref().map(|elements| described(&elements.bearing, stated)),
+                rolling: bearing.rolling().map(|elements| described(&elements.bearing, stated)),
             })
         };
         scene.bearings.iter().enumerate().filter_map(of).collect()

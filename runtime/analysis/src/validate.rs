@@ -47,14 +47,13 @@ const AVOIDABLE: [&str; 12] = [
     "E0783",
 ];
 
-/// Rejects rolling bearings in a method with inertia.
-fn refuse_rolling_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
-    let rolling = |&bearing: &usize| scene.bearings[bearing].rolling.is_some();
-    let Some(bearing) = plan.modelled_bearings().into_iter().find(rolling) else { return Ok(()) };
-    let message = format!(
-        "bearing \"{}\" has rolling elements, which dynamic analyses do not support",
-        scene.bearings[bearing].name
-    );
+/// Rejects bearings with a nonlinear load in a method with inertia.
+fn refuse_nonlinear_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
+    let nonlinear = |&bearing: &usize| scene.bearings[bearing].nonlinear.is_some();
+    let Some(bearing) = plan.modelled_bearings().into_iter().find(nonlinear) else { return Ok(()) };
+    let own = &scene.bearings[bearing];
+    let what = if own.rolling().is_some() { "rolling elements" } else { "load curves" };
+    let message = format!("bearing \"{}\" has {what}, which dynamic analyses do not support", own.name);
     let help = "use a quasi-static analysis, or a bearing with the stiffness at the operating point";
     Err(EngineError::new("E0727", message, help).about(Subject::Bearing(bearing)))
 }
@@ -64,7 +63,7 @@ fn refuse_idle_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
     for (index, bearing) in scene.bearings.iter().enumerate() {
         let observed =
             bearing.bodies().any(|body| plan.bodies.get(body.0).is_some_and(|plan| !plan.left_out));
-        let carries_own = bearing.rolling.is_none() && !bearing.is_unloaded_without_motion();
+        let carries_own = bearing.nonlinear.is_none() && !bearing.is_unloaded_without_motion();
         if !observed || carries_own {
             continue;
         }
@@ -148,15 +147,15 @@ impl<'a> Request<'a> {
         let Request { scene, method, fidelity, structure, highest_frequency, .. } = *self;
         structure.check()?;
         method.check_options(fidelity)?;
-        check_modes(fidelity, highest_frequency)?;
         let planned = if method.has_inertia() { Plan::in_time } else { Plan::new };
         let plan = planned(scene, fidelity, structure)?;
         let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
+        check_modes(scene, &plan, highest_frequency)?;
         refuse_idle_bearings(scene, &plan)?;
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             check_in_section(&plan)?;
-            refuse_rolling_bearings(scene, &plan)?;
+            refuse_nonlinear_bearings(scene, &plan)?;
         }
         if method.has_inertia() || modes || scene.examines_modes() {
             self.check_vibrations(&plan)?;

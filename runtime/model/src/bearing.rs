@@ -20,12 +20,16 @@
 
 mod bearing_state;
 mod immobile;
+mod load_curve;
+mod nonlinear;
 mod rolling;
 mod springs;
 
 pub use bearing_state::BearingState;
 pub use immobile::Mobility;
-pub use rolling::{RollingElements, RollingState, Tangent, five, rejected};
+pub use load_curve::{LoadCurve, LoadCurves};
+pub use nonlinear::{NonlinearLoad, NonlinearState, Tangent};
+pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};
 
 use crate::body::Body;
@@ -34,7 +38,6 @@ use crate::ids::BodyId;
 use calyx_numerics::error::EngineError;
 use nalgebra::{Matrix6, SymmetricEigen};
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
 /// Bearing matrix by rows, in the order of [`DOF_NAMES`]. Units of stiffness: N/m, N (per rad, or N
 /// m per m) and N m/rad; damping: these times s.
@@ -71,8 +74,8 @@ pub struct Bearing {
     pub load: [f64; 6],
     /// Stops: unilateral springs behind clearances.
     pub stops: Vec<Stop>,
-    /// Rolling elements, whose load adds to that of the springs and stops.
-    pub rolling: Option<Arc<RollingElements>>,
+    /// Nonlinear load, which adds to that of the springs and stops.
+    pub nonlinear: Option<NonlinearLoad>,
 }
 
 /// Unilateral spring with a clearance.
@@ -202,7 +205,7 @@ impl Bearing {
             unloaded: [0.0; 6],
             load: [0.0; 6],
             stops: Vec::new(),
-            rolling: None,
+            nonlinear: None,
         }
     }
 
@@ -229,8 +232,8 @@ impl Bearing {
     /// Returns whether the bearing carries no load at zero deflection.
     pub fn is_unloaded_without_motion(&self) -> bool {
         let still = self.unloaded.iter().chain(&self.load).all(|&entry| entry == 0.0);
-        let rolling = self.rolling.as_ref().is_some_and(|elements| elements.is_preloaded());
-        still && !rolling && !self.stops.iter().any(Stop::is_preloaded)
+        let nonlinear = self.nonlinear.as_ref().is_some_and(NonlinearLoad::is_preloaded);
+        still && !nonlinear && !self.stops.iter().any(Stop::is_preloaded)
     }
 
     /// Checks whether these bodies can have this bearing in addition to the other bearings.

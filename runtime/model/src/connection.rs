@@ -25,7 +25,7 @@ pub use connection_state::ConnectionState;
 pub use gyroscopic::{
     add_connection_gyroscopic, add_connection_whirl_form, gyroscopic_moment, quarter_turn_momentum,
 };
-pub use terms::{add_connection_mass, add_connection_stiffness};
+pub use terms::{add_connection_mass, add_connection_stiffness, add_mode_coupling};
 
 use crate::bearing::Support;
 use crate::body::Body;
@@ -34,7 +34,7 @@ use crate::fidelity::Fidelity;
 use crate::ids::BodyId;
 use crate::shaft::Shaft;
 use calyx_numerics::error::{EngineError, Subject};
-use calyx_structure::AttachmentMatrices;
+use calyx_structure::{AttachmentMatrices, ComponentModes};
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::sync::Arc;
 
@@ -60,6 +60,8 @@ pub struct ElasticConnection {
     pub stiffness: Vec<f64>,
     /// Mass matrix on the same components, kg, kg m and kg m²; empty for a connection without mass.
     pub mass: Vec<f64>,
+    /// Modes of the part with fixed attachments, for vibrations about an equilibrium.
+    pub modes: ComponentModes,
     /// The shaft of which this is the condensation, if any.
     pub shaft: Option<CondensedShaft>,
     /// The elastic body that is condensed onto the attachments when structures are built, if any.
@@ -99,6 +101,7 @@ impl ElasticConnection {
             attachments: attachments.iter().map(on_body).chain(ground).collect(),
             stiffness: Vec::new(),
             mass: Vec::new(),
+            modes: ComponentModes::default(),
             shaft: None,
             body: Some(SharedElasticBody(body)),
         }
@@ -113,8 +116,8 @@ impl ElasticConnection {
         bodies: &[Body],
         matrices: &AttachmentMatrices,
     ) -> Result<ElasticConnection, EngineError> {
-        let stiffness = matrices.stiffness.clone();
-        let condensed = ElasticConnection { stiffness, mass: matrices.mass.clone(), ..self.clone() };
+        let AttachmentMatrices { stiffness, mass, modes } = matrices.clone();
+        let condensed = ElasticConnection { stiffness, mass, modes, ..self.clone() };
         condensed.check_matrices(bodies)?;
         Ok(condensed)
     }

@@ -2,11 +2,12 @@
 //! from the structure cache.
 
 use crate::connection::{CondensedShaft, ElasticConnection};
-use crate::elastic_body::ElasticBody;
+use crate::elastic_body::{ElasticBody, MassReduction};
 use crate::fidelity::{BodyModel, Fidelity};
 use crate::mechanism::Mechanism;
 use crate::plan::Plan;
 use crate::resources::Resources;
+use crate::shaft::SolidShaftMesh;
 use crate::structure_building::StructureCounts;
 use calyx_numerics::error::EngineError;
 use calyx_structure::AttachmentMatrices;
@@ -17,10 +18,6 @@ use std::sync::Arc;
 const RIGID: f64 = 1e3;
 /// The same in the check of restraints, where it is compared with that of bearings.
 const COMPARABLE: f64 = 1.0;
-
-/// Factor on the number of elements of solid shafts in each direction. The flexibility that a step
-/// to twice the diameter adds is then accurate to 3 %, a thousandth of that of the shaft.
-const SHAFT_FINENESS: usize = 2;
 
 /// Returns the connections of a planned scene with their matrices, in the order of the scene.
 /// Connections that are left out remain without.
@@ -35,14 +32,13 @@ pub fn build_connections(
     let mut counts = StructureCounts::default();
     let one = |(index, connection): (usize, &ElasticConnection)| {
         let planned = plan.connections.get(index).filter(|planned| !planned.left_out);
-        if let (Some(shaft), Some(_)) = (connection.solid_shaft(plan.fidelity), planned) {
+        if let (Some(shaft), Some(planned)) = (connection.solid_shaft(plan.fidelity), planned) {
             let about = |error: EngineError| connection.about_shaft(error);
-            let (matrices, anew) = shaft_matrices(shaft, resources).map_err(about)?;
+            let (matrices, anew) = shaft_matrices(shaft, planned.shaft_mesh, resources).map_err(about)?;
             *if anew { &mut counts.built } else { &mut counts.reused } += 1;
             return Ok(ElasticConnection { stiffness: matrices.stiffness.clone(), ..connection.clone() });
         }
         let (Some(body), Some(planned)) = (&connection.body, planned) else { return Ok(connection.clone()) };
-        let with_mass = planned.with_mass;
         if is_rigid(plan.fidelity) {
             return connection.rigid(&scene.bodies, RIGID);
         }
@@ -50,7 +46,7 @@ pub fn build_connections(
             "E0991" | "E0992" => connection.named(error),
             _ => error,
         };
-        let (matrices, anew) = matrices(body.0.as_ref(), with_mass, resources).map_err(named)?;
+        let (matrices, anew) = matrices(body.0.as_ref(), planned.mass, resources).map_err(named)?;
         *if anew { &mut counts.built } else { &mut counts.reused } += 1;
         connection.condensed(&scene.bodies, &matrices)
     };
@@ -74,18 +70,19 @@ pub fn connections_as_links(scene: &Mechanism) -> Result<Vec<ElasticConnection>,
 /// Returns the stiffness of a solid shaft, from the cache if possible, and whether it was computed.
 fn shaft_matrices(
     CondensedShaft { shaft, stations, .. }: &CondensedShaft,
+    mesh: SolidShaftMesh,
     resources: &Resources,
 ) -> Result<(Arc<AttachmentMatrices>, bool), EngineError> {
     let key = Key::of("solid shaft")
         .text(crate::SOURCE)
         .key(&shaft.key())
         .numbers(stations)
-        .count(SHAFT_FINENESS as u64)
+        .count(u64::from(mesh.order))
+        .count(mesh.fineness as u64)
         .finish();
     let condense = || {
-        let stiffness =
-            resources.install(|| shaft.solid_stiffness(stations, SHAFT_FINENESS, &resources.interrupt))?;
-        Ok(AttachmentMatrices { stiffness, mass: Vec::new() })
+        let stiffness = resources.install(|| shaft.solid_stiffness(stations, mesh, &resources.interrupt))?;
+        Ok(AttachmentMatrices { stiffness, ..AttachmentMatrices::default() })
     };
     cached(Some(key), (stations.len(), false), resources, condense)
 }
@@ -94,11 +91,15 @@ fn shaft_matrices(
 /// computed.
 fn matrices(
     body: &dyn ElasticBody,
-    with_mass: bool,
+    mass: MassReduction,
     resources: &Resources,
 ) -> Result<(Arc<AttachmentMatrices>, bool), EngineError> {
-    let condense = || resources.install(|| body.condense(with_mass, &resources.interrupt));
-    let key = body.key().map(|key| Key::of("attachments").key(&key).flag(with_mass).finish());
+    let condense = || resources.install(|| body.condense(mass, &resources.interrupt));
+    let with_mass = mass.has_mass();
+    let key = body.key().map(|key| {
+        let key = Key::of("attachments").key(&key).flag(with_mass);
+        key.numbers(&[mass.highest_frequency()]).finish()
+    });
     let attachments = body.positions().len() + usize::from(body.is_grounded());
     cached(key, (attachments, with_mass), resources, condense)
 }

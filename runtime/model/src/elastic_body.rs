@@ -13,6 +13,7 @@ mod condensation;
 mod extent;
 mod finite_elements;
 mod given_matrices;
+mod interior_modes;
 mod recovery;
 mod rigid_links;
 
@@ -34,6 +35,34 @@ use std::sync::Arc;
 /// Size of an attachment that is given as a point, relative to the size of its body.
 const POINT: f64 = 0.25;
 
+/// Reduction of the mass of an elastic body to its attachments.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum MassReduction {
+    /// No mass: for statics.
+    #[default]
+    None,
+    /// By the static displacements (Guyan 1965).
+    Static,
+    /// In addition, modes with fixed attachments up to this frequency, Hz, and pseudo-modes for the
+    /// omitted ones (Craig and Bampton 1968).
+    ComponentModes(f64),
+}
+
+impl MassReduction {
+    /// Returns whether there is mass.
+    pub fn has_mass(self) -> bool {
+        self != MassReduction::None
+    }
+
+    /// Returns the highest frequency of component modes, Hz; 0 without them.
+    pub fn highest_frequency(self) -> f64 {
+        match self {
+            MassReduction::ComponentModes(highest) => highest,
+            MassReduction::None | MassReduction::Static => 0.0,
+        }
+    }
+}
+
 /// Size of an elastic body, for the display of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElasticBodySize {
@@ -45,6 +74,8 @@ pub struct ElasticBodySize {
     pub dofs: usize,
     /// Number of attachment components, which remain.
     pub retained: usize,
+    /// True for a solid of revolution, which is meshed in its axial section.
+    pub revolved: bool,
     /// Mass, kg; `None` if it is unknown.
     pub mass: Option<f64>,
     /// Centre of mass in the coordinates of the body, m.
@@ -53,9 +84,12 @@ pub struct ElasticBodySize {
 
 impl ElasticBodySize {
     /// Returns the estimated number of multiplications of the condensation: that of a nested
-    /// dissection in three dimensions, and of the retained components.
+    /// dissection in three dimensions, or in two, and of the retained components.
     pub fn operations(&self) -> f64 {
         let (all, retained) = (self.dofs as f64, self.retained as f64);
+        if self.revolved {
+            return 100.0 * all.powf(1.5) + 100.0 * all * retained;
+        }
         20.0 * all * all + 60.0 * all.powf(4.0 / 3.0) * retained
     }
 
@@ -63,6 +97,9 @@ impl ElasticBodySize {
     /// fronts.
     pub fn bytes(&self) -> f64 {
         let all = self.dofs as f64;
+        if self.revolved {
+            return 16.0 * 100.0 * all;
+        }
         16.0 * 80.0 * all + 8.0 * 6.0 * all.powf(4.0 / 3.0)
     }
 }
@@ -102,11 +139,12 @@ pub trait ElasticBody: Any + Send + Sync {
     }
 
     /// Condenses the body onto its attachments, with ground as the last one if it is grounded, and
-    /// computes the mass if it is requested.
+    /// reduces its mass.
     ///
     /// # Errors
     /// E0992: the body cannot be condensed. Otherwise those of the interrupt.
-    fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError>;
+    fn condense(&self, mass: MassReduction, interrupt: &Interrupt)
+    -> Result<AttachmentMatrices, EngineError>;
 
     /// Prepares the recovery of displacements and stresses within the body; `None` if only its
     /// attachments are known.

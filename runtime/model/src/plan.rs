@@ -13,6 +13,7 @@ use crate::bearing::Bearing;
 use crate::body::Body;
 use crate::connection::ElasticConnection;
 use crate::dof::DOF_NAMES;
+use crate::elastic_body::MassReduction;
 use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
 use crate::ids::BodyId;
 use crate::load::Wrench;
@@ -194,7 +195,7 @@ impl Plan {
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
         ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
         let vibrations = targets.iter().any(|target| target.mode.is_some()) || modes_table;
-        let treatment = (fidelity, vibrations);
+        let treatment = (fidelity, &options, vibrations);
         let connections = connections::plan_connections(scene, &bodies, treatment);
         connections::check_bodies(scene, &connections, fidelity)?;
         ignored.extend(connections::ignored_inputs(scene, &connections));
@@ -233,10 +234,19 @@ impl Plan {
         Ok(plan)
     }
 
-    /// Adds the modes of bodies up to a natural frequency (Hz); 0 adds none.
+    /// Adds the modes of bodies up to a natural frequency (Hz); 0 adds none. In three dimensions
+    /// these are the component modes of elastic bodies; gears vibrate as rigid bodies.
     pub fn with_modes(mut self, scene: &Mechanism, highest: f64) -> Plan {
+        for connection in self.connections.iter_mut().filter(|plan| highest > 0.0 && plan.mass.has_mass()) {
+            connection.mass = MassReduction::ComponentModes(highest);
+        }
+        if highest > 0.0 && self.three_dimensional && self.bodies.iter().any(BodyPlan::is_elastic) {
+            let reason = "gears vibrate as rigid bodies on their elastic teeth; it applies to elastic bodies such as housings";
+            self.ignored.push(Ignored { input: "highest_frequency".into(), reason: reason.into() });
+        }
+        let in_plane = highest > 0.0 && !self.three_dimensional;
         let modelled =
-            scene.bodies.iter().zip(&self.bodies).filter(|(_, plan)| highest > 0.0 && plan.is_elastic());
+            scene.bodies.iter().zip(&self.bodies).filter(|(_, plan)| in_plane && plan.is_elastic());
         let rigid =
             |(body, _): (&Body, _)| Some(format!("\"{}\": {}", body.name, body.prototype.without_modes()?));
         let rigid: Vec<String> = modelled.filter_map(rigid).collect();

@@ -19,6 +19,7 @@ mod solid;
 
 pub use beam::SectionForces;
 pub use segment::{ShaftSegment, shear_coefficient};
+pub use solid::SolidShaftMesh;
 
 use beam::{Integrals, Stretch};
 use calyx_fe::inertia::Inertia;

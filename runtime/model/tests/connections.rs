@@ -11,6 +11,7 @@ use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::{RelocatedMotion, SteadyRotation};
 use calyx_model::rigid::RigidBody;
 use calyx_model::shaft::{Shaft, ShaftSegment};
+use calyx_structure::ComponentModes;
 use std::sync::Arc;
 
 const STATIONS: [f64; 3] = [0.0, 0.04, 0.1];
@@ -40,6 +41,7 @@ fn connection() -> ElasticConnection {
         attachments: (0..3).map(|k| Attachment { to: Support::Body(BodyId(k)), at: [0.0; 3] }).collect(),
         stiffness: shaft().stiffness(&STATIONS),
         mass: shaft().mass(&STATIONS),
+        modes: ComponentModes::default(),
         shaft: None,
         body: None,
     }

@@ -13,7 +13,7 @@ use calyx_model::body::Body;
 use calyx_model::connection::{ConnectionState, ElasticConnection, add_connection_stiffness};
 use calyx_model::connection_building::{build_connections, connections_as_links};
 use calyx_model::dof::Dof;
-use calyx_model::elastic_body::{ElasticBody, FiniteElementBody, MatrixBody};
+use calyx_model::elastic_body::{ElasticBody, FiniteElementBody, MassReduction, MatrixBody};
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
@@ -26,7 +26,8 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::AttachmentMatrices;
 use calyx_structure::cache::{Key, OperatorCache, Store};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Rotation that takes z to x and x to y.
@@ -339,8 +340,8 @@ fn supports_of_the_model_are_attachments_to_ground() {
 #[test]
 fn the_condensed_mass_is_that_of_the_body() {
     let body = body(kinds()[1].clone(), 1.0);
-    let matrices = body.condense(true, &Interrupt::never()).expect("condensed");
-    let plain = body.condense(false, &Interrupt::never()).expect("condensed");
+    let matrices = body.condense(MassReduction::Static, &Interrupt::never()).expect("condensed");
+    let plain = body.condense(MassReduction::None, &Interrupt::never()).expect("condensed");
     close(&matrices.stiffness, &plain.stiffness, 1e-8);
     let positions = body.positions();
     let rows = 18;
@@ -370,7 +371,7 @@ impl ElasticBody for Uncondensed {
         self.0.key()
     }
 
-    fn condense(&self, _: bool, _: &Interrupt) -> Result<AttachmentMatrices, EngineError> {
+    fn condense(&self, _: MassReduction, _: &Interrupt) -> Result<AttachmentMatrices, EngineError> {
         Err(EngineError::new("E0992", "condensed", ""))
     }
 
@@ -456,7 +457,7 @@ fn a_condensation_is_interrupted_and_respects_the_memory_limit() {
 #[test]
 fn matrices_may_be_given() {
     let body = body(kinds()[0].clone(), 1.0);
-    let matrices = body.condense(true, &Interrupt::never()).expect("condensed");
+    let matrices = body.condense(MassReduction::Static, &Interrupt::never()).expect("condensed");
     let matrix = |entries: &[f64]| DMatrix::from_row_slice(18, 18, entries);
     // The order of the nodes in the file is another one.
     let node = |(index, position): (usize, &[f64; 3])| CondensedNode {
@@ -477,7 +478,7 @@ fn matrices_may_be_given() {
     for label in ["left", "right", "foot"] {
         all.attach(label, label, None).expect("an attachment");
     }
-    let copied = all.condense(true, &Interrupt::never()).expect("copied");
+    let copied = all.condense(MassReduction::Static, &Interrupt::never()).expect("copied");
     close(&copied.stiffness, &matrices.stiffness, 1e-15);
     close(&copied.mass, &matrices.mass, 1e-15);
 
@@ -486,9 +487,9 @@ fn matrices_may_be_given() {
         elements.attach(attachment).expect("an attachment");
         ends.attach(label, label, None).expect("an attachment");
     }
-    let free_foot = ends.condense(true, &Interrupt::never()).expect("condensed");
+    let free_foot = ends.condense(MassReduction::Static, &Interrupt::never()).expect("condensed");
     // The rigid foot stiffens the bar, so only the order of magnitude is that of the bare bar.
-    let bare = elements.condense(true, &Interrupt::never()).expect("condensed");
+    let bare = elements.condense(MassReduction::Static, &Interrupt::never()).expect("condensed");
     assert!(free_foot.stiffness[0] > bare.stiffness[0] && free_foot.stiffness[0] < 2.0 * bare.stiffness[0]);
     let total = |mass: &[f64]| -> f64 {
         (0..144).filter(|k| k / 12 % 6 == 0 && k % 12 % 6 == 0).map(|k| mass[k]).sum()
@@ -497,6 +498,91 @@ fn matrices_may_be_given() {
     for (label, text) in [("top", "has no node \"top\""), ("left", "is an attachment already")] {
         let error = all.attach("seat", label, None).expect_err(text);
         assert!(error.message.contains(text) && error.code == "E0991", "{}", error.message);
+    }
+}
+
+/// Natural frequencies of matrices, Hz, ascending.
+fn frequencies(stiffness: &DMatrix<f64>, mass: &DMatrix<f64>) -> Vec<f64> {
+    let lower = mass.clone().cholesky().expect("positive").l();
+    let half = lower.solve_lower_triangular(stiffness).expect("regular");
+    let scaled = lower.solve_lower_triangular(&half.transpose()).expect("regular");
+    let mut squares: Vec<f64> = SymmetricEigen::new(scaled).eigenvalues.iter().copied().collect();
+    squares.sort_by(f64::total_cmp);
+    squares.into_iter().map(|square| square.max(0.0).sqrt() / TAU).collect()
+}
+
+/// Matrices with the modes as further unknowns, and their springs on the first components.
+fn with_modes(matrices: &AttachmentMatrices, springs: &DMatrix<f64>) -> [DMatrix<f64>; 2] {
+    let (rows, modes) = (springs.nrows(), &matrices.modes);
+    let size = rows + modes.count();
+    let block = |matrix: &[f64]| DMatrix::from_row_slice(rows, rows, matrix).resize(size, size, 0.0);
+    let mut stiffness = block(&matrices.stiffness) + springs.clone().resize(size, size, 0.0);
+    let mut mass = block(&matrices.mass);
+    for (mode, eigenvalue) in modes.eigenvalues.iter().enumerate() {
+        stiffness[(rows + mode, rows + mode)] = *eigenvalue;
+        mass[(rows + mode, rows + mode)] = 1.0;
+        for row in 0..rows {
+            let entry = modes.coupling[row * modes.count() + mode];
+            mass[(row, rows + mode)] = entry;
+            mass[(rows + mode, row)] = entry;
+        }
+    }
+    [stiffness, mass]
+}
+
+/// A bar that is given by the matrices of seven cross-sections, of which both ends are attached, has
+/// the natural frequencies of these matrices below half of the highest frequency of its modes, on
+/// springs at both ends and at one.
+#[test]
+fn component_modes_complete_given_matrices() {
+    let mut sections = FiniteElementBody::new(Arc::new(bar([6, 2, 2], 1.0)), Key::of("bar").finish());
+    let stations: Vec<f64> = (0..7).map(|k| 0.05 * f64::from(k)).collect();
+    for &x in &stations {
+        let region = Region::Plane { origin: [x, 0.0, 0.0], normal: [1.0, 0.0, 0.0], tolerance: 1e-9 };
+        let name = format!("{x}");
+        let section = Attachment { name, position: None, region, connection: Connection::Rigid };
+        sections.attach(&section).expect("a section");
+    }
+    let whole = sections.condense(MassReduction::Static, &Interrupt::never()).expect("condensed");
+    let rows = 6 * stations.len();
+    let matrix = |entries: &[f64]| DMatrix::from_row_slice(rows, rows, entries);
+    let position = |x: &f64| CondensedNode { label: format!("{x}"), position: Some([*x, 0.02, 0.025]) };
+    let given = CondensedMatrices {
+        nodes: stations.iter().map(position).collect(),
+        components: (0..rows).map(|row| (row / 6, row % 6)).collect(),
+        stiffness: matrix(&whole.stiffness),
+        mass: Some(matrix(&whole.mass)),
+    };
+    let mut body = MatrixBody::new(Arc::new(given), Key::of("given").finish());
+    for x in [stations[0], stations[6]] {
+        body.attach(&format!("{x}"), &format!("{x}"), None).expect("an end");
+    }
+    for springs in [
+        springs(),
+        DMatrix::from_diagonal(
+            &springs().diagonal().map_with_location(|row, _, entry| if row < 6 { entry } else { 0.0 }),
+        ),
+    ] {
+        let mut on_whole = DMatrix::zeros(rows, rows);
+        for (k, place) in (0..6).chain(rows - 6..rows).enumerate() {
+            on_whole[(place, place)] = springs[(k, k)];
+        }
+        let exact = frequencies(&(matrix(&whole.stiffness) + on_whole), &matrix(&whole.mass));
+        let of = |reduction| {
+            let matrices = body.condense(reduction, &Interrupt::never()).expect("condensed");
+            let [stiffness, mass] = with_modes(&matrices, &springs);
+            frequencies(&stiffness, &mass)
+        };
+        let highest = 40e3;
+        let (by_modes, statically) = (of(MassReduction::ComponentModes(highest)), of(MassReduction::Static));
+        let below: Vec<f64> = exact.iter().copied().take_while(|exact| *exact < 0.5 * highest).collect();
+        assert!(below.len() > 12, "{exact:?}");
+        for (found, exact) in by_modes.iter().zip(&below) {
+            assert!((found / exact - 1.0).abs() < 1e-3, "{found} instead of {exact}");
+        }
+        // The twelve motions of the ends cannot have all of them.
+        assert!(statically.len() < below.len());
+        assert!(statically.iter().zip(&below).any(|(found, exact)| found / exact > 1.05));
     }
 }
 

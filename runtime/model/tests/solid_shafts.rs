@@ -2,7 +2,8 @@
 //! slender beams, and convergence at steps.
 
 use calyx_fe::material::Material;
-use calyx_model::shaft::{Shaft, ShaftSegment};
+use calyx_model::fidelity::StructureOptions;
+use calyx_model::shaft::{Shaft, ShaftSegment, SolidShaftMesh};
 use calyx_numerics::interrupt::Interrupt;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
@@ -23,8 +24,12 @@ fn shaft(segments: &[ShaftSegment]) -> Shaft {
 }
 
 fn solid(shaft: &Shaft, stations: &[f64], fineness: usize) -> DMatrix<f64> {
+    solid_of(shaft, stations, SolidShaftMesh::cubic(fineness))
+}
+
+fn solid_of(shaft: &Shaft, stations: &[f64], mesh: SolidShaftMesh) -> DMatrix<f64> {
     let size = 6 * stations.len();
-    let matrix = shaft.solid_stiffness(stations, fineness, &Interrupt::never()).expect("a solid");
+    let matrix = shaft.solid_stiffness(stations, mesh, &Interrupt::never()).expect("a solid");
     DMatrix::from_row_slice(size, size, &matrix)
 }
 
@@ -139,6 +144,28 @@ fn a_step_is_softer_than_two_beams() {
     let whole = flexibility(&solid(&stepped(0.04), &stations, 2));
     for (component, part) in [(2, 0.037), (3, 0.035), (5, 0.023)] {
         close(added(0.04, 2, component) / whole[(component, component)], part, 0.02);
+    }
+}
+
+/// The mesh that estimates of the mesh error compare with shows the error of a step: its factor of 2
+/// on the difference covers the difference from a mesh four times as fine, and is not 5 times too
+/// large.
+#[test]
+fn the_mesh_of_error_estimates_shows_the_error_of_a_step() {
+    let other = StructureOptions { order: 2, refinement: 1.5, ..StructureOptions::default() };
+    let [own, other] = [StructureOptions::default(), other].map(|options| SolidShaftMesh::of(&options));
+    for larger in [0.022, 0.03, 0.04, 0.08] {
+        let shaft =
+            shaft(&[cylinder(0.1, 0.02, 0.0), cylinder(0.05, larger, 0.0), cylinder(0.1, 0.025, 0.0)]);
+        for component in [2, 3, 5] {
+            let [own, other, fine] = [own, other, SolidShaftMesh::cubic(8)]
+                .map(|mesh| flexibility(&solid_of(&shaft, &[0.0, 0.25], mesh))[(component, component)]);
+            let (estimate, error) = (2.0 * (own - other).abs(), (own - fine).abs());
+            assert!(
+                estimate > error && estimate < 5.0 * error,
+                "{larger} {component}: {estimate:e} {error:e}"
+            );
+        }
     }
 }
 

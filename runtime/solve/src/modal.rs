@@ -45,8 +45,8 @@ impl Modes {
         Modes { of, first, squares }
     }
 
-    /// Computes the modes of all elastic bodies that support them, up to a natural frequency, Hz;
-    /// none for 0.
+    /// Computes the modes of all gears that support them, up to a natural frequency, Hz; none for 0
+    /// and in three dimensions.
     ///
     /// # Errors
     /// Those of [`check_modes`] and [`Resources::modes`].
@@ -56,8 +56,8 @@ impl Modes {
         resources: &Resources,
         highest: f64,
     ) -> Result<Modes, EngineError> {
-        check_modes(plan.fidelity, highest)?;
-        if highest == 0.0 {
+        check_modes(scene, plan, highest)?;
+        if highest == 0.0 || plan.three_dimensional {
             return Ok(Modes::default());
         }
         let bodies = scene.bodies.iter().zip(&plan.bodies);
@@ -91,18 +91,24 @@ impl Modes {
     }
 }
 
-/// Checks whether modes of bodies up to this natural frequency, Hz, are supported.
+/// Checks whether modes of bodies up to this natural frequency, Hz, are supported: those of gears in
+/// two dimensions, and those of elastic bodies such as housings in three.
 ///
 /// # Errors
-/// E0764: it is negative or NaN. E0771: the model is three-dimensional. E0782: its bodies have no
-/// meshes.
-pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> {
+/// E0764: it is negative or NaN. E0771: the model is three-dimensional and has no elastic body.
+/// E0782: its bodies have no meshes.
+pub fn check_modes(scene: &Mechanism, plan: &Plan, highest: f64) -> Result<(), EngineError> {
+    let fidelity = plan.fidelity;
+    let mut modelled = plan.modelled_connections().into_iter();
+    let elastic = fidelity != Fidelity::Rigid
+        && modelled.any(|connection| scene.connections[connection].body.is_some());
     let (code, message, help) = match fidelity {
         _ if !(highest.is_finite() && highest >= 0.0) => (
             "E0764",
             format!("modes up to {highest} Hz cannot be found"),
             "give a positive frequency, or 0 for no modes",
         ),
+        _ if elastic => return Ok(()),
         Fidelity::Rigid | Fidelity::Analytic if highest > 0.0 => (
             "E0782",
             format!(
@@ -113,8 +119,8 @@ pub fn check_modes(fidelity: Fidelity, highest: f64) -> Result<(), EngineError> 
         ),
         Fidelity::Solid(_) if highest > 0.0 => (
             "E0771",
-            "elastic modes of bodies are two-dimensional, and this model is three-dimensional".into(),
-            "leave `highest_frequency` at 0: bodies then vibrate as rigid ones",
+            "the elastic modes of gears are two-dimensional, and this three-dimensional model has no elastic body such as a housing".into(),
+            "leave `highest_frequency` at 0: gears then vibrate as rigid bodies on their elastic teeth",
         ),
         _ => return Ok(()),
     };

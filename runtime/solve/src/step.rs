@@ -13,11 +13,11 @@ mod contact_layout;
 mod contact_solution;
 mod friction;
 mod grid_warnings;
+mod nonlinear_bearings;
 mod participation;
 mod patch;
 mod plane;
 mod relinearization;
-mod rolling;
 mod solid;
 
 pub use participation::Participating;
@@ -30,8 +30,8 @@ use calyx_contact::problem::{Certificate, ContactProblem};
 use calyx_model::bearing::{Springs, Tangent};
 use calyx_numerics::error::EngineError;
 use contact_layout::{Conditions, Solver};
+use nonlinear_bearings::NonlinearBearings;
 use plane::Plane;
-use rolling::RollingBearings;
 use solid::Solid;
 use std::sync::{Arc, OnceLock};
 
@@ -125,11 +125,11 @@ impl System<'_> {
         elastic: Option<&ModalElimination<'_>>,
         sizing: Option<&[f64]>,
     ) -> Result<StepResult, EngineError> {
-        let solve = |tangents: &[Option<Tangent>], rolling: Option<&RollingBearings<'_>>| {
+        let solve = |tangents: &[Option<Tangent>], nonlinear: Option<&NonlinearBearings<'_>>| {
             let springs = &self.springs_with(time, tangents)?;
             let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
             let under =
-                Conditions { direction, springs, rolling, start: &[], elastic, sizing, in_time: false };
+                Conditions { direction, springs, nonlinear, start: &[], elastic, sizing, in_time: false };
             match &self.bodies {
                 Bodies::Plane(bodies) => {
                     Solver { system: self, space: &Plane { system: self, bodies }, under }.solve(time, &load)
@@ -139,10 +139,10 @@ impl System<'_> {
                 }
             }
         };
-        // With rigid bodies, rolling bearings do not deflect: they have their typical stiffness
+        // With rigid bodies, nonlinear bearings do not deflect: they have their typical stiffness
         // without load.
-        if self.has_rolling_bearings() && !self.rigid {
-            return self.with_rolling_bearings(time, load, solve);
+        if self.has_nonlinear_bearings() && !self.rigid {
+            return self.with_nonlinear_bearings(time, load, solve);
         }
         solve(&[], None)
     }
@@ -161,8 +161,8 @@ impl System<'_> {
         sizing: &[f64],
     ) -> Result<StepResult, EngineError> {
         let (direction, sizing) = (sizing, Some(sizing));
-        let rolling = None;
-        let under = Conditions { direction, springs, rolling, start, elastic, sizing, in_time: true };
+        let nonlinear = None;
+        let under = Conditions { direction, springs, nonlinear, start, elastic, sizing, in_time: true };
         match &self.bodies {
             Bodies::Plane(bodies) => {
                 Solver { system: self, space: &Plane { system: self, bodies }, under }.take(time, load)

@@ -6,7 +6,9 @@ use crate::modal::Modes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{Springs, Tangent, springs};
-use calyx_model::connection::{ElasticConnection, add_connection_mass, add_connection_stiffness};
+use calyx_model::connection::{
+    ElasticConnection, add_connection_mass, add_connection_stiffness, add_mode_coupling,
+};
 use calyx_model::connection_building::build_connections;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::flanks::{add_flanks, spline_contacts};
@@ -211,7 +213,8 @@ impl<'s> System<'s> {
     /// equilibrium; 0 adds none.
     ///
     /// # Errors
-    /// E0764: the frequency is invalid. E0771: the system is three-dimensional. Those of
+    /// E0764: the frequency is invalid. E0771: the system is three-dimensional and has no
+    /// elastic body. Those of
     /// [`Resources::modes`].
     pub fn with_modes(
         mut self,
@@ -267,6 +270,38 @@ impl<'s> System<'s> {
             Bodies::Plane(bodies) => bodies.face_widths[body],
             Bodies::Solid(_) => 1.0,
         }
+    }
+
+    /// Returns the elastic connections with component modes, and the index of the first mode of each
+    /// among those of all.
+    pub fn connection_modes(&self) -> Vec<(&ElasticConnection, usize)> {
+        let mut first = 0;
+        let planned = self.connections.iter().filter_map(|&index| self.elastic_connections.get(index));
+        let with_modes = planned.filter(|connection| connection.modes.count() > 0);
+        let numbered = with_modes.map(|connection| {
+            first += connection.modes.count();
+            (connection, first - connection.modes.count())
+        });
+        numbered.collect()
+    }
+
+    /// Returns the number of modal coordinates in vibrations: modes of gears, and component modes of
+    /// elastic bodies.
+    pub fn mode_count(&self) -> usize {
+        let connections = self.connection_modes();
+        self.modes.count() + connections.iter().map(|(connection, _)| connection.modes.count()).sum::<usize>()
+    }
+
+    /// Returns the mass between the DOFs (rows) and the component modes of all elastic connections
+    /// at a time (s), row-major.
+    ///
+    /// # Errors
+    /// A frame is invalid.
+    pub fn connection_mode_coupling(&self, time: f64) -> Result<Vec<f64>, EngineError> {
+        let mut coupling = vec![0.0; self.dofs.len() * (self.mode_count() - self.modes.count())];
+        let parts = (&self.scene.bodies[..], &self.elastic_connections[..]);
+        add_mode_coupling(&mut coupling, parts, &self.connections, &self.dofs, time)?;
+        Ok(coupling)
     }
 
     /// Returns the external generalized forces on the DOFs at a time, per [`System::width`].

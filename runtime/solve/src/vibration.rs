@@ -6,7 +6,8 @@
 //! contact, those at the boundary of the load in part ([`calyx_contact::load_boundary`]). A is
 //! their compliance minus that of the modes, `sum phi phi' / omega²`, so that both together have
 //! the static compliance. The mass matrix contains the inertia of the bodies, with `phi' M r`
-//! between modes and frames. The frequencies are those at one position: stiffness and frequencies
+//! between modes and frames. The component modes of elastic bodies follow the modes of gears: they
+//! move no cell, and their mass couples them to the attachments. The frequencies are those at one position: stiffness and frequencies
 //! change as teeth enter and leave contact. These are the frequencies without rotation and without
 //! damping; those with gyroscopic terms follow from them, see [`crate::gyroscopic`].
 //!
@@ -114,12 +115,16 @@ impl System<'_> {
     /// Returns the mass matrix of all coordinates at a time (s).
     fn whole_mass(&self, time: f64) -> Option<Mat<f64>> {
         let (own, widths) = (self.mass_matrix(time), self.coordinate_widths());
-        let (m, count) = (own.nrows(), self.modes.count());
-        let between = coupling(self, time).ok()?;
+        let (m, of_gears, count) = (own.nrows(), self.modes.count(), self.mode_count());
+        let (by_gears, by_bodies) = (coupling(self, time).ok()?, self.connection_mode_coupling(time).ok()?);
+        let between = |dof: usize, mode: usize| match mode.checked_sub(of_gears) {
+            None => by_gears[dof * of_gears + mode],
+            Some(mode) => by_bodies[dof * (count - of_gears) + mode],
+        };
         let entry = |row: usize, column: usize| match (row.checked_sub(m), column.checked_sub(m)) {
             (None, None) => own[(row, column)],
-            (None, Some(mode)) => widths[row] * between[row * count + mode],
-            (Some(mode), None) => widths[column] * between[column * count + mode],
+            (None, Some(mode)) => widths[row] * between(row, mode),
+            (Some(mode), None) => widths[column] * between(column, mode),
             (Some(one), Some(other)) => {
                 if one == other {
                     widths[row]
@@ -131,14 +136,16 @@ impl System<'_> {
         Some(Mat::from_fn(m + count, m + count, entry))
     }
 
-    /// Returns the width to which forces on each coordinate refer, m: DOFs, then modal coordinates.
-    /// Coupled coordinates have equal widths.
+    /// Returns the width to which forces on each coordinate refer, m: DOFs, then modal coordinates of
+    /// gears and of elastic bodies, which exist in three dimensions only. Coupled coordinates have
+    /// equal widths.
     fn coordinate_widths(&self) -> Vec<f64> {
         let mut widths: Vec<f64> = self.dofs.iter().map(|dof| self.width(dof.body)).collect();
         for body in 0..self.scene.bodies.len() {
             let modes = self.modes.of_body(body).map_or(0, |(own, _)| own.count());
             widths.extend(std::iter::repeat_n(self.width(body), modes));
         }
+        widths.resize(self.dofs.len() + self.mode_count(), 1.0);
         widths
     }
 }
@@ -154,14 +161,17 @@ impl System<'_> {
     /// Returns the stiffness matrix, per width of the model.
     fn stiffness_about(&self, step: &StepResult) -> Option<Mat<f64>> {
         let (problem, modes) = (&step.problem, &self.modes);
-        let (m, count) = (self.dofs.len(), modes.count());
+        let (m, of_gears, count) = (self.dofs.len(), modes.count(), self.mode_count());
+        let connections = self.connection_modes();
+        let of_bodies = connections.iter().flat_map(|(connection, _)| &connection.modes.eigenvalues);
+        let squares: Vec<f64> = modes.squares.iter().chain(of_bodies).copied().collect();
         if problem.stiffness.len() != m * m {
             return None;
         }
         let bearings = |i: usize, j: usize| problem.stiffness[i * m + j];
         let mut stiffness = Mat::from_fn(m + count, m + count, |i, j| match (i.max(j) < m, i == j) {
             (true, _) => 0.5 * (bearings(i, j) + bearings(j, i)),
-            (false, true) => modes.squares[i - m],
+            (false, true) => squares[i - m],
             (false, false) => 0.0,
         });
         let Participating { cells: active, participations } = step.participating(|_| true);
@@ -170,10 +180,12 @@ impl System<'_> {
         }
         let own = self.modal_arms(step);
         // Stops of bearings follow the cells.
-        let modal = |cell: usize, k: usize| if cell < own.nrows() { own[(cell, k)] } else { 0.0 };
+        let modal = |cell: usize, k: usize| match cell < own.nrows() && k < of_gears {
+            true => own[(cell, k)],
+            false => 0.0,
+        };
         let mut residual = step.compliance_of(&active);
-        let answered =
-            Mat::from_fn(active.len(), count, |i, k| modal(active[i], k) / modes.squares[k].sqrt());
+        let answered = Mat::from_fn(active.len(), of_gears, |i, k| modal(active[i], k) / squares[k].sqrt());
         let checkpoint = || self.interrupt.check();
         let dense = Interruptible(&checkpoint);
         // Static compliance with and without modes is the same.
@@ -239,7 +251,7 @@ pub fn check_vibrations(system: &System<'_>, examined: &dyn Examined) -> Result<
         return Ok(());
     }
     check_inertia(system.scene, &system.dofs, system.inertias())?;
-    check_mode_count(examined, system.dofs.len() + system.modes.count())
+    check_mode_count(examined, system.dofs.len() + system.mode_count())
 }
 
 /// Checks that a scene with this number of modes has all that are requested.

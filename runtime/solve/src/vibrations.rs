@@ -6,8 +6,8 @@ use faer::Mat;
 use nalgebra::{Complex, DMatrix, SymmetricEigen};
 use std::sync::{Arc, OnceLock};
 
-/// Free vibrations: coordinates by modes. Coordinates are the DOFs, then the modal coordinates,
-/// body by body.
+/// Free vibrations: coordinates by modes. Coordinates are the DOFs, then the modal coordinates of
+/// gears, body by body, then those of elastic connections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vibrations {
     /// Natural frequencies without gyroscopic terms, rad/s, ascending; those of rigid-body motions

@@ -2,6 +2,24 @@
 
 use serde::{Deserialize, Serialize};
 
+/// Vibrations of an elastic body with fixed attachments, which are added to the motions of these
+/// (Craig and Bampton 1968). The modal masses are 1.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ComponentModes {
+    /// Squared natural frequencies, (rad/s)².
+    pub eigenvalues: Vec<f64>,
+    /// Mass between attachment components (rows) and modal coordinates (columns), row-major, kg^1/2
+    /// and m kg^1/2.
+    pub coupling: Vec<f64>,
+}
+
+impl ComponentModes {
+    /// Returns the number of modes.
+    pub fn count(&self) -> usize {
+        self.eigenvalues.len()
+    }
+}
+
 /// Stiffness and mass of an elastic body on its attachments, row-major, six rows an attachment:
 /// three displacements and three rotations.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -10,12 +28,18 @@ pub struct AttachmentMatrices {
     pub stiffness: Vec<f64>,
     /// Mass, kg, kg m and kg m²; empty if it has not been computed.
     pub mass: Vec<f64>,
+    /// Modes with fixed attachments; none if they have not been requested.
+    pub modes: ComponentModes,
 }
 
 impl AttachmentMatrices {
     /// Returns the memory, bytes.
     pub fn bytes(&self) -> usize {
-        size_of::<f64>() * (self.stiffness.len() + self.mass.len())
+        size_of::<f64>()
+            * (self.stiffness.len()
+                + self.mass.len()
+                + self.modes.eigenvalues.len()
+                + self.modes.coupling.len())
     }
 
     /// Returns the bytes for the disk cache.
@@ -27,8 +51,10 @@ impl AttachmentMatrices {
     pub fn restored(stored: &[u8], attachments: usize, with_mass: bool) -> Option<AttachmentMatrices> {
         let matrices: AttachmentMatrices = postcard::from_bytes(stored).ok()?;
         let entries = 36 * attachments * attachments;
-        let fits =
-            matrices.stiffness.len() == entries && matrices.mass.len() == if with_mass { entries } else { 0 };
+        let (of_mass, modes) = (if with_mass { entries } else { 0 }, &matrices.modes);
+        let fits = matrices.stiffness.len() == entries
+            && matrices.mass.len() == of_mass
+            && modes.coupling.len() == 6 * attachments * modes.count();
         fits.then_some(matrices)
     }
 }

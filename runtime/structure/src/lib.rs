@@ -36,7 +36,7 @@ mod structure_size;
 pub mod surface;
 
 pub use any::AnyStructure;
-pub use attachment_matrices::AttachmentMatrices;
+pub use attachment_matrices::{AttachmentMatrices, ComponentModes};
 pub use bore::BoreSupport;
 pub use deformed::{BodyLoads, DeformedSector, MeshedBody, VisualizationMesh, rotated_tensor};
 pub use elastic::{ElasticStructure, MeshSupport, RingSource, SurfaceSource};

@@ -6,7 +6,7 @@ use super::pairs::{FIRST, Options};
 use crate::common::built;
 use crate::common::rolling::{balls, tapered};
 use calyx_gears::helix::Hand;
-use calyx_runtime::bearing::{Bearing, RollingElements};
+use calyx_runtime::bearing::{Bearing, NonlinearLoad, RollingElements};
 use calyx_runtime::contact::active_set::solve;
 use calyx_runtime::contact::problem::ContactProblem;
 use calyx_runtime::observables::{Equilibrium, Observe};
@@ -43,7 +43,7 @@ fn scene(rows: &[Row; 2], torque: f64) -> (Scene, GearMesh) {
         let rows = RollingBearing::new(vec![rows[index].clone()]).expect("valid");
         let elements = RollingElements::new(rows, MOTION).expect("valid");
         let bearing = Bearing::new(["near", "far"][index], FIRST, PLACES[index], [[0.0; 6]; 6]);
-        Bearing { rolling: Some(Arc::new(elements)), ..bearing }
+        Bearing { nonlinear: Some(NonlinearLoad::Rolling(Arc::new(elements))), ..bearing }
     };
     on_bearings(&options, &[bearing(0), bearing(1)])
 }
@@ -95,12 +95,12 @@ fn linear_bearings_with_the_tangents_have_the_same_solution() {
         let expected = solved(Fidelity::Analytic, &nonlinear, |_, step| step.clone());
         let mut linear = scene(rows, 100.0);
         for (index, bearing) in linear.0.bearings.iter_mut().enumerate() {
-            let elements = bearing.rolling.take().expect("rolling elements");
+            let elements = bearing.nonlinear.take().expect("rolling elements");
             let [ux, uy, uz, about_x, about_y] = [0, 1, 2, 3, 4].map(|k| expected.motion[k]);
             let place = PLACES[index];
             let deflection = [ux + place * about_y, uy - place * about_x, uz, about_x, about_y];
-            let state = elements.state(deflection).expect("finite");
-            let tangent = state.tangent(&elements, 0.0);
+            let state = elements.state(None, deflection).expect("finite");
+            let tangent = elements.tangent(&state, 0.0);
             (bearing.stiffness, bearing.load) = (tangent.stiffness, tangent.load);
         }
         solved(Fidelity::Analytic, &linear, |system, step| {
@@ -203,7 +203,12 @@ fn bearings_without_load_do_not_prevent_the_equilibrium() {
             let elements = RollingElements::new(alone, MOTION).expect("valid");
             let name = format!("{clearance}");
             let bearing = Bearing::new(name, FIRST, PLACES[0], [[0.0; 6]; 6]);
-            scene.add_bearing(Bearing { rolling: Some(Arc::new(elements)), ..bearing }).expect("a bearing");
+            scene
+                .add_bearing(Bearing {
+                    nonlinear: Some(NonlinearLoad::Rolling(Arc::new(elements))),
+                    ..bearing
+                })
+                .expect("a bearing");
         }
         solved(Fidelity::Analytic, &(scene, mesh), |_, step| step.motion.clone())
     };

@@ -3,7 +3,7 @@
 use super::{Cost, Flanks, Rates, elastic_body, positions, structure};
 use crate::estimate::{Estimates, PerturbedSolve, perturbed_solves_of};
 use crate::scene::Scene;
-use calyx_model::connection::ElasticConnection;
+use calyx_model::connection::{CondensedShaft, ElasticConnection};
 use calyx_model::elastic_body::ElasticBodySize;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::observed::OutputRequest;
@@ -221,12 +221,16 @@ fn sizes(scene: &Scene, plan: &Plan) -> Vec<(Vec<String>, StructureSize)> {
     (0..count).filter_map(of).collect()
 }
 
-/// Returns the elastic bodies that a plan condenses, with their sizes.
+/// Returns the elastic bodies and solid shafts that a plan condenses, with their sizes.
 fn elastic_bodies(scene: &Scene, plan: &Plan) -> Vec<(String, ElasticBodySize)> {
     let condensed = scene.connections.iter().zip(&plan.connections);
     let condensed = condensed.filter(|(_, planned)| !planned.left_out && plan.fidelity != Fidelity::Rigid);
-    let size = |(connection, _): (&ElasticConnection, &ConnectionPlan)| {
-        Some((connection.name.clone(), connection.body.as_ref()?.0.size()?))
+    let size = |(connection, planned): (&ElasticConnection, &ConnectionPlan)| {
+        let size = match connection.solid_shaft(plan.fidelity) {
+            Some(CondensedShaft { shaft, stations, .. }) => shaft.solid_size(stations, planned.shaft_mesh),
+            None => connection.body.as_ref()?.0.size(),
+        };
+        Some((connection.name.clone(), size?))
     };
     condensed.filter_map(size).collect()
 }

@@ -209,6 +209,7 @@ impl BaseAnalysis<'_, '_> {
     ) -> Result<Values, Failed> {
         let build = || {
             let plan = Plan::new(scene, fidelity, structure)?.for_outputs(scene, self.outputs)?;
+            let plan = plan.with_modes(scene, self.highest_frequency);
             let system = System::with(scene, &plan, self.resources)?;
             let system = match self.highest_frequency {
                 0.0 => system,

@@ -198,7 +198,7 @@ pub struct ModesRequest {
 pub struct ModesTable {
     /// Time of the position, s.
     pub time: f64,
-    /// Names of the bodies of the table.
+    /// Names of the bodies of the table, then those of elastic bodies with component modes.
     pub bodies: Vec<String>,
     /// Modes from the lowest frequency.
     pub modes: Vec<ModeRow>,
@@ -217,7 +217,8 @@ pub struct ModeRow {
     pub rotation: f64,
     /// Fraction of kinetic energy in vibrations of bodies relative to their frames.
     pub elastic: f64,
-    /// Fraction of kinetic energy of each body, in the order of [`ModesTable::bodies`].
+    /// Fraction of kinetic energy of each body, in the order of [`ModesTable::bodies`]: for elastic
+    /// bodies that of the motion relative to their attachments.
     pub bodies: Vec<f64>,
 }
 
@@ -226,7 +227,7 @@ impl Equilibrium<'_> {
     pub fn modes_table(self, request: &ModesRequest) -> Option<ModesTable> {
         let all = self.vibrations()?;
         let (dofs, modes) = (&self.system.dofs, &self.system.modes);
-        let scene = self.system.scene;
+        let (scene, elastic_bodies) = (self.system.scene, self.system.connection_modes());
         let moves = |body: &usize| dofs.iter().any(|dof| dof.body == *body) || modes.of_body(*body).is_some();
         let bodies: Vec<usize> = (0..scene.bodies.len()).filter(moves).collect();
         let row = |mode: usize| {
@@ -241,17 +242,21 @@ impl Equilibrium<'_> {
                     modes.of_body(body).map_or(&[][..], |(own, first)| &modal[first..first + own.count()]);
                 of_frames(&|of, _| of == body) + own.iter().sum::<f64>()
             };
+            let of_connections = elastic_bodies.iter().map(|(connection, first)| {
+                modal[modes.count() + first..].iter().take(connection.modes.count()).sum::<f64>()
+            });
             ModeRow {
                 frequency: all.frequencies[mode] / TAU,
                 kind: request.set.as_ref().map(|set| self.kind_shares(&all, mode, set).kind()),
                 translation: of_frames(&|_, component| component < 3),
                 rotation: of_frames(&|_, component| component >= 3),
                 elastic: modal.iter().sum(),
-                bodies: bodies.iter().map(|&body| of_body(body)).collect(),
+                bodies: bodies.iter().map(|&body| of_body(body)).chain(of_connections).collect(),
             }
         };
         let count = all.frequencies.len().min(request.count.unwrap_or(usize::MAX));
         let names = bodies.iter().map(|&body| scene.bodies[body].name.clone());
+        let names = names.chain(elastic_bodies.iter().map(|(connection, _)| connection.name.clone()));
         Some(ModesTable { time: self.time(), bodies: names.collect(), modes: (0..count).map(row).collect() })
     }
 }

@@ -12,7 +12,7 @@ impl Equilibrium<'_> {
     /// Returns the states of the elements of a rolling bearing, row by row; `None` if the scene has
     /// no such rolling bearing, or its races have separated.
     pub fn rolling_elements(self, bearing: BearingId) -> Option<Vec<ElementState>> {
-        let elements = self.system.scene.bearings.get(bearing.0)?.rolling.clone()?;
+        let elements = self.system.scene.bearings.get(bearing.0)?.rolling().cloned()?;
         elements.elements(&self.bearing(bearing)?.deflection).ok()
     }
 }
@@ -157,7 +157,7 @@ impl Observable for BearingLife {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         let bearing = at.system.scene.bearings.get(self.bearing.0);
-        let elements = bearing.and_then(|bearing| bearing.rolling.as_deref());
+        let elements = bearing.and_then(|bearing| bearing.rolling().map(AsRef::as_ref));
         observed(at, self.bearing, |states| {
             let life = self.of(elements?, states).ok()?;
             Some(if self.modified { life.modified } else { life.basic })

@@ -1,6 +1,6 @@
 //! Directions in which a bearing cannot deflect, because its bodies are fixed there.
 
-use super::{Bearing, BearingMatrix, BearingState, Stop};
+use super::{Bearing, BearingMatrix, BearingState, NonlinearLoad, Stop};
 use crate::body::Body;
 use crate::dof::Dof;
 use calyx_numerics::error::EngineError;
@@ -32,7 +32,7 @@ impl Bearing {
             (0..6).filter(move |&k| free(body.0)[k]).map(move |component| Dof { body: body.0, component })
         });
         let columns: Vec<[f64; 6]> = dofs.map(|dof| placed.deflection(&dof)).collect();
-        let typical = self.rolling.as_ref().map(|elements| *elements.typical_stiffness());
+        let typical = self.nonlinear.as_ref().map(NonlinearLoad::typical_stiffness);
         let matrices: Vec<BearingMatrix> =
             [self.stiffness, self.damping].into_iter().chain(typical).collect();
         let walls: Vec<[f64; 6]> = self

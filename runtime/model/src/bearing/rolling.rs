@@ -1,11 +1,10 @@
-//! Rolling elements between the races of a bearing: their load is a nonlinear function of the
-//! deflection, and contact problems have its tangent.
+//! Rolling elements between the races of a bearing, whose load is a nonlinear function of the
+//! deflection.
 
-use super::{Bearing, BearingMatrix};
+use super::{BearingMatrix, NonlinearState};
 use calyx_numerics::error::EngineError;
 use calyx_rolling::rating::{bearing_capacity, static_safety};
-use calyx_rolling::{Displacement, ElementState, Evaluation, Motion, RollingBearing, RollingError, Start};
-use nalgebra::{Matrix5, SymmetricEigen, Vector5};
+use calyx_rolling::{Displacement, ElementState, Motion, RollingBearing, RollingError, Start};
 
 /// Rolling elements of a bearing with rigid rings.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,25 +16,6 @@ pub struct RollingElements {
     /// The inner ring is on the second race.
     is_inverted: bool,
     typical: BearingMatrix,
-}
-
-/// Linearized load of rolling elements at a deflection.
-#[derive(Clone, Debug, Default)]
-pub struct Tangent {
-    /// Symmetric part of the stiffness by deflections, with an addition that keeps steps short.
-    pub stiffness: BearingMatrix,
-    /// Force on the first race at zero deflection of the linearized bearing, N and N m.
-    pub load: [f64; 6],
-}
-
-/// State of the rolling elements of one bearing in the search for equilibrium.
-#[derive(Clone, Debug)]
-pub struct RollingState {
-    /// Deflection: displacement of the first race relative to the second.
-    pub deflection: Displacement,
-    /// Load on the first race and stiffness there.
-    pub evaluation: Evaluation,
-    start: Start,
 }
 
 impl RollingElements {
@@ -161,23 +141,23 @@ impl RollingElements {
     ///
     /// # Errors
     /// E0697: the deflection is not finite.
-    pub fn state(&self, deflection: Displacement) -> Result<RollingState, EngineError> {
+    pub fn state(&self, deflection: Displacement) -> Result<NonlinearState, EngineError> {
         self.evaluate(deflection, Start::default())
     }
 
-    /// Evaluates the elements at another deflection, starting from a state.
+    /// Evaluates the elements at a deflection from the positions of another evaluation.
     ///
     /// # Errors
     /// E0697: the deflection is not finite.
-    pub fn moved(&self, from: &RollingState, deflection: Displacement) -> Result<RollingState, EngineError> {
-        self.evaluate(deflection, from.start.clone())
-    }
-
-    fn evaluate(&self, deflection: Displacement, mut start: Start) -> Result<RollingState, EngineError> {
+    pub(super) fn evaluate(
+        &self,
+        deflection: Displacement,
+        mut start: Start,
+    ) -> Result<NonlinearState, EngineError> {
         let inner = self.of_inner_ring(deflection);
         let mut evaluation = self.bearing.evaluate(&inner, &self.motion, &mut start).map_err(rejected)?;
         evaluation.load = self.of_inner_ring(evaluation.load);
-        Ok(RollingState { deflection, evaluation, start })
+        Ok(NonlinearState { deflection, evaluation, start })
     }
 
     /// Converts a displacement or load of the first race to that of the inner ring, or back.
@@ -192,84 +172,15 @@ impl RollingElements {
     pub fn elements(&self, deflection: &[f64; 6]) -> Result<Vec<ElementState>, EngineError> {
         self.bearing.elements(&self.of_inner_ring(five(deflection)), &self.motion).map_err(rejected)
     }
-
-    /// Returns force and moment of the elements on the first race at a deflection, N and N m; NaN
-    /// if the deflection is not finite.
-    pub fn push(&self, deflection: &[f64; 6]) -> [f64; 6] {
-        match self.state(five(deflection)) {
-            Ok(state) => six(&state.evaluation.load.map(|load| -load)),
-            Err(_) => [f64::NAN; 6],
-        }
-    }
-}
-
-impl Tangent {
-    /// Returns the linearized load on the first race at a deflection.
-    pub fn load_at(&self, deflection: &Displacement) -> [f64; 5] {
-        std::array::from_fn(|i| {
-            let sprung: f64 = (0..5).map(|j| self.stiffness[i][j] * deflection[j]).sum();
-            sprung - self.load[i]
-        })
-    }
-}
-
-impl RollingState {
-    /// Linearizes the load, with `addition` times the typical stiffness added about this state.
-    ///
-    /// The stiffness is symmetric and positive semidefinite: gyroscopic moments make that of balls
-    /// slightly asymmetric, and large tilting under load can make it indefinite.
-    pub fn tangent(&self, elements: &RollingElements, addition: f64) -> Tangent {
-        let at = positive_part(&self.evaluation.stiffness, elements.radius());
-        let mut tangent = Tangent::default();
-        for i in 0..5 {
-            for j in 0..5 {
-                tangent.stiffness[i][j] = at[(i, j)] + addition * elements.typical[i][j];
-                tangent.load[i] += tangent.stiffness[i][j] * self.deflection[j];
-            }
-            tangent.load[i] -= self.evaluation.load[i];
-        }
-        tangent
-    }
 }
 
 fn without_speed(motion: &Motion) -> Motion {
     Motion { inner_speed: 0.0, outer_speed: 0.0, ..*motion }
 }
 
-/// Returns the symmetric part of a stiffness without its negative eigenvalues. Rotations are
-/// compared with displacements at a radius, m.
-fn positive_part(stiffness: &[[f64; 5]; 5], radius: f64) -> Matrix5<f64> {
-    let symmetric = Matrix5::from_fn(|i, j| 0.5 * (stiffness[i][j] + stiffness[j][i]));
-    let lengths = Vector5::from_fn(|i, _| if i < 3 { 1.0 } else { radius });
-    let scaled = Matrix5::from_fn(|i, j| symmetric[(i, j)] / (lengths[i] * lengths[j]));
-    if !scaled.iter().all(|entry| entry.is_finite()) {
-        return symmetric;
-    }
-    let eigen = SymmetricEigen::new(scaled);
-    if eigen.eigenvalues.min() >= -1e-12 * eigen.eigenvalues.max() {
-        return symmetric;
-    }
-    let kept = eigen.eigenvalues.map(|value| value.max(0.0));
-    let positive = eigen.eigenvectors * Matrix5::from_diagonal(&kept) * eigen.eigenvectors.transpose();
-    Matrix5::from_fn(|i, j| 0.5 * (positive[(i, j)] + positive[(j, i)]) * lengths[i] * lengths[j])
-}
-
-impl Bearing {
-    /// Returns the linearized rolling elements before their deflection is known: typical stiffness
-    /// without load.
-    pub(super) fn typical_tangent(&self) -> Option<Tangent> {
-        let elements = self.rolling.as_ref()?;
-        Some(Tangent { stiffness: *elements.typical_stiffness(), load: [0.0; 6] })
-    }
-}
-
 /// Returns the components of a deflection without the rotation about the axis.
 pub fn five([x, y, z, about_x, about_y, _]: &[f64; 6]) -> Displacement {
     [*x, *y, *z, *about_x, *about_y]
-}
-
-fn six([x, y, z, about_x, about_y]: &[f64; 5]) -> [f64; 6] {
-    [*x, *y, *z, *about_x, *about_y, 0.0]
 }
 
 /// Returns the error of the engine for one of a rolling bearing.

@@ -231,7 +231,7 @@ impl Bearing {
         symmetric(&self.damping, rate)
     }
 
-    /// Returns the force of springs, stops and rolling elements on the first race at a deflection
+    /// Returns the force of springs, stops and nonlinear load on the first race at a deflection
     /// and at forces on the walls (N), along the bearing's axes, N and N m.
     pub fn push(&self, deflection: &[f64; 6], walls: &[f64]) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
@@ -242,8 +242,8 @@ impl Bearing {
                 *sum += part * force;
             }
         }
-        if let Some(rolling) = &self.rolling {
-            for (sum, part) in push.iter_mut().zip(rolling.push(deflection)) {
+        if let Some(nonlinear) = &self.nonlinear {
+            for (sum, part) in push.iter_mut().zip(nonlinear.push(deflection)) {
                 *sum += part;
             }
         }

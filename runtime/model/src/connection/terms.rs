@@ -48,6 +48,39 @@ pub fn add_connection_mass(
     Ok(())
 }
 
+/// Adds the mass between the DOFs (rows) and the component modes of the planned connections
+/// (columns, connection by connection) to a row-major matrix.
+///
+/// # Errors
+/// Those of [`ConnectionState::at`].
+pub fn add_mode_coupling(
+    target: &mut [f64],
+    (bodies, connections): (&[Body], &[ElasticConnection]),
+    planned: &[usize],
+    dofs: &[Dof],
+    time: f64,
+) -> Result<(), EngineError> {
+    let planned = || planned.iter().filter_map(|&connection| connections.get(connection));
+    let columns: usize = planned().map(|connection| connection.modes.count()).sum();
+    let mut first = 0;
+    for connection in planned().filter(|connection| connection.modes.count() > 0) {
+        let state = ConnectionState::at(bodies, connection, time)?;
+        let own = connection.modes.count();
+        for (k, dof) in dofs.iter().enumerate() {
+            for (attachment, unit) in state.moved(dof) {
+                for (component, part) in unit.into_iter().enumerate().filter(|(_, part)| *part != 0.0) {
+                    let row = (6 * attachment + component) * own;
+                    for mode in 0..own {
+                        target[k * columns + first + mode] += part * connection.modes.coupling[row + mode];
+                    }
+                }
+            }
+        }
+        first += own;
+    }
+    Ok(())
+}
+
 /// Adds a matrix of the attachments to one of the DOFs. Each entry and its mirror image are
 /// computed once, so that the sum is exactly symmetric.
 fn add(target: &mut [f64], dofs: &[Dof], state: &ConnectionState, matrix: &[f64], width: f64) {

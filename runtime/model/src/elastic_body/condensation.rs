@@ -1,32 +1,36 @@
 //! Condensation of a finite-element model onto its attachment nodes.
 
+use super::MassReduction;
 use super::rigid_links::carried;
 use calyx_elastic::assembly::System;
-use calyx_elastic::condensation::{guyan, static_condensation};
+use calyx_elastic::condensation::{Synthesis, component_modes, guyan, static_condensation};
 use calyx_elastic::{ElasticError, ElasticModel, Resources};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_structure::AttachmentMatrices;
+use calyx_structure::{AttachmentMatrices, ComponentModes};
 use faer::Mat;
 use nalgebra::DMatrix;
 
 /// Condenses a model onto attachment nodes, exactly for statics, with all six components of each
-/// along the basic axes. The mass follows from the static displacements (Guyan). If `grounded`, the
-/// model has supports of its own, and ground is a further attachment at the origin.
+/// along the basic axes, and reduces its mass. If `grounded`, the model has supports of its own, and
+/// ground is a further attachment at the origin.
 ///
 /// # Errors
-/// E0992: an attachment has no stiffness in a component, the body has a mechanism, or it needs more
-/// memory than the limit. Otherwise those of the interrupt.
+/// E0992: an attachment has no stiffness in a component, the body has a mechanism, it needs more
+/// memory than the limit, or its modes do not converge. Otherwise those of the interrupt.
 pub fn condense_model(
     model: &ElasticModel,
     attachments: &[usize],
-    (grounded, with_mass): (bool, bool),
+    (grounded, mass): (bool, MassReduction),
     interrupt: &Interrupt,
 ) -> Result<AttachmentMatrices, EngineError> {
     let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
-    let condensed = System::new(model, &resources).and_then(|system| match with_mass {
-        true => guyan(&system, attachments, &resources),
-        false => static_condensation(&system, attachments, &[], &resources),
+    let condensed = System::new(model, &resources).and_then(|system| match mass {
+        MassReduction::None => static_condensation(&system, attachments, &[], &resources),
+        MassReduction::Static => guyan(&system, attachments, &resources),
+        MassReduction::ComponentModes(highest) => {
+            component_modes(&system, attachments, &[], Synthesis::FixedInterface, highest, &resources)
+        }
     });
     let condensed = condensed.map_err(engine_error)?;
     if let Some((node, component)) = (0..6 * attachments.len())
@@ -56,10 +60,26 @@ pub fn condense_model(
             DMatrix::from_fn(places.len(), places.len(), |row, column| matrix[(places[row], places[column])]);
         on_attachments(&ordered, &placed, grounded)
     };
+    let modes = match &condensed.mass {
+        Some(mass) => {
+            let (first, count) = (places.len(), condensed.eigenvalues.len());
+            let coupling = DMatrix::from_fn(first, count, |row, mode| mass[(places[row], first + mode)]);
+            let motions = relative_motions(&placed, grounded);
+            let eigenvalues = condensed.eigenvalues.clone();
+            ComponentModes { eigenvalues, coupling: by_row(&(motions.transpose() * coupling)) }
+        }
+        None => ComponentModes::default(),
+    };
     Ok(AttachmentMatrices {
         stiffness: transformed(&condensed.stiffness),
         mass: condensed.mass.as_ref().map_or_else(Vec::new, transformed),
+        modes,
     })
+}
+
+/// Returns the entries of a matrix by row.
+pub(super) fn by_row(matrix: &DMatrix<f64>) -> Vec<f64> {
+    matrix.transpose().as_slice().to_vec()
 }
 
 /// Transforms a matrix along the displacement axes of nodes at these positions (m) to the basic
@@ -70,6 +90,14 @@ pub(super) fn on_attachments(
     nodes: &[([f64; 3], [[f64; 3]; 3])],
     grounded: bool,
 ) -> Vec<f64> {
+    let motions = relative_motions(nodes, grounded);
+    let product = motions.transpose() * matrix * &motions;
+    by_row(&(0.5 * (&product + product.transpose())))
+}
+
+/// Returns the motions of nodes along their displacement axes (rows) by those of the attachments
+/// along the basic axes (columns), of which the last one is ground if `grounded`.
+pub(super) fn relative_motions(nodes: &[([f64; 3], [[f64; 3]; 3])], grounded: bool) -> DMatrix<f64> {
     let rows = 6 * nodes.len();
     let columns = rows + if grounded { 6 } else { 0 };
     let mut motions = DMatrix::zeros(rows, columns);
@@ -87,9 +115,7 @@ pub(super) fn on_attachments(
             }
         }
     }
-    let product = motions.transpose() * matrix * &motions;
-    let symmetric = |row: usize, column: usize| 0.5 * (product[(row, column)] + product[(column, row)]);
-    (0..columns * columns).map(|k| symmetric(k / columns, k % columns)).collect()
+    motions
 }
 
 /// Converts an error of an elastic body.

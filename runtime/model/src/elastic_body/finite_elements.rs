@@ -1,7 +1,7 @@
 //! Elastic body as finite elements with attachments.
 
 use super::condensation::condense_model;
-use super::{AttachmentExtent, ElasticBody, ElasticBodySize, Recovery};
+use super::{AttachmentExtent, ElasticBody, ElasticBodySize, MassReduction, Recovery};
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach_unnamed, on_a_line, rotating_nodes};
 use calyx_elastic::connectivity::parts_with_elements;
 use calyx_elastic::import::{MassProperties, mass_properties};
@@ -282,11 +282,15 @@ impl ElasticBody for FiniteElementBody {
         ))
     }
 
-    fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError> {
+    fn condense(
+        &self,
+        mass: MassReduction,
+        interrupt: &Interrupt,
+    ) -> Result<AttachmentMatrices, EngineError> {
         let (model, nodes) = self
             .attached(&self.attachments)
             .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
-        condense_model(&model, &nodes, (self.is_grounded(), with_mass), interrupt)
+        condense_model(&model, &nodes, (self.is_grounded(), mass), interrupt)
     }
 
     fn recovery(&self, interrupt: &Interrupt) -> Result<Option<Recovery>, EngineError> {
@@ -325,6 +329,7 @@ impl ElasticBody for FiniteElementBody {
             nodes: stiff.len(),
             dofs: stiff.values().sum(),
             retained: 6 * self.attachments.len(),
+            revolved: false,
             mass: Some(self.mass.mass),
             centre: self.mass.centre,
         })

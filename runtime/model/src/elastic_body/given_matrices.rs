@@ -1,15 +1,16 @@
 //! Elastic body that is given by its stiffness and mass at nodes.
 
-use super::condensation::on_attachments;
+use super::condensation::{by_row, on_attachments, relative_motions};
 use super::finite_elements::extent;
+use super::interior_modes::interior_modes;
 use super::rigid_links::carried;
-use super::{ElasticBody, ElasticBodySize};
+use super::{ElasticBody, ElasticBodySize, MassReduction};
 use calyx_elastic::import::CondensedMatrices;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::Vector;
-use calyx_structure::AttachmentMatrices;
 use calyx_structure::cache::Key;
+use calyx_structure::{AttachmentMatrices, ComponentModes};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -117,7 +118,11 @@ impl ElasticBody for MatrixBody {
         Some(written.fold(key, |key, (node, at)| key.count(*node as u64).numbers(at)).finish())
     }
 
-    fn condense(&self, with_mass: bool, interrupt: &Interrupt) -> Result<AttachmentMatrices, EngineError> {
+    fn condense(
+        &self,
+        reduction: MassReduction,
+        interrupt: &Interrupt,
+    ) -> Result<AttachmentMatrices, EngineError> {
         let (attached, others) = self.rows();
         let bytes = 8 * 4 * (self.matrices.components.len() as u64).pow(2);
         let _room = interrupt.reserve_memory(bytes)?;
@@ -137,21 +142,29 @@ impl ElasticBody for MatrixBody {
         };
         let moved = -factor.solve(&coupling);
         let own = block(stiffness, &attached, &attached) + coupling.transpose() * &moved;
-        let mass = self.matrices.mass.as_ref().filter(|_| with_mass).map(|mass| {
-            let between = block(mass, &attached, &others) * &moved;
-            block(mass, &attached, &attached)
-                + &between
-                + between.transpose()
-                + moved.transpose() * block(mass, &others, &others) * &moved
+        let mass = self.matrices.mass.as_ref().filter(|_| reduction.has_mass());
+        let mut modes = (Vec::new(), DMatrix::zeros(attached.len(), 0));
+        let reduced = mass.map(|mass| {
+            let between = block(mass, &others, &attached);
+            let inner = block(mass, &others, &others);
+            let inertia = &between + &inner * &moved;
+            if let MassReduction::ComponentModes(highest) = reduction {
+                modes = interior_modes(&factor, &inner, &inertia, highest);
+            }
+            block(mass, &attached, &attached) + between.transpose() * &moved + moved.transpose() * inertia
         });
         let placed: Vec<_> = self.attachments.iter().map(|(_, position)| (*position, BASIC)).collect();
         let rows = 6 * (placed.len() + usize::from(self.grounded));
         Ok(AttachmentMatrices {
             stiffness: on_attachments(&own, &placed, self.grounded),
-            mass: match mass {
+            mass: match reduced {
                 Some(mass) => on_attachments(&mass, &placed, self.grounded),
-                None if with_mass => vec![0.0; rows * rows],
+                None if reduction.has_mass() => vec![0.0; rows * rows],
                 None => Vec::new(),
+            },
+            modes: ComponentModes {
+                coupling: by_row(&(relative_motions(&placed, self.grounded).transpose() * modes.1)),
+                eigenvalues: modes.0,
             },
         })
     }

@@ -62,10 +62,9 @@ fn partly_fixed(scene: &Mechanism, index: usize) -> Option<EngineError> {
     let bearing = scene.bearings.get(index)?;
     let mobility = bearing.mobility(&scene.bodies).ok()?;
     let is_helical = |pair: &SurfacePair| pair.mesh.as_ref().is_none_or(|mesh| mesh.overlap_ratio != 0.0);
-    let has_contact_angle =
-        bearing.rolling.as_ref().is_some_and(|elements| elements.bearing.has_contact_angle());
+    let has_contact_angle = bearing.rolling().is_some_and(|elements| elements.bearing.has_contact_angle());
     let is_axial_of_use =
-        bearing.rolling.is_none() || has_contact_angle || scene.pairs.iter().any(is_helical);
+        bearing.rolling().is_none() || has_contact_angle || scene.pairs.iter().any(is_helical);
     let fixed: Vec<&str> = (0..3)
         .filter(|&k| mobility.resists[k] && !mobility.moves[k] && (k != 2 || is_axial_of_use))
         .map(|k| DOF_NAMES[k])

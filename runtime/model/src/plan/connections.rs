@@ -3,10 +3,12 @@
 use super::BodyPlan;
 use crate::connection::CondensedShaft;
 use crate::dof::DOF_NAMES;
-use crate::fidelity::{BodyModel, Fidelity};
+use crate::elastic_body::MassReduction;
+use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
 use crate::ids::BodyId;
 use crate::mechanism::Mechanism;
 use crate::prototype::Ignored;
+use crate::shaft::SolidShaftMesh;
 use calyx_numerics::error::EngineError;
 
 /// Plan of an elastic connection.
@@ -18,15 +20,17 @@ pub struct ConnectionPlan {
     pub reason: &'static str,
     /// True if the connection is not modelled.
     pub left_out: bool,
-    /// True if the mass of an elastic body is computed: an output concerns vibrations.
-    pub with_mass: bool,
+    /// Reduction of the mass of an elastic body: none unless an output concerns vibrations.
+    pub mass: MassReduction,
+    /// Mesh of a shaft that is modelled as a solid.
+    pub shaft_mesh: SolidShaftMesh,
 }
 
 /// Plans the elastic connections of a scene with these bodies.
 pub(super) fn plan_connections(
     scene: &Mechanism,
     bodies: &[BodyPlan],
-    (fidelity, with_mass): (Fidelity, bool),
+    (fidelity, options, vibrations): (Fidelity, &StructureOptions, bool),
 ) -> Vec<ConnectionPlan> {
     let rigid = fidelity.body_model() == BodyModel::Rigid;
     let plan = |connection: &crate::connection::ElasticConnection| {
@@ -35,7 +39,7 @@ pub(super) fn plan_connections(
         let idle = connection.attachments.len() < 2 || !connection.bodies().any(moves);
         // The mass of a rigid part with one attachment counts.
         let massive =
-            connection.mass.iter().any(|&entry| entry != 0.0) || connection.body.is_some() && with_mass;
+            connection.mass.iter().any(|&entry| entry != 0.0) || connection.body.is_some() && vibrations;
         ConnectionPlan {
             name: connection.name.clone(),
             reason: match (unwanted, idle) {
@@ -49,7 +53,8 @@ pub(super) fn plan_connections(
                 _ => "elastic: condensed onto its attachments",
             },
             left_out: unwanted || (idle && !massive),
-            with_mass,
+            mass: if vibrations { MassReduction::Static } else { MassReduction::None },
+            shaft_mesh: SolidShaftMesh::of(options),
         }
     };
     scene.connections.iter().map(plan).collect()

@@ -28,8 +28,8 @@ const PARALLEL: f64 = 1.0 - 1e-9;
 pub(super) fn check(scene: &Mechanism, plan: &Plan, dofs: &[Dof], time: f64) -> Result<(), EngineError> {
     let modelled = plan.modelled_bearings();
     let one_sided = |&bearing: &usize| {
-        let rolling = scene.bearings[bearing].rolling.as_ref();
-        rolling.is_some_and(|elements| matches!(elements.axial_supports(), [true, false] | [false, true]))
+        let nonlinear = scene.bearings[bearing].nonlinear.as_ref();
+        nonlinear.is_some_and(|load| matches!(load.axial_supports(), [true, false] | [false, true]))
     };
     let candidates: Vec<usize> = modelled.iter().copied().filter(one_sided).collect();
     if candidates.is_empty() || !plan.three_dimensional {
@@ -115,7 +115,7 @@ fn support(
     let own = &scene.bearings[bearing];
     let placed = BearingState::at(&scene.bodies, own, time)?;
     let axial: f64 = dofs.iter().zip(motion).map(|(dof, part)| part * placed.deflection(dof)[2]).sum();
-    let positive = own.rolling.as_ref().is_some_and(|elements| elements.axial_supports()[0]);
+    let positive = own.nonlinear.as_ref().is_some_and(|load| load.axial_supports()[0]);
     if axial.abs() < 0.5 {
         return Ok(0.0);
     }

@@ -6,8 +6,8 @@
 
 use super::StepResult;
 use super::contact_geometry::{Approach, Candidate, ContactGeometry};
+use super::nonlinear_bearings::NonlinearBearings;
 use super::relinearization::{ContactReference, farthest};
-use super::rolling::RollingBearings;
 use crate::modal::ModalElimination;
 use crate::restraint_check;
 use crate::system::System;
@@ -46,7 +46,7 @@ pub(super) struct Conditions<'a> {
     /// Terms of bearings at the position.
     pub(super) springs: &'a Springs,
     /// Rolling bearings, whose tangents replace those of `springs` in contact problems.
-    pub(super) rolling: Option<&'a RollingBearings<'a>>,
+    pub(super) nonlinear: Option<&'a NonlinearBearings<'a>>,
     /// Deviations from the prescribed motions at which the contact grid is created, m or rad by
     /// DOF; empty if zero.
     pub(super) start: &'a [f64],

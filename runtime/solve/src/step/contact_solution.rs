@@ -3,8 +3,8 @@
 
 use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells};
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
+use super::nonlinear_bearings::{NonlinearBearings, NonlinearIteration};
 use super::relinearization::ContactReference;
-use super::rolling::{RollingBearings, RollingIteration};
 use super::{ContactPatch, StepResult};
 use crate::restraint_check::{self, spins_freely};
 use crate::system::System;
@@ -78,7 +78,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let mut grids =
             (0..candidates.len()).map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
         let mut known: Option<KnownCompliance> = None;
-        let mut iteration = self.under.rolling.map(RollingBearings::unloaded).transpose()?;
+        let mut iteration = self.under.nonlinear.map(NonlinearBearings::unloaded).transpose()?;
         // Active set of the grids without the rotation of their normals by the deflection.
         let mut active: Option<Vec<usize>> = None;
         let (drags, mut problem, modal, solution) = loop {
@@ -160,7 +160,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         Ok(LaidOutContact { step, references })
     }
 
-    /// Solves a contact problem, with rolling bearings in equilibrium; `guess` is an initial active
+    /// Solves a contact problem, with nonlinear bearings in equilibrium; `guess` is an initial active
     /// set.
     fn solve_problem(
         &self,
@@ -168,15 +168,15 @@ impl<S: ContactGeometry> Solver<'_, S> {
         works: &[f64],
         guess: Vec<usize>,
         (candidates, grids): (&[&Candidate<S::Site>], &[S::Grid]),
-        iteration: &mut Option<RollingIteration>,
+        iteration: &mut Option<NonlinearIteration>,
     ) -> Result<(ContactProblem, Solution), EngineError> {
         let solve = |problem, guess: &[usize]| {
             let solved = solve_with_friction(problem, works, Some(guess), &self.system.interrupt);
             solved.map_err(|error| self.explain_on(candidates, grids, &error))
         };
-        match (self.under.rolling, iteration) {
-            (Some(rolling), Some(iteration)) => {
-                rolling.equilibrium(iteration, problem, self.under.start, guess, solve)
+        match (self.under.nonlinear, iteration) {
+            (Some(bearings), Some(iteration)) => {
+                bearings.equilibrium(iteration, problem, self.under.start, guess, solve)
             }
             _ => solve(problem, &guess),
         }

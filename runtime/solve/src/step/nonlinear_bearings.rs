@@ -1,7 +1,6 @@
-//! Rolling bearings in equilibrium with contact.
+//! Bearings with a nonlinear load in equilibrium with contact: rolling bearings and load curves.
 //!
-//! The load of a rolling bearing is a nonlinear function of its deflection. Each contact problem
-//! has the tangents of all rolling bearings, and its solution gives their next deflections: a
+//! The load is a function of the deflection. Each contact problem has the tangents of all bearings, and its solution gives their next deflections: a
 //! proximal Newton method on the total potential energy, which is exact for contact and quadratic
 //! for bearings. The grids of contact do not change in this iteration, so the energy is one convex
 //! function (nearly so with balls). A step ends where the work of the bearings attains that of
@@ -17,16 +16,15 @@
 use super::StepResult;
 use crate::system::System;
 use calyx_contact::problem::{ContactProblem, Solution};
-use calyx_model::bearing::{BearingState, RollingElements, RollingState, Springs, Tangent};
+use calyx_model::bearing::{BearingState, NonlinearLoad, NonlinearState, Springs, Tangent};
 use calyx_model::dof::Dof;
 use calyx_numerics::error::{EngineError, Subject};
 use std::cell::Cell;
-use std::sync::Arc;
 
 /// Largest number of contact problems with the same grids.
 const ROUNDS: usize = 100;
-/// Difference between the load of the elements and its linearization, relative to the largest load
-/// of the elements of a bearing and to the external load.
+/// Difference between the load of a bearing and its linearization, relative to the largest load of a
+/// bearing and to the external load.
 const TOLERANCE: f64 = 1e-11;
 /// Difference below which rounding may end the iteration.
 const ROUNDING: f64 = 1e-9;
@@ -38,16 +36,16 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// the step, that a step may have.
 const MOST_EXCESS: f64 = 0.25;
 /// Longest step, in multiples of the reach of a bearing
-/// (`calyx_rolling::RollingBearing::reach`).
+/// ([`NonlinearLoad::reach`]).
 const LONGEST_STEP: f64 = 5.0;
 /// Largest number of evaluations in the search for the length of a step.
 const SEARCHES: usize = 30;
 
-/// A rolling bearing of the scene.
+/// A bearing of the scene with a nonlinear load.
 struct Member {
     /// Index in the scene.
     bearing: usize,
-    elements: Arc<RollingElements>,
+    nonlinear: NonlinearLoad,
     /// Deflection by DOF.
     arms: Vec<[f64; 6]>,
     /// Length that makes moments comparable with forces, m.
@@ -56,11 +54,11 @@ struct Member {
     width: f64,
 }
 
-/// Rolling bearings of a system at a time, with the springs and loads besides them.
-pub(super) struct RollingBearings<'a> {
+/// Nonlinear bearings of a system at a time, with the springs and loads besides them.
+pub(super) struct NonlinearBearings<'a> {
     system: &'a System<'a>,
     members: Vec<Member>,
-    /// Springs without rolling elements.
+    /// Springs without the nonlinear load.
     base: Springs,
     /// External load.
     load: Vec<f64>,
@@ -72,8 +70,8 @@ pub(super) struct RollingBearings<'a> {
 
 /// State of the iteration.
 #[derive(Clone)]
-pub(super) struct RollingIteration {
-    states: Vec<RollingState>,
+pub(super) struct NonlinearIteration {
+    states: Vec<NonlinearState>,
     /// Multiple of the typical stiffness in the tangents.
     addition: f64,
     /// Last residual.
@@ -83,31 +81,31 @@ pub(super) struct RollingIteration {
 }
 
 impl System<'_> {
-    /// Returns whether rolling bearings are modelled.
-    pub fn has_rolling_bearings(&self) -> bool {
-        self.bearings.iter().any(|&bearing| self.scene.bearings[bearing].rolling.is_some())
+    /// Returns whether bearings with a nonlinear load are modelled.
+    pub fn has_nonlinear_bearings(&self) -> bool {
+        self.bearings.iter().any(|&bearing| self.scene.bearings[bearing].nonlinear.is_some())
     }
 
-    /// Solves the equilibrium with rolling bearings under a load at a time (s). `solve` solves the
+    /// Solves the equilibrium with nonlinear bearings under a load at a time (s). `solve` solves the
     /// position with given tangents, by bearing of the scene; without them, bearings have their
     /// typical stiffness.
     ///
     /// # Errors
-    /// E0726: the rolling bearings do not balance their loads. Those of `solve`.
-    pub(super) fn with_rolling_bearings(
+    /// E0726: the bearings do not balance their loads. Those of `solve`.
+    pub(super) fn with_nonlinear_bearings(
         &self,
         time: f64,
         load: &[f64],
-        solve: impl Fn(&[Option<Tangent>], Option<&RollingBearings<'_>>) -> Result<StepResult, EngineError>,
+        solve: impl Fn(&[Option<Tangent>], Option<&NonlinearBearings<'_>>) -> Result<StepResult, EngineError>,
     ) -> Result<StepResult, EngineError> {
-        let bearings = RollingBearings::new(self, time, load)?;
+        let bearings = NonlinearBearings::new(self, time, load)?;
         let mut iteration = bearings.unloaded()?;
         let is_preloaded = iteration.states.iter().any(|state| state.evaluation.scale > 0.0);
         // In the limit without load, bearings keep the middle of their clearance.
         if !is_preloaded && load.iter().all(|&load| load == 0.0) {
             let mut step = solve(&[], None)?;
             step.warnings.push(
-                "rolling bearings have neither load nor preload: stiffness and natural frequencies are those of bearings with a typical stiffness".to_owned(),
+                "bearings with rolling elements or load curves have neither load nor preload: stiffness and natural frequencies are those of bearings with a typical stiffness".to_owned(),
             );
             return Ok(step);
         }
@@ -136,16 +134,16 @@ impl System<'_> {
     }
 }
 
-impl<'a> RollingBearings<'a> {
+impl<'a> NonlinearBearings<'a> {
     fn new(system: &'a System<'a>, time: f64, load: &[f64]) -> Result<Self, EngineError> {
         let mut members = Vec::new();
         for &bearing in &system.bearings {
             let own = &system.scene.bearings[bearing];
-            let Some(elements) = &own.rolling else { continue };
+            let Some(nonlinear) = &own.nonlinear else { continue };
             let placed = BearingState::at(&system.scene.bodies, own, time)?;
             let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
-            let (radius, width) = (elements.radius(), system.width(own.body.0));
-            members.push(Member { bearing, elements: elements.clone(), arms, radius, width });
+            let (radius, width) = (nonlinear.radius(), system.width(own.body.0));
+            members.push(Member { bearing, nonlinear: nonlinear.clone(), arms, radius, width });
         }
         let none = vec![Some(Tangent::default()); system.scene.bearings.len()];
         let base = system.springs_with(time, &none)?;
@@ -159,9 +157,9 @@ impl<'a> RollingBearings<'a> {
     }
 
     /// Returns the iteration at bearings without deflection.
-    pub(super) fn unloaded(&self) -> Result<RollingIteration, EngineError> {
-        let states = self.members.iter().map(|own| own.elements.state([0.0; 5]));
-        Ok(RollingIteration {
+    pub(super) fn unloaded(&self) -> Result<NonlinearIteration, EngineError> {
+        let states = self.members.iter().map(|own| own.nonlinear.state(None, [0.0; 5]));
+        Ok(NonlinearIteration {
             states: states.collect::<Result<_, _>>()?,
             addition: ADDITIONS[0],
             residual: f64::INFINITY,
@@ -174,10 +172,10 @@ impl<'a> RollingBearings<'a> {
     /// given one and replaces it.
     ///
     /// # Errors
-    /// E0726: the rolling bearings do not balance their loads. Those of `solve`.
+    /// E0726: the bearings do not balance their loads. Those of `solve`.
     pub(super) fn equilibrium(
         &self,
-        iteration: &mut RollingIteration,
+        iteration: &mut NonlinearIteration,
         mut problem: ContactProblem,
         start: &[f64],
         mut guess: Vec<usize>,
@@ -205,9 +203,9 @@ impl<'a> RollingBearings<'a> {
         motion.iter().zip(start).map(|(moved, start)| start + moved).collect()
     }
 
-    fn tangents(&self, iteration: &RollingIteration) -> Vec<Tangent> {
+    fn tangents(&self, iteration: &NonlinearIteration) -> Vec<Tangent> {
         let members = self.members.iter().zip(&iteration.states);
-        members.map(|(own, state)| state.tangent(&own.elements, iteration.addition)).collect()
+        members.map(|(own, state)| own.nonlinear.tangent(state, iteration.addition)).collect()
     }
 
     /// Replaces stiffness and load of a contact problem, whose motions are relative to `start`.
@@ -241,7 +239,7 @@ impl<'a> RollingBearings<'a> {
     /// has converged.
     fn advance(
         &self,
-        iteration: &mut RollingIteration,
+        iteration: &mut NonlinearIteration,
         tangents: &[Tangent],
         motion: &[f64],
     ) -> Result<bool, EngineError> {
@@ -263,7 +261,7 @@ impl<'a> RollingBearings<'a> {
         );
         let limit = self.members.iter().zip(&steps).map(|(own, step)| own.longest(step)).fold(1.0, f64::min);
         let target = inner(&steps, linear.iter().copied());
-        let of = |states: &[RollingState]| {
+        let of = |states: &[NonlinearState]| {
             inner(&steps, states.iter().map(|state| state.evaluation.load)) - target
         };
         let mut length = limit;
@@ -311,14 +309,14 @@ impl<'a> RollingBearings<'a> {
     /// Returns the states after a part of the steps.
     fn moved(
         &self,
-        iteration: &RollingIteration,
+        iteration: &NonlinearIteration,
         steps: &[[f64; 5]],
         part: f64,
-    ) -> Result<Vec<RollingState>, EngineError> {
+    ) -> Result<Vec<NonlinearState>, EngineError> {
         let members = self.members.iter().zip(&iteration.states).zip(steps);
         let moved = members.map(|((own, state), step)| {
             let deflection = std::array::from_fn(|i| state.deflection[i] + part * step[i]);
-            own.elements.moved(state, deflection)
+            own.nonlinear.state(Some(state), deflection)
         });
         moved.collect()
     }
@@ -326,7 +324,12 @@ impl<'a> RollingBearings<'a> {
     /// Returns the largest difference between the loads of states and their linearization, relative
     /// to the largest load, and its bearing. A bearing without load in its clearance has a
     /// difference of rounding only, so its own load is no scale.
-    fn residual(&self, states: &[RollingState], next: &[RollingState], linear: &[[f64; 5]]) -> (f64, usize) {
+    fn residual(
+        &self,
+        states: &[NonlinearState],
+        next: &[NonlinearState],
+        linear: &[[f64; 5]],
+    ) -> (f64, usize) {
         let mut largest = (0.0f64, self.members.first().map_or(0, |own| own.bearing));
         let mut scale = self.scale;
         for (k, own) in self.members.iter().enumerate() {
@@ -346,37 +349,47 @@ impl<'a> RollingBearings<'a> {
         if scale > 0.0 { (largest.0 / scale, largest.1) } else { (0.0, largest.1) }
     }
 
-    /// Adds the warnings about the rolling elements at a solution.
+    /// Adds the warnings about the bearings at a solution.
     fn warn(&self, step: &mut StepResult) -> Result<(), EngineError> {
         for own in &self.members {
             let [x, y, z, about_x, about_y] = own.deflection(&step.motion);
             let name = &self.system.scene.bearings[own.bearing].name;
-            for warning in own.elements.warnings(&[x, y, z, about_x, about_y, 0.0])? {
+            for warning in own.nonlinear.warnings(&[x, y, z, about_x, about_y, 0.0])? {
                 step.warnings.push(format!("bearing \"{name}\" {warning}"));
             }
         }
         Ok(())
     }
 
-    fn unbalanced(&self, iteration: &RollingIteration) -> EngineError {
+    fn unbalanced(&self, iteration: &NonlinearIteration) -> EngineError {
         let members = self.members.iter().zip(&iteration.states);
         let worst = members.into_iter().find(|(own, _)| own.bearing == iteration.worst);
         let Some((own, state)) = worst else {
-            return EngineError::new("E0726", "no deflection of the rolling bearings balances the load", "");
+            return EngineError::new("E0726", "no deflection of the bearings balances the load", "");
         };
         let [x, y, z, ..] = state.evaluation.load;
-        let (force, rating) = (x.hypot(y).hypot(z), own.elements.static_rating());
+        let (force, highest) = (x.hypot(y).hypot(z), own.nonlinear.highest_load());
+        let name = &self.system.scene.bearings[own.bearing].name;
+        let (what, limit) = match own.nonlinear {
+            NonlinearLoad::Rolling(_) => ("rolling bearings", "its static load rating C0"),
+            NonlinearLoad::Curves(_) => ("bearings", "the largest force of its load curves"),
+        };
         let message = format!(
-            "no deflection of the rolling bearings balances the load: the search ended with {} on \"{}\", {:.3} of its static load rating C0 = {}",
+            "no deflection of the {what} balances the load: the search ended with {} on \"{name}\", {:.3} of {limit} = {}",
             shown_force(force),
-            self.system.scene.bearings[own.bearing].name,
-            force / rating,
-            shown_force(rating)
+            force / highest,
+            shown_force(highest)
         );
-        let help = if force > rating {
-            "check the unit of the load, or choose larger bearings: the static load rating is the limit of permanent deformation (ISO 76)"
-        } else {
-            "support the body in every direction of its load: tapered roller bearings carry axial force in the sense of `thrust` only, cylindrical roller and needle bearings none"
+        let help = match own.nonlinear {
+            NonlinearLoad::Rolling(_) if force > highest => {
+                "check the unit of the load, or choose larger bearings: the static load rating is the limit of permanent deformation (ISO 76)"
+            }
+            NonlinearLoad::Rolling(_) => {
+                "support the body in every direction of its load: tapered roller bearings carry axial force in the sense of `thrust` only, cylindrical roller and needle bearings none"
+            }
+            NonlinearLoad::Curves(_) => {
+                "check the units of the load and of the curve, and support the body in every direction of its load"
+            }
         };
         EngineError::new("E0726", message, help).about(Subject::Bearing(own.bearing))
     }
@@ -402,7 +415,7 @@ impl Member {
     fn longest(&self, step: &[f64; 5]) -> f64 {
         let [x, y, z, about_x, about_y] = *step;
         let length = x.hypot(y).hypot(z).hypot(self.radius * about_x.hypot(about_y));
-        LONGEST_STEP * self.elements.bearing.reach() / length
+        LONGEST_STEP * self.nonlinear.reach() / length
     }
 }
 

@@ -1,0 +1,191 @@
+//! Nonlinear loads of bearings by their deflection: rolling elements and load curves. Contact
+//! problems have their tangents.
+
+use super::{Bearing, BearingMatrix, LoadCurves, RollingElements, five};
+use calyx_numerics::error::EngineError;
+use calyx_rolling::{Displacement, Evaluation, Start};
+use nalgebra::{Matrix5, SymmetricEigen, Vector5};
+use std::sync::Arc;
+
+/// Nonlinear load of a bearing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NonlinearLoad {
+    /// Rolling elements between rigid rings.
+    Rolling(Arc<RollingElements>),
+    /// Tables of force over displacement.
+    Curves(Arc<LoadCurves>),
+}
+
+/// Linearized load at a deflection.
+#[derive(Clone, Debug, Default)]
+pub struct Tangent {
+    /// Symmetric part of the stiffness by deflections, with an addition that keeps steps short.
+    pub stiffness: BearingMatrix,
+    /// Force on the first race at zero deflection of the linearized bearing, N and N m.
+    pub load: [f64; 6],
+}
+
+/// State of the nonlinear load of one bearing in the search for equilibrium.
+#[derive(Clone, Debug)]
+pub struct NonlinearState {
+    /// Deflection: displacement of the first race relative to the second.
+    pub deflection: Displacement,
+    /// Load on the first race and stiffness there.
+    pub evaluation: Evaluation,
+    /// Positions of rolling elements, from which the next evaluation starts.
+    pub(super) start: Start,
+}
+
+impl NonlinearLoad {
+    /// Returns a mean stiffness, which restrains the bearing in the directions that it supports.
+    pub fn typical_stiffness(&self) -> BearingMatrix {
+        match self {
+            NonlinearLoad::Rolling(elements) => *elements.typical_stiffness(),
+            NonlinearLoad::Curves(curves) => curves.typical_stiffness(),
+        }
+    }
+
+    /// Returns a length that makes moments comparable with forces, m.
+    pub fn radius(&self) -> f64 {
+        match self {
+            NonlinearLoad::Rolling(elements) => elements.radius(),
+            // Curves have no moments.
+            NonlinearLoad::Curves(curves) => curves.reach(),
+        }
+    }
+
+    /// Returns a displacement of the order of those under load, m.
+    pub fn reach(&self) -> f64 {
+        match self {
+            NonlinearLoad::Rolling(elements) => elements.bearing.reach(),
+            NonlinearLoad::Curves(curves) => curves.reach(),
+        }
+    }
+
+    /// Returns whether the bearing carries load without deflection.
+    pub fn is_preloaded(&self) -> bool {
+        match self {
+            NonlinearLoad::Rolling(elements) => elements.is_preloaded(),
+            NonlinearLoad::Curves(curves) => curves.is_preloaded(),
+        }
+    }
+
+    /// Returns the static load rating of rolling elements, or the largest force of curves, N.
+    pub fn highest_load(&self) -> f64 {
+        match self {
+            NonlinearLoad::Rolling(elements) => elements.static_rating(),
+            NonlinearLoad::Curves(curves) => curves.largest_force(),
+        }
+    }
+
+    /// Returns whether displacements of the first race to +z and to -z are resisted.
+    pub fn axial_supports(&self) -> [bool; 2] {
+        match self {
+            NonlinearLoad::Rolling(elements) => elements.axial_supports(),
+            NonlinearLoad::Curves(curves) => [curves.axial.is_some(); 2],
+        }
+    }
+
+    /// Returns warnings about a deflection, each the end of a sentence about the bearing.
+    ///
+    /// # Errors
+    /// E0697: the deflection is not finite.
+    pub fn warnings(&self, deflection: &[f64; 6]) -> Result<Vec<&'static str>, EngineError> {
+        match self {
+            NonlinearLoad::Rolling(elements) => elements.warnings(deflection),
+            NonlinearLoad::Curves(curves) => Ok(curves.warnings(&five(deflection))),
+        }
+    }
+
+    /// Evaluates the load at a deflection, starting from a state if there is one.
+    ///
+    /// # Errors
+    /// E0697: the deflection is not finite.
+    pub fn state(
+        &self,
+        from: Option<&NonlinearState>,
+        deflection: Displacement,
+    ) -> Result<NonlinearState, EngineError> {
+        match self {
+            NonlinearLoad::Rolling(elements) => {
+                let start = from.map_or_else(Start::default, |from| from.start.clone());
+                elements.evaluate(deflection, start)
+            }
+            NonlinearLoad::Curves(curves) => Ok(curves.state(deflection)),
+        }
+    }
+
+    /// Returns force and moment on the first race at a deflection, N and N m; NaN if the deflection
+    /// is not finite.
+    pub fn push(&self, deflection: &[f64; 6]) -> [f64; 6] {
+        match self.state(None, five(deflection)) {
+            Ok(state) => {
+                let [x, y, z, about_x, about_y] = state.evaluation.load.map(|load| -load);
+                [x, y, z, about_x, about_y, 0.0]
+            }
+            Err(_) => [f64::NAN; 6],
+        }
+    }
+
+    /// Linearizes the load about a state, with `addition` times the typical stiffness added.
+    ///
+    /// The stiffness is symmetric and positive semidefinite: gyroscopic moments make that of balls
+    /// slightly asymmetric, and large tilting under load can make it indefinite.
+    pub fn tangent(&self, state: &NonlinearState, addition: f64) -> Tangent {
+        let at = positive_part(&state.evaluation.stiffness, self.radius());
+        let typical = self.typical_stiffness();
+        let mut tangent = Tangent::default();
+        for i in 0..5 {
+            for j in 0..5 {
+                tangent.stiffness[i][j] = at[(i, j)] + addition * typical[i][j];
+                tangent.load[i] += tangent.stiffness[i][j] * state.deflection[j];
+            }
+            tangent.load[i] -= state.evaluation.load[i];
+        }
+        tangent
+    }
+}
+
+impl Tangent {
+    /// Returns the linearized load on the first race at a deflection.
+    pub fn load_at(&self, deflection: &Displacement) -> [f64; 5] {
+        std::array::from_fn(|i| {
+            let sprung: f64 = (0..5).map(|j| self.stiffness[i][j] * deflection[j]).sum();
+            sprung - self.load[i]
+        })
+    }
+}
+
+impl Bearing {
+    /// Returns the rolling elements, if any.
+    pub fn rolling(&self) -> Option<&Arc<RollingElements>> {
+        match &self.nonlinear {
+            Some(NonlinearLoad::Rolling(elements)) => Some(elements),
+            Some(NonlinearLoad::Curves(_)) | None => None,
+        }
+    }
+
+    /// Returns the linearized load before the deflection is known: typical stiffness without load.
+    pub(super) fn typical_tangent(&self) -> Option<Tangent> {
+        let nonlinear = self.nonlinear.as_ref()?;
+        Some(Tangent { stiffness: nonlinear.typical_stiffness(), load: [0.0; 6] })
+    }
+}
+
+/// Returns the symmetric part of a stiffness without its negative eigenvalues. Rotations are
+/// compared with displacements at a radius, m.
+fn positive_part(stiffness: &[[f64; 5]; 5], radius: f64) -> Matrix5<f64> {
+    let symmetric = Matrix5::from_fn(|i, j| 0.5 * (stiffness[i][j] + stiffness[j][i]));
+    let lengths = Vector5::from_fn(|i, _| if i < 3 { 1.0 } else { radius });
+    let scaled = Matrix5::from_fn(|i, j| symmetric[(i, j)] / (lengths[i] * lengths[j]));
+    if !scaled.iter().all(|entry| entry.is_finite()) {
+        return symmetric;
+    }
+    let eigen = SymmetricEigen::new(scaled);
+    if eigen.eigenvalues.min() >= -1e-12 * eigen.eigenvalues.max() {
+        return symmetric;
+    }
+    let kept = eigen.eigenvalues.map(|value| value.max(0.0));
+    let positive = eigen.eigenvectors * Matrix5::from_diagonal(&kept) * eigen.eigenvectors.transpose();
+    Matrix5::from_fn(|i, j| 0.5 * (positive[(i, j)] + positive[(j, i)]) * lengths[i] * lengths[j])
+}
