@@ -5,7 +5,9 @@
 mod content;
 mod grid;
 
+use crate::body_pictures;
 use calyx_runtime::observables::Fields;
+pub(crate) use content::von_mises;
 use grid::Grid;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -29,8 +31,10 @@ const KINDS: [Kind; 3] = [
     Kind { name: "bodies", of: content::bodies, always: false },
 ];
 
-/// Writer of the VTU files of a run, in folder [`FOLDER`] of its directory.
+/// Writer of the VTU files of a run and of pictures of its bodies, in folder [`FOLDER`] of its
+/// directory.
 pub struct VtuFiles {
+    directory: PathBuf,
     folder: PathBuf,
     times: Vec<f64>,
 }
@@ -40,7 +44,7 @@ impl VtuFiles {
     pub fn begin(directory: &Path, times: Vec<f64>) -> io::Result<VtuFiles> {
         let folder = folder(directory);
         fs::create_dir_all(&folder)?;
-        Ok(VtuFiles { folder, times })
+        Ok(VtuFiles { directory: directory.to_owned(), folder, times })
     }
 
     /// Writes the files of a position at a time (s).
@@ -53,7 +57,7 @@ impl VtuFiles {
             }
             self.collect(kind.name)?;
         }
-        Ok(())
+        body_pictures::update(&self.directory, (step, time), fields)
     }
 
     /// Writes the PVD collection of a kind, if it has files.
@@ -89,19 +93,24 @@ pub fn are_in(directory: &Path, positions: usize) -> bool {
     positions == 0 || folder(directory).join(name(KINDS[0].name, positions - 1)).exists()
 }
 
-/// Returns the names of the files that may exist for a position, relative to the run directory.
-pub fn files_of(step: usize) -> impl Iterator<Item = String> {
-    KINDS.iter().flat_map(move |kind| {
+/// Returns the names of the files that may exist for a position with these fields, relative to the
+/// run directory.
+pub fn files_of(step: usize, fields: Option<&Fields>) -> impl Iterator<Item = String> {
+    let grids = KINDS.iter().flat_map(move |kind| {
         [format!("{FOLDER}/{}", name(kind.name, step)), format!("{FOLDER}/{}.pvd", kind.name)]
-    })
+    });
+    grids.chain(fields.into_iter().flat_map(body_pictures::files_of))
 }
 
 /// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
-    KINDS.iter().any(|kind| {
-        name.strip_prefix(kind.name)
-            .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
-    })
+    let is_picture = name == body_pictures::LIST
+        || name.strip_prefix(body_pictures::PREFIX).is_some_and(|rest| rest.ends_with(".png"));
+    is_picture
+        || KINDS.iter().any(|kind| {
+            name.strip_prefix(kind.name)
+                .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
+        })
 }
 
 /// Returns the files in [`FOLDER`] that a run may have written, relative to the run directory.
@@ -294,7 +303,7 @@ mod tests {
         let list = fs::read_to_string(folder(directory.path()).join("contact.pvd")).unwrap();
         assert!(list.contains("timestep=\"0.25\" file=\"contact-0000.vtu\""), "{list}");
         fs::write(folder(directory.path()).join("notes.txt"), "").unwrap();
-        let (mut found, known) = (files_in(directory.path()), files_of(0).collect::<Vec<_>>());
+        let (mut found, known) = (files_in(directory.path()), files_of(0, None).collect::<Vec<_>>());
         found.sort();
         let expected = ["contact-0000.vtu", "contact.pvd", "root_stress-0000.vtu", "root_stress.pvd"];
         assert_eq!(found, expected.map(|name| format!("{FOLDER}/{name}")));

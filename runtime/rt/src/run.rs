@@ -387,7 +387,7 @@ impl Written {
             }
         };
         if details.pictures {
-            directory.claim_all(vtu::files_of(index))?;
+            directory.claim_all(vtu::files_of(index, fields))?;
         }
         self.record.insert(record).write(index, outputs, solved, fields)?;
         self.solved = index + 1;

@@ -7,6 +7,7 @@
 
 mod about;
 mod accuracy;
+mod bodies;
 mod chart;
 mod command_line;
 mod contact;
@@ -89,6 +90,7 @@ fn page(run: &Run) -> Markup {
         ("tooth-contact", "Tooth contact", projection::section(run, units)),
         ("contact", "Contact", contact_section(run, units)),
         ("stress", "Root stress", stress_section(run, units)),
+        ("bodies", "Deformed bodies", bodies::section(run, units)),
         ("signals", "Spectra", signals(run)),
         ("modes", "Modes", modes(run)),
         ("plan", "Model", about::plan(run)),

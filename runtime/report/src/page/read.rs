@@ -2,6 +2,7 @@
 //! stopped, in progress or killed.
 
 use super::units::{self, Unit, Units};
+use crate::body_pictures::{self, BodyPicture};
 use crate::choices;
 use crate::contact_pattern::{self, PathPoint, PressurePoint};
 use crate::directory::{CHOICES, SIGNALS, read_run};
@@ -9,7 +10,10 @@ use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
 use crate::flank_tables::FlankTables;
 use crate::former_keys::{self, ResultFile};
 use crate::stress_range::{self, StressExtremes};
+use crate::vtu::FOLDER;
 use crate::{journal, modes_table};
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
 use calyx_abi::units::from_si;
 use serde::Deserialize;
 use serde_json::Value;
@@ -47,6 +51,8 @@ pub struct Run {
     pub flanks: FlankTables,
     pub stresses: Vec<StressExtremes>,
     pub pictures: Vec<Picture>,
+    /// Pictures of bodies, with the content of their files in base 64.
+    pub bodies: Vec<(BodyPicture, String)>,
     /// Table of modes with its header.
     pub modes: Vec<Vec<String>>,
     /// Results of the trade-off command for this model.
@@ -276,6 +282,7 @@ impl Run {
             flanks: FlankTables::read(directory)?,
             stresses: stress_range::read(directory)?,
             pictures: pictures(directory, &head)?,
+            bodies: bodies(directory),
             modes: table(&directory.join(modes_table::NAME))?,
             tradeoff: tradeoff(directory),
             files: files(directory)?,
@@ -296,6 +303,15 @@ impl Run {
 
 /// Values by name.
 type Columns = Vec<(String, Vec<f64>)>;
+
+/// Reads the pictures of bodies that exist.
+fn bodies(directory: &Path) -> Vec<(BodyPicture, String)> {
+    let content = |picture: BodyPicture| {
+        let content = fs::read(directory.join(FOLDER).join(&picture.file)).ok()?;
+        Some((picture, BASE64_STANDARD.encode(content)))
+    };
+    body_pictures::read(directory).into_iter().filter_map(content).collect()
+}
 
 fn steps(path: &Path) -> io::Result<(Vec<Position>, Columns)> {
     if !path.exists() {

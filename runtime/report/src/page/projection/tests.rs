@@ -148,6 +148,7 @@ fn run(left: bool) -> Run {
         flanks: FlankTables { flanks, unloaded: unloaded.collect(), ease_off: ease_off.collect() },
         stresses: Vec::new(),
         pictures: Vec::new(),
+        bodies: Vec::new(),
         modes: Vec::new(),
         tradeoff: None,
         files: Vec::new(),

@@ -1,0 +1,178 @@
+//! Pictures of deformed bodies for the report page: the outer surface of each body with exaggerated
+//! displacements, coloured by von Mises stress, at the position with the largest stress.
+//!
+//! The pictures are files of the run directory with a list of what they show, so that the page
+//! depends on files only.
+
+mod surface;
+mod view;
+
+use crate::vtu::FOLDER;
+use calyx_runtime::observables::Fields;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::io;
+use std::path::Path;
+use surface::Surface;
+
+pub use view::colour_scale;
+
+/// List of the pictures, in [`FOLDER`].
+pub const LIST: &str = "pictures.json";
+/// Beginning of the names of the pictures in [`FOLDER`].
+pub const PREFIX: &str = "body-";
+/// Largest exaggerated displacement relative to the size of the body.
+const EXAGGERATED: f64 = 0.05;
+
+/// What a picture shows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BodyPicture {
+    /// Name of the body.
+    pub body: String,
+    /// Name of the file in [`FOLDER`].
+    pub file: String,
+    /// Index of the position.
+    pub position: usize,
+    /// Time of the position, s.
+    pub time: f64,
+    /// Factor on the displacements.
+    pub exaggeration: f64,
+    /// Largest displacement, m.
+    pub largest_displacement: f64,
+    /// Stress at the end of the colour scale, Pa.
+    pub largest_stress: f64,
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+}
+
+/// Returns the names of the pictures of these fields, relative to the run directory.
+pub fn files_of(fields: &Fields) -> Vec<String> {
+    let numbers = fields.bodies.iter().map(|body| body.number);
+    let numbers = numbers.chain(fields.elastic_bodies.iter().map(|body| body.number));
+    let pictures = numbers.map(|number| format!("{FOLDER}/{}", name(number)));
+    pictures.chain([format!("{FOLDER}/{LIST}")]).collect()
+}
+
+fn name(number: usize) -> String {
+    format!("{PREFIX}{number:03}.png")
+}
+
+/// Returns the list of the pictures in a run directory; empty if there is none.
+pub fn read(directory: &Path) -> Vec<BodyPicture> {
+    let content = fs::read(directory.join(FOLDER).join(LIST)).ok();
+    content.and_then(|content| serde_json::from_slice(&content).ok()).unwrap_or_default()
+}
+
+/// Draws the bodies whose largest stress at this position exceeds that of their picture, into
+/// [`FOLDER`] of a run directory, and updates the list.
+///
+/// # Errors
+/// A file cannot be written.
+pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields) -> io::Result<()> {
+    let mut list = if position == 0 { Vec::new() } else { read(directory) };
+    let folder = directory.join(FOLDER);
+    let mut changed = false;
+    for surface in surface::all(fields) {
+        let largest_stress = surface.largest_stress();
+        let known = list.iter().position(|picture: &BodyPicture| picture.body == surface.body);
+        if known.is_some_and(|known| list[known].largest_stress >= largest_stress) {
+            continue;
+        }
+        let file = name(surface.number);
+        let exaggeration = exaggeration(&surface);
+        let image = view::draw(&surface, exaggeration, largest_stress);
+        fs::write(folder.join(&file), image.png()?)?;
+        let picture = BodyPicture {
+            body: surface.body.clone(),
+            file,
+            position,
+            time,
+            exaggeration,
+            largest_displacement: surface.largest_displacement(),
+            largest_stress,
+            size: image.size(),
+        };
+        match known {
+            Some(known) => list[known] = picture,
+            None => list.push(picture),
+        }
+        changed = true;
+    }
+    if changed || position == 0 && !list.is_empty() {
+        fs::write(folder.join(LIST), serde_json::to_vec_pretty(&list)?)?;
+    }
+    Ok(())
+}
+
+/// Returns the factor on the displacements: 1, 2 or 5 times a power of ten, not below 1.
+fn exaggeration(surface: &Surface) -> f64 {
+    let wanted = EXAGGERATED * surface.diagonal() / surface.largest_displacement();
+    if !wanted.is_finite() || wanted < 1.0 {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(wanted.log10().floor());
+    [5.0, 2.0].into_iter().find(|digit| digit * power <= wanted).unwrap_or(1.0) * power
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calyx_runtime::elastic::model::SolidShape;
+    use calyx_runtime::elastic_body::CellShape;
+    use calyx_runtime::observables::ElasticBodyField;
+
+    /// A unit cube that is stretched along x; its stress grows with x to this value.
+    pub(super) fn cube(number: usize, stress: f64) -> ElasticBodyField {
+        let corner = |k: usize| [[0.0, 1.0, 1.0, 0.0][k % 4], [0.0, 0.0, 1.0, 1.0][k % 4], (k / 4) as f64];
+        let points: Vec<[f64; 3]> = (0..8).map(corner).collect();
+        ElasticBodyField {
+            body: format!("cube {number}"),
+            number,
+            displacements: points.iter().map(|point| [1e-5 * point[0], 0.0, 0.0]).collect(),
+            stresses: points.iter().map(|point| [stress * point[0], 0.0, 0.0, 0.0, 0.0, 0.0]).collect(),
+            cells: vec![(CellShape::Solid(SolidShape::Hexahedron8), (0..8).collect())],
+            points,
+        }
+    }
+
+    fn fields(stress: f64) -> Fields {
+        Fields { elastic_bodies: vec![cube(4, stress), cube(7, 2.0 * stress)], ..Fields::default() }
+    }
+
+    #[test]
+    fn the_picture_is_that_of_the_position_with_the_largest_stress() {
+        let directory = tempfile::tempdir().unwrap();
+        fs::create_dir(directory.path().join(FOLDER)).unwrap();
+        for (position, stress) in [(0, 1e6), (1, 3e6), (2, 2e6)] {
+            update(directory.path(), (position, 0.1 * position as f64), &fields(stress)).unwrap();
+        }
+        let list = read(directory.path());
+        assert_eq!(list.len(), 2);
+        let picture = &list[1];
+        assert_eq!(
+            (picture.body.as_str(), picture.file.as_str(), picture.position),
+            ("cube 7", "body-007.png", 1)
+        );
+        assert_eq!((picture.largest_stress, picture.largest_displacement), (6e6, 1e-5));
+        // 5 % of the diagonal are 8660 times the displacement.
+        assert_eq!(picture.exaggeration, 5000.0);
+        for name in files_of(&fields(1.0)) {
+            assert!(directory.path().join(name).exists());
+        }
+        let file = fs::File::open(directory.path().join(FOLDER).join(&picture.file)).unwrap();
+        let reader = png::Decoder::new(io::BufReader::new(file)).read_info().unwrap();
+        assert_eq!([reader.info().width, reader.info().height], picture.size);
+        // A new run starts anew.
+        update(directory.path(), (0, 0.0), &fields(1e5)).unwrap();
+        assert_eq!(read(directory.path())[1].largest_stress, 2e5);
+    }
+
+    #[test]
+    fn a_body_at_rest_is_not_exaggerated() {
+        let mut field = cube(0, 0.0);
+        field.displacements = vec![[0.0; 3]; 8];
+        let all = Fields { elastic_bodies: vec![field], ..Fields::default() };
+        let surface = surface::all(&all).next().unwrap();
+        assert_eq!((exaggeration(&surface), surface.largest_stress()), (1.0, 0.0));
+    }
+}

@@ -1,0 +1,66 @@
+//! Section "Deformed bodies": pictures of the meshed bodies with stress and exaggerated
+//! displacements.
+
+use super::number;
+use super::read::Run;
+use super::units::{Unit, Units};
+use crate::body_pictures::{BodyPicture, colour_scale};
+use maud::{Markup, PreEscaped, html};
+use std::fmt::Write as _;
+
+/// Width and height of the colour scale, pixels.
+const SCALE: [usize; 2] = [240, 12];
+
+/// Returns the section; empty without pictures.
+pub fn section(run: &Run, units: Units) -> Markup {
+    if run.bodies.is_empty() {
+        return PreEscaped(String::new());
+    }
+    html! {
+        p.note {
+            "Meshed bodies at the position with their largest stress: undeformed edges in grey, displacements exaggerated. "
+            "Displacements of gears are relative to their frames. The files of " code { "vtu" } " show all positions."
+        }
+        @for (picture, content) in &run.bodies { (body(picture, content, units)) }
+    }
+}
+
+fn body(picture: &BodyPicture, content: &str, units: Units) -> Markup {
+    let [width, height] = picture.size;
+    let shown = |unit: Unit, value: f64| format!("{} {}", number(unit.of(value)), unit.name);
+    let displacement = shown(units.film, picture.largest_displacement);
+    let caption = format!(
+        "{}: displacements × {}, largest {displacement}; position {} at {} s",
+        picture.body,
+        number(picture.exaggeration),
+        picture.position + 1,
+        number(picture.time)
+    );
+    html! {
+        figure {
+            img.body src={ "data:image/png;base64," (content) } width=(width) height=(height) alt=(caption);
+            p.legend {
+                "von Mises stress: 0 " (PreEscaped(scale())) " " (shown(units.stress, picture.largest_stress))
+            }
+            figcaption { (caption) }
+        }
+    }
+}
+
+/// Returns the colour scale as a drawing.
+fn scale() -> String {
+    let colours = colour_scale();
+    let [width, height] = SCALE;
+    let mut stops = String::new();
+    for (k, colour) in colours.iter().enumerate() {
+        let _ = write!(
+            stops,
+            "<stop offset=\"{}\" stop-color=\"{colour}\"/>",
+            k as f64 / (colours.len() - 1) as f64
+        );
+    }
+    format!(
+        "<svg width=\"{width}\" height=\"{height}\" aria-hidden=\"true\"><defs><linearGradient id=\"stress\">{stops}</linearGradient></defs>\
+         <rect width=\"{width}\" height=\"{height}\" fill=\"url(#stress)\"/></svg>"
+    )
+}
