@@ -29,7 +29,7 @@ pub use terms::{add_connection_mass, add_connection_stiffness, add_mode_coupling
 
 use crate::bearing::Support;
 use crate::body::Body;
-use crate::elastic_body::{ElasticBody, SharedElasticBody, rigid_links};
+use crate::elastic_body::{ElasticBody, MassReduction, SharedElasticBody, rigid_links};
 use crate::fidelity::Fidelity;
 use crate::ids::BodyId;
 use crate::shaft::Shaft;
@@ -168,11 +168,32 @@ impl ElasticConnection {
         }
     }
 
+    /// Returns the connection with the component modes of its shaft, if these are requested and the
+    /// shaft is elastic.
+    pub(crate) fn with_shaft_modes(&self, mass: MassReduction) -> ElasticConnection {
+        let shaft = self.shaft.as_ref().filter(|shaft| !shaft.rigid);
+        let modes = match (mass, shaft) {
+            (MassReduction::ComponentModes(highest), Some(CondensedShaft { shaft, stations, .. })) => {
+                shaft.component_modes(stations, highest)
+            }
+            _ => None,
+        };
+        match modes {
+            Some(AttachmentMatrices { mass, modes, .. }) => ElasticConnection { mass, modes, ..self.clone() },
+            None => self.clone(),
+        }
+    }
+
     /// Returns the shaft of the connection if it is modelled as a solid at this fidelity: elastic
     /// shafts at those of three-dimensional finite elements, otherwise they are beams.
     pub fn solid_shaft(&self, fidelity: Fidelity) -> Option<&CondensedShaft> {
         let elements = matches!(fidelity, Fidelity::Solid(_));
         self.shaft.as_ref().filter(|shaft| elements && !shaft.rigid && shaft.stations.len() > 1)
+    }
+
+    /// Returns whether the connection can have component modes: it is an elastic body or shaft.
+    pub fn has_modes(&self) -> bool {
+        self.body.is_some() || self.shaft.as_ref().is_some_and(|shaft| !shaft.rigid)
     }
 
     /// Returns the number of rows of the matrices.

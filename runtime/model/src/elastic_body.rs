@@ -13,10 +13,10 @@ mod condensation;
 mod extent;
 mod finite_elements;
 mod given_matrices;
-mod interior_modes;
 mod recovery;
 mod rigid_links;
 
+pub(crate) use condensation::by_row;
 pub use condensation::condense_model;
 pub use extent::{AttachmentExtent, CylinderAxis};
 pub use finite_elements::{BodyAttachment, FiniteElementBody};

@@ -14,6 +14,7 @@ pub mod fidelity;
 pub mod flanks;
 pub mod frames;
 pub mod ids;
+mod interior_modes;
 pub mod load;
 pub mod lubrication;
 pub mod mechanism;

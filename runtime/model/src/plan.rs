@@ -241,7 +241,7 @@ impl Plan {
             connection.mass = MassReduction::ComponentModes(highest);
         }
         if highest > 0.0 && self.three_dimensional && self.bodies.iter().any(BodyPlan::is_elastic) {
-            let reason = "gears vibrate as rigid bodies on their elastic teeth; it applies to elastic bodies such as housings";
+            let reason = "gears vibrate as rigid bodies on their elastic teeth; it applies to shafts, housings and other elastic bodies";
             self.ignored.push(Ignored { input: "highest_frequency".into(), reason: reason.into() });
         }
         let in_plane = highest > 0.0 && !self.three_dimensional;

@@ -29,10 +29,11 @@ impl System<'_> {
         own.map(|(index, dof)| (index, dof.component)).collect()
     }
 
-    /// Returns the gyroscopic matrix of the DOFs at a time (s), kg m²/s: skew-symmetric, for the
-    /// prescribed rotations of all bodies and elastic shafts; NaN if a connection is invalid.
+    /// Returns the gyroscopic matrix of all coordinates at a time (s), kg m²/s: skew-symmetric, for
+    /// the prescribed rotations of all bodies and elastic shafts; NaN if a connection is invalid.
+    /// The modes of gears have no gyroscopic terms.
     pub fn gyroscopic_matrix(&self, time: f64) -> DMatrix<f64> {
-        let count = self.dofs.len();
+        let count = self.dofs.len() + self.mode_count();
         let mut matrix = vec![0.0; count * count];
         let parts = (&self.scene.bodies[..], &self.elastic_connections[..]);
         if add_connection_gyroscopic(&mut matrix, parts, &self.connections, &self.dofs, time).is_err() {
@@ -58,10 +59,10 @@ impl System<'_> {
         DMatrix::from_row_slice(count, count, &matrix)
     }
 
-    /// Returns the form of the sense of whirl of the DOFs at a time (s), with the units of the mass
+    /// Returns the form of the sense of whirl of all coordinates at a time (s), with the units of the mass
     /// matrix: see [`quarter_turn_momentum`]. Bodies that do not rotate do not contribute.
     pub fn whirl_form(&self, time: f64) -> DMatrix<f64> {
-        let count = self.dofs.len();
+        let count = self.dofs.len() + self.mode_count();
         let mut matrix = vec![0.0; count * count];
         let parts = (&self.scene.bodies[..], &self.elastic_connections[..]);
         if add_connection_whirl_form(&mut matrix, parts, &self.connections, &self.dofs, time).is_err() {

@@ -100,8 +100,8 @@ impl Modes {
 pub fn check_modes(scene: &Mechanism, plan: &Plan, highest: f64) -> Result<(), EngineError> {
     let fidelity = plan.fidelity;
     let mut modelled = plan.modelled_connections().into_iter();
-    let elastic = fidelity != Fidelity::Rigid
-        && modelled.any(|connection| scene.connections[connection].body.is_some());
+    let elastic =
+        fidelity != Fidelity::Rigid && modelled.any(|connection| scene.connections[connection].has_modes());
     let (code, message, help) = match fidelity {
         _ if !(highest.is_finite() && highest >= 0.0) => (
             "E0764",
@@ -119,7 +119,7 @@ pub fn check_modes(scene: &Mechanism, plan: &Plan, highest: f64) -> Result<(), E
         ),
         Fidelity::Solid(_) if highest > 0.0 => (
             "E0771",
-            "the elastic modes of gears are two-dimensional, and this three-dimensional model has no elastic body such as a housing".into(),
+            "the elastic modes of gears are two-dimensional, and this three-dimensional model has no shaft, housing or other elastic body".into(),
             "leave `highest_frequency` at 0: gears then vibrate as rigid bodies on their elastic teeth",
         ),
         _ => return Ok(()),

@@ -226,15 +226,13 @@ impl System<'_> {
         // The decomposition is one operation without checkpoints.
         let (squares, vectors) = symmetric_eigen(whole.as_ref())?;
         let vectors = dense.solve_upper(lower.as_ref(), vectors).ok()?;
-        // Modal coordinates have no gyroscopic terms.
-        let padded = |matrix: DMatrix<f64>| matrix.resize(size, size, 0.0);
         Some(Vibrations {
             frequencies: squares.iter().map(|square| square.max(0.0).sqrt()).collect(),
             shapes: DMatrix::from_fn(size, size, |i, mode| scale[i] * vectors[(i, mode)]),
             mass: DMatrix::from_fn(size, size, |i, j| mass[(i, j)]),
             stiffness: DMatrix::from_fn(size, size, |i, j| stiffness[(i, j)]),
-            gyroscopic: padded(self.gyroscopic_matrix(step.time)),
-            whirl_form: padded(self.whirl_form(step.time)),
+            gyroscopic: self.gyroscopic_matrix(step.time),
+            whirl_form: self.whirl_form(step.time),
             whirl: OnceLock::new(),
         })
     }

@@ -11,6 +11,12 @@ pub struct ComponentModes {
     /// Mass between attachment components (rows) and modal coordinates (columns), row-major, kg^1/2
     /// and m kg^1/2.
     pub coupling: Vec<f64>,
+    /// Gyroscopic matrix of a body that rotates about the third axis, per angular velocity:
+    /// attachment components, then modal coordinates, row-major. Empty for other bodies.
+    pub gyroscopic: Vec<f64>,
+    /// Form of the sense of whirl of such a body, for a rotation in the positive sense, in the same
+    /// order.
+    pub whirl_form: Vec<f64>,
 }
 
 impl ComponentModes {
@@ -39,7 +45,9 @@ impl AttachmentMatrices {
             * (self.stiffness.len()
                 + self.mass.len()
                 + self.modes.eigenvalues.len()
-                + self.modes.coupling.len())
+                + self.modes.coupling.len()
+                + self.modes.gyroscopic.len()
+                + self.modes.whirl_form.len())
     }
 
     /// Returns the bytes for the disk cache.

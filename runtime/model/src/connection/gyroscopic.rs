@@ -1,6 +1,5 @@
 //! Gyroscopic terms of elastic connections: those of rotating shafts.
 
-use super::connection_state::Six;
 use super::{ConnectionState, ElasticConnection};
 use crate::bearing::Support;
 use crate::body::Body;
@@ -33,29 +32,54 @@ impl<'c> Rotation<'c> {
         Ok(Rotation { connection, state, speed })
     }
 
-    /// Adds a skew-symmetric matrix of the attachments to one of the DOFs. Each entry is computed
-    /// once, so that the sum is exactly skew-symmetric.
-    fn add(&self, target: &mut [f64], dofs: &[Dof], matrix: &[f64]) {
-        let (m, size) = (dofs.len(), self.connection.size());
-        let moved: Vec<Vec<(usize, Six)>> = dofs.iter().map(|dof| self.state.moved(dof)).collect();
-        for (k, one) in moved.iter().enumerate().filter(|(_, one)| !one.is_empty()) {
-            for (l, other) in moved.iter().enumerate().skip(k + 1) {
+    /// Adds a skew-symmetric matrix of the attachments, or of these and of the modes that follow
+    /// them, to one of the coordinates: DOFs, others, and from `first_mode` the modes of the
+    /// connection. Each entry is computed once, so that the sum is exactly skew-symmetric.
+    fn add(&self, target: &mut [f64], dofs: &[Dof], first_mode: usize, matrix: &[f64]) {
+        let (columns, size) = (target.len().isqrt(), matrix.len().isqrt());
+        let of_dof = |(k, dof): (usize, &Dof)| {
+            let moved = self.state.moved(dof).into_iter().flat_map(|(attachment, unit)| {
+                (0..6).map(move |component| (6 * attachment + component, unit[component]))
+            });
+            (k, moved.filter(|(_, part)| *part != 0.0).collect::<Vec<_>>())
+        };
+        let rows = self.connection.size();
+        let of_modes = (rows..size).map(|row| (first_mode + row - rows, vec![(row, 1.0)]));
+        let moved: Vec<(usize, Vec<(usize, f64)>)> =
+            dofs.iter().enumerate().map(of_dof).chain(of_modes).collect();
+        for (index, (k, one)) in moved.iter().enumerate().filter(|(_, (_, one))| !one.is_empty()) {
+            for (l, other) in &moved[index + 1..] {
                 let mut entry = 0.0;
-                for ((a, x), (b, y)) in one.iter().flat_map(|x| other.iter().map(move |y| (x, y))) {
-                    for (i, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {
-                        let row = (6 * a + i) * size + 6 * b;
-                        entry += x * y.iter().enumerate().map(|(j, y)| matrix[row + j] * y).sum::<f64>();
-                    }
+                for (row, x) in one {
+                    entry += other.iter().map(|(column, y)| x * y * matrix[row * size + column]).sum::<f64>();
                 }
-                target[k * m + l] += entry;
-                target[l * m + k] -= entry;
+                target[k * columns + l] += entry;
+                target[l * columns + k] -= entry;
             }
         }
     }
 }
 
+/// Returns the planned connections, each with the index of its first mode among all coordinates of a
+/// matrix, of which the component modes are the last ones.
+fn numbered<'c>(
+    target: &[f64],
+    connections: &'c [ElasticConnection],
+    planned: &[usize],
+) -> Vec<(&'c ElasticConnection, usize)> {
+    let own: Vec<&ElasticConnection> = planned.iter().filter_map(|&index| connections.get(index)).collect();
+    let modes: usize = own.iter().map(|connection| connection.modes.count()).sum();
+    let mut first = target.len().isqrt() - modes;
+    let numbered = own.into_iter().map(|connection| {
+        first += connection.modes.count();
+        (connection, first - connection.modes.count())
+    });
+    numbered.collect()
+}
+
 /// Adds the gyroscopic matrix of the planned connections of a three-dimensional scene at a time (s)
-/// to a matrix of these DOFs, row-major, kg m²/s. Elastic shafts have gyroscopic terms; other
+/// to a matrix, row-major, kg m²/s. Its coordinates begin with these DOFs and end with the component
+/// modes of all planned connections. Elastic shafts have gyroscopic terms; other
 /// connections have none.
 ///
 /// # Errors
@@ -67,20 +91,24 @@ pub fn add_connection_gyroscopic(
     dofs: &[Dof],
     time: f64,
 ) -> Result<(), EngineError> {
-    for connection in planned.iter().filter_map(|&connection| connections.get(connection)) {
+    for (connection, first_mode) in numbered(target, connections, planned) {
         let Some(shaft) = connection.shaft.as_ref().filter(|shaft| !shaft.rigid) else { continue };
         let rotation = Rotation::at(bodies, connection, time)?;
         if rotation.speed != 0.0 {
-            let matrix = shaft.shaft.gyroscopic(&shaft.stations);
+            let matrix = match &connection.modes.gyroscopic[..] {
+                [] => shaft.shaft.gyroscopic(&shaft.stations),
+                with_modes => with_modes.to_vec(),
+            };
             let matrix: Vec<f64> = matrix.into_iter().map(|entry| rotation.speed * entry).collect();
-            rotation.add(target, dofs, &matrix);
+            rotation.add(target, dofs, first_mode, &matrix);
         }
     }
     Ok(())
 }
 
 /// Adds the product of mass matrix and rotation by a right angle in the sense of the prescribed
-/// rotation, for the connections that rotate: see [`quarter_turn_momentum`].
+/// rotation, for the connections that rotate: see [`quarter_turn_momentum`]. The coordinates are
+/// those of [`add_connection_gyroscopic`].
 ///
 /// # Errors
 /// Those of [`ConnectionState::at`].
@@ -91,14 +119,18 @@ pub fn add_connection_whirl_form(
     dofs: &[Dof],
     time: f64,
 ) -> Result<(), EngineError> {
-    for connection in planned.iter().filter_map(|&connection| connections.get(connection)) {
+    for (connection, first_mode) in numbered(target, connections, planned) {
         if connection.mass.is_empty() {
             continue;
         }
         let rotation = Rotation::at(bodies, connection, time)?;
         if rotation.speed != 0.0 {
-            let matrix = quarter_turn_momentum(&connection.mass, connection.size(), rotation.speed.signum());
-            rotation.add(target, dofs, &matrix);
+            let sense = rotation.speed.signum();
+            let matrix = match &connection.modes.whirl_form[..] {
+                [] => quarter_turn_momentum(&connection.mass, connection.size(), sense),
+                with_modes => with_modes.iter().map(|entry| sense * entry).collect(),
+            };
+            rotation.add(target, dofs, first_mode, &matrix);
         }
     }
     Ok(())

@@ -66,7 +66,8 @@ pub fn condense_model(
             let coupling = DMatrix::from_fn(first, count, |row, mode| mass[(places[row], first + mode)]);
             let motions = relative_motions(&placed, grounded);
             let eigenvalues = condensed.eigenvalues.clone();
-            ComponentModes { eigenvalues, coupling: by_row(&(motions.transpose() * coupling)) }
+            let coupling = by_row(&(motions.transpose() * coupling));
+            ComponentModes { eigenvalues, coupling, ..ComponentModes::default() }
         }
         None => ComponentModes::default(),
     };
@@ -78,7 +79,7 @@ pub fn condense_model(
 }
 
 /// Returns the entries of a matrix by row.
-pub(super) fn by_row(matrix: &DMatrix<f64>) -> Vec<f64> {
+pub(crate) fn by_row(matrix: &DMatrix<f64>) -> Vec<f64> {
     matrix.transpose().as_slice().to_vec()
 }
 

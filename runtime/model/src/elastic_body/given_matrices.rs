@@ -2,9 +2,9 @@
 
 use super::condensation::{by_row, on_attachments, relative_motions};
 use super::finite_elements::extent;
-use super::interior_modes::interior_modes;
 use super::rigid_links::carried;
 use super::{ElasticBody, ElasticBodySize, MassReduction};
+use crate::interior_modes::InteriorModes;
 use calyx_elastic::import::CondensedMatrices;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -143,13 +143,13 @@ impl ElasticBody for MatrixBody {
         let moved = -factor.solve(&coupling);
         let own = block(stiffness, &attached, &attached) + coupling.transpose() * &moved;
         let mass = self.matrices.mass.as_ref().filter(|_| reduction.has_mass());
-        let mut modes = (Vec::new(), DMatrix::zeros(attached.len(), 0));
+        let mut modes = None;
         let reduced = mass.map(|mass| {
             let between = block(mass, &others, &attached);
             let inner = block(mass, &others, &others);
             let inertia = &between + &inner * &moved;
             if let MassReduction::ComponentModes(highest) = reduction {
-                modes = interior_modes(&factor, &inner, &inertia, highest);
+                modes = InteriorModes::find(&factor, &inner, &inertia, highest);
             }
             block(mass, &attached, &attached) + between.transpose() * &moved + moved.transpose() * inertia
         });
@@ -162,10 +162,11 @@ impl ElasticBody for MatrixBody {
                 None if reduction.has_mass() => vec![0.0; rows * rows],
                 None => Vec::new(),
             },
-            modes: ComponentModes {
-                coupling: by_row(&(relative_motions(&placed, self.grounded).transpose() * modes.1)),
-                eigenvalues: modes.0,
-            },
+            modes: modes.map_or_else(ComponentModes::default, |modes| ComponentModes {
+                coupling: by_row(&(relative_motions(&placed, self.grounded).transpose() * modes.coupling)),
+                eigenvalues: modes.eigenvalues,
+                ..ComponentModes::default()
+            }),
         })
     }
 
