@@ -22,7 +22,7 @@ pub const LIST: &str = "pictures.json";
 /// Beginning of the names of the pictures in [`FOLDER`].
 pub const PREFIX: &str = "body-";
 /// Largest exaggerated displacement relative to the size of the body.
-const EXAGGERATED: f64 = 0.05;
+const EXAGGERATED: f64 = 0.08;
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -154,8 +154,8 @@ mod tests {
             ("cube 7", "body-007.png", 1)
         );
         assert_eq!((picture.largest_stress, picture.largest_displacement), (6e6, 1e-5));
-        // 5 % of the diagonal are 8660 times the displacement.
-        assert_eq!(picture.exaggeration, 5000.0);
+        // 8 % of the diagonal are 13856 times the displacement.
+        assert_eq!(picture.exaggeration, 1e4);
         for name in files_of(&fields(1.0)) {
             assert!(directory.path().join(name).exists());
         }

@@ -18,7 +18,7 @@ pub fn section(run: &Run, units: Units) -> Markup {
     }
     html! {
         p.note {
-            "Meshed bodies at the position with their largest stress: undeformed edges in grey, displacements exaggerated. "
+            "Meshed bodies at the position with their largest stress: undeformed edges in blue, displacements exaggerated. "
             "Displacements of gears are relative to their frames. The files of " code { "vtu" } " show all positions."
         }
         @for (picture, content) in &run.bodies { (body(picture, content, units)) }
