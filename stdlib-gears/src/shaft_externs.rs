@@ -89,17 +89,23 @@ calyx_abi::externs! {
     ) -> Handle {
         externs::before_analysis(context, format_args!("the gear \"{name}\""))?;
         let index = shaft_index(context, "on", on)?;
-        let prototype = entry(&host(context)?.gears, blank)?.prototype();
-        let added = lumped(mass, inertia)?;
+        let gear = entry(&host(context)?.gears, blank)?.clone();
+        let (prototype, added) = (gear.prototype(), lumped(mass, inertia)?);
         let name = context.name_in_instance(name);
         let (place, host) = (context.place, host(context)?);
         let load = BodyPlacement::load(host, Wrench { force, moment }, host_load.as_deref(), place);
-        let mounted = Mounted { name, prototype, at, hub_width, load, added };
         let unit = host.length_unit;
+        let mounted = Mounted { name: name.clone(), prototype, at, hub_width, load, added };
         let ModelHost { scene, shafts, body_gears, .. } = host;
         let toothed = |body: BodyId| body_gears.get(body.0).is_some_and(Option::is_some);
         let result = shafts[index].mount(scene, mounted, toothed, |metres| shown(metres, unit));
         let mounted = result.map_err(|refused| host.rejected(refused, place))?;
+        if let Some(gear) = gear.cylindrical() {
+            let face = (at, gear.face_width);
+            if let Some(warning) = host.shafts[index].add_face(&name, face, |metres| shown(metres, unit)) {
+                host.warn_of_argument((warning.code, "at"), warning.message, &warning.help, place);
+            }
+        }
         complete_bodies(host, index, place);
         let BodyId(body) = mounted.body;
         host.body_gears[body] = Some(blank.0 as usize);

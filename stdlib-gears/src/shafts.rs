@@ -48,6 +48,8 @@ pub struct ModelShaft {
     pub origin: f64,
     /// Elastic connection in the scene.
     pub connection: ConnectionId,
+    /// Faces of the cylindrical gears on it: name, and positions of both ends, m.
+    pub faces: Vec<(String, [f64; 2])>,
 }
 
 /// A gear, or another body, to be mounted on a shaft.
@@ -187,11 +189,61 @@ impl ModelShaft {
             body: None,
         };
         let connection = scene.add_connection(connection)?;
-        let own = ModelShaft { name, shaft, rigid, free, prescribed, body, origin: 0.0, connection };
+        let own = ModelShaft {
+            name,
+            shaft,
+            rigid,
+            free,
+            prescribed,
+            body,
+            origin: 0.0,
+            connection,
+            faces: Vec::new(),
+        };
         if let Some(at) = prescribed {
             own.section(scene, at, |_| String::new())?;
         }
         Ok(own)
+    }
+
+    /// Adds the face of a gear at a position, m. Returns a warning if it overlaps that of another
+    /// gear or is beyond an end of the shaft; `shown` formats lengths.
+    pub fn add_face(
+        &mut self,
+        name: &str,
+        (at, width): (f64, f64),
+        shown: impl Fn(f64) -> String,
+    ) -> Option<EngineError> {
+        let [from, to] = [at - 0.5 * width, at + 0.5 * width];
+        let slack = SAME_POSITION * self.shaft.length();
+        let other = self.faces.iter().find(|(_, [start, end])| from < end - slack && *start < to - slack);
+        let beyond = from < -slack || to > self.shaft.length() + slack;
+        let found = match other {
+            Some((other, [start, end])) => Some((
+                format!(
+                    "the face of \"{name}\", {} to {} of the shaft \"{}\", overlaps that of \"{other}\", {} to {}",
+                    shown(from),
+                    shown(to),
+                    self.name,
+                    shown(*start),
+                    shown(*end)
+                ),
+                "`at` is the middle of the face: mount the gears farther apart",
+            )),
+            None if beyond => Some((
+                format!(
+                    "the face of \"{name}\", {} to {}, is partly beyond the shaft \"{}\", 0 to {}",
+                    shown(from),
+                    shown(to),
+                    self.name,
+                    shown(self.shaft.length())
+                ),
+                "`at` is the middle of the face: check it, or make the shaft longer",
+            )),
+            None => None,
+        };
+        self.faces.push((name.to_owned(), [from, to]));
+        found.map(|(message, help)| EngineError::new("E0997", message, help).blame("at"))
     }
 
     /// Returns the position on the shaft, without rounding errors at its ends.

@@ -194,3 +194,33 @@ fn checks_reject_impossible_carriers() {
     let plane = codes(&set("", 206.0).replace("\"analytic\"", "\"plane\""));
     assert!(plane.contains(&"E0611".to_owned()), "{plane:?}");
 }
+
+/// The assembled planetary set has the results of the set of single bodies.
+#[test]
+fn an_assembled_set_has_the_same_flexible_carrier() {
+    let single = means(&set(", pin_position_errors = [20 um]", 206.0));
+    let mut text = format!(
+        "import gears;
+units SI;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+var blank = gears.external(24, module = 2.5 mm, face_width = 22 mm, tooth_thickness = 3.88 mm, material = steel);
+var ring_blank = gears.internal(72, module = 2.5 mm, minor_diameter = 175.6 mm, face_width = 22 mm, tooth_thickness = 3.88 mm, material = steel);
+var set = gears.planetary(blank, blank, ring_blank, center_distance = 60 mm, sun_speed = 4 rpm, sun_torque = {TORQUE} N*m,
+    pin_stiffness = 6e8 N/m, pin_position_errors = [20 um],
+    carrier_dimensions = gears.CarrierDimensions(
+        material = steel, pin_diameter = 24 mm, outside_diameter = 176 mm, bore_diameter = 50 mm, thickness = 16 mm,
+        second_thickness = 12 mm, gap = 30 mm, web_angle = 30 deg, element_size = 20 mm));
+output wind_up := gears.rotation(set.sun, \"z\");
+"
+    );
+    for k in 0..3 {
+        text += &format!("output load{k} := gears.mesh_force(set.sun_meshes[{k}]);\n");
+    }
+    text += "analyze(\"quasi_static\", over = gears.times(1 us, 1 us, 1), fidelity = \"analytic\", error_estimates = \"none\");\n";
+    let assembled = means(&text);
+    for name in ["wind_up", "load0", "load1", "load2"] {
+        close(name, assembled[name], single[name], 1e-9);
+    }
+    // The pin error matters.
+    assert!((assembled["load0"] / assembled["load1"] - 1.0).abs() > 0.1);
+}

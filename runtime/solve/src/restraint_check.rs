@@ -228,6 +228,10 @@ pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineE
             && moving.iter().any(|&at| dofs[at].component == 2);
         let on_bearings =
             |bearing: &Bearing| bearing.bodies().any(|body| moving.iter().any(|&at| dofs[at].body == body.0));
+        let tilts = moving.iter().any(|&at| matches!(dofs[at].component, 3 | 4));
+        if tilts && is_on_one_bearing(scene, &moving.iter().map(|&at| dofs[at].body).collect::<Vec<_>>()) {
+            return "add a second radial bearing at a distance from the first one, or `tilting_stiffness` of the bearing: a radial bearing supports no tilting. Or remove \"theta_x\" and \"theta_y\" from `free`".to_owned();
+        }
         match is_axial && scene.bearings.iter().any(on_bearings) {
             true => "support the body along its axis by a bearing that carries axial force: `axial_stiffness` of a `bearing`, or a ball or tapered roller bearing; cylindrical roller and needle bearings carry none. Or remove \"u_z\" from `free`".to_owned(),
             false => other.to_owned(),
@@ -276,6 +280,14 @@ pub fn explain(scene: &Mechanism, dofs: &[Dof], error: &ContactError) -> EngineE
             "please report the model: this should not happen",
         ),
     }
+}
+
+/// Returns whether all bearings of these bodies, and there is one, are at one position.
+fn is_on_one_bearing(scene: &Mechanism, bodies: &[usize]) -> bool {
+    let moves = |bearing: &&Bearing| bearing.bodies().any(|body| bodies.contains(&body.0));
+    let mut places = scene.bearings.iter().filter(moves).map(|bearing| (bearing.body, bearing.at));
+    let Some(first) = places.next() else { return false };
+    places.all(|place| place == first)
 }
 
 /// Returns the DOFs that take part in a motion.
