@@ -1,7 +1,6 @@
 //! Computing times of `examples/housing.cx`: `cargo bench -p calyx --bench housing`. They cover
 //! positions with the elastic housing, with bearings on ground, and with bearings on ground whose
-//! axial stiffness gives the gears the same axial displacement, as ratios to the last; and the
-//! first analysis with the housing against one with cached matrices.
+//! axial stiffness gives the gears the same axial displacement, as ratios to the last.
 
 use calyx::{Engine, Module};
 use std::path::Path;
@@ -48,9 +47,6 @@ fn main() {
     let row = |what: &str, time: f64, ratio: f64, of: &str| {
         println!("{what:<52} {:>10.2} ms {ratio:>6.2} of {of}", 1e3 * time);
     };
-    let first = time(&stiff, true, STEPS[0]);
-    let cached = time(&stiff, true, STEPS[0]);
-    row("first analysis of 8 positions with the housing", first, first / cached, "one with cached matrices");
     let reference = position(&soft, false);
     let ground = "bearings as soft as the housing";
     row("position with bearings as soft as the housing", reference, 1.0, ground);

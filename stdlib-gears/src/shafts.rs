@@ -207,7 +207,7 @@ impl ModelShaft {
     }
 
     /// Adds the face of a gear at a position, m. Returns a warning if it overlaps that of another
-    /// gear or is beyond an end of the shaft; `shown` formats lengths.
+    /// gear; `shown` formats lengths.
     pub fn add_face(
         &mut self,
         name: &str,
@@ -217,33 +217,20 @@ impl ModelShaft {
         let [from, to] = [at - 0.5 * width, at + 0.5 * width];
         let slack = SAME_POSITION * self.shaft.length();
         let other = self.faces.iter().find(|(_, [start, end])| from < end - slack && *start < to - slack);
-        let beyond = from < -slack || to > self.shaft.length() + slack;
-        let found = match other {
-            Some((other, [start, end])) => Some((
-                format!(
-                    "the face of \"{name}\", {} to {} of the shaft \"{}\", overlaps that of \"{other}\", {} to {}",
-                    shown(from),
-                    shown(to),
-                    self.name,
-                    shown(*start),
-                    shown(*end)
-                ),
-                "`at` is the middle of the face: mount the gears farther apart",
-            )),
-            None if beyond => Some((
-                format!(
-                    "the face of \"{name}\", {} to {}, is partly beyond the shaft \"{}\", 0 to {}",
-                    shown(from),
-                    shown(to),
-                    self.name,
-                    shown(self.shaft.length())
-                ),
-                "`at` is the middle of the face: check it, or make the shaft longer",
-            )),
-            None => None,
-        };
+        let found = other.map(|(other, [start, end])| {
+            let message = format!(
+                "the face of \"{name}\", {} to {} of the shaft \"{}\", overlaps that of \"{other}\", {} to {}",
+                shown(from),
+                shown(to),
+                self.name,
+                shown(*start),
+                shown(*end)
+            );
+            let help = "`at` is the middle of the face: mount the gears farther apart";
+            EngineError::new("E0997", message, help).blame("at")
+        });
         self.faces.push((name.to_owned(), [from, to]));
-        found.map(|(message, help)| EngineError::new("E0997", message, help).blame("at"))
+        found
     }
 
     /// Returns the position on the shaft, without rounding errors at its ends.

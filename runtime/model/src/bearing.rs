@@ -22,13 +22,15 @@ mod bearing_state;
 mod immobile;
 mod load_curve;
 mod nonlinear;
+mod nonlinear_state;
 mod rolling;
 mod springs;
 
 pub use bearing_state::BearingState;
 pub use immobile::Mobility;
 pub use load_curve::{LoadCurve, LoadCurves};
-pub use nonlinear::{NonlinearLoad, NonlinearState, Tangent};
+pub use nonlinear::{NonlinearLoad, Tangent};
+pub use nonlinear_state::NonlinearState;
 pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};
 

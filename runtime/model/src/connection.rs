@@ -22,9 +22,7 @@ mod gyroscopic;
 mod terms;
 
 pub use connection_state::ConnectionState;
-pub use gyroscopic::{
-    add_connection_gyroscopic, add_connection_whirl_form, gyroscopic_moment, quarter_turn_momentum,
-};
+pub use gyroscopic::{add_connection_gyroscopic, add_connection_whirl_form};
 pub use terms::{add_connection_mass, add_connection_stiffness, add_mode_coupling};
 
 use crate::bearing::Support;
@@ -170,18 +168,17 @@ impl ElasticConnection {
 
     /// Returns the connection with the component modes of its shaft, if these are requested and the
     /// shaft is elastic.
-    pub(crate) fn with_shaft_modes(&self, mass: MassReduction) -> ElasticConnection {
-        let shaft = self.shaft.as_ref().filter(|shaft| !shaft.rigid);
-        let modes = match (mass, shaft) {
-            (MassReduction::ComponentModes(highest), Some(CondensedShaft { shaft, stations, .. })) => {
-                shaft.component_modes(stations, highest)
-            }
-            _ => None,
+    ///
+    /// # Errors
+    /// Those of [`Shaft::component_modes`].
+    pub(crate) fn with_shaft_modes(&self, mass: MassReduction) -> Result<ElasticConnection, EngineError> {
+        let shaft = self.shaft.as_ref().filter(|shaft| !shaft.rigid && !shaft.stations.is_empty());
+        let (MassReduction::ComponentModes(highest), Some(condensed)) = (mass, shaft) else {
+            return Ok(self.clone());
         };
-        match modes {
-            Some(AttachmentMatrices { mass, modes, .. }) => ElasticConnection { mass, modes, ..self.clone() },
-            None => self.clone(),
-        }
+        let modes = condensed.shaft.component_modes(&condensed.stations, highest);
+        let AttachmentMatrices { mass, modes, .. } = modes.map_err(|error| self.about_shaft(error))?;
+        Ok(ElasticConnection { mass, modes, ..self.clone() })
     }
 
     /// Returns the shaft of the connection if it is modelled as a solid at this fidelity: elastic

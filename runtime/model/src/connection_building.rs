@@ -37,10 +37,10 @@ pub fn build_connections(
             let (matrices, anew) = shaft_matrices(shaft, planned.shaft_mesh, resources).map_err(about)?;
             *if anew { &mut counts.built } else { &mut counts.reused } += 1;
             let stiffness = matrices.stiffness.clone();
-            return Ok(ElasticConnection { stiffness, ..connection.with_shaft_modes(planned.mass) });
+            return Ok(ElasticConnection { stiffness, ..connection.with_shaft_modes(planned.mass)? });
         }
         if let (Some(_), Some(planned)) = (&connection.shaft, planned) {
-            return Ok(connection.with_shaft_modes(planned.mass));
+            return connection.with_shaft_modes(planned.mass);
         }
         let (Some(body), Some(planned)) = (&connection.body, planned) else { return Ok(connection.clone()) };
         if is_rigid(plan.fidelity) {

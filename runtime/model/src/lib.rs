@@ -32,6 +32,7 @@ pub mod spline_contact;
 pub mod structure_building;
 pub mod target;
 mod unused_settings;
+pub mod whirl;
 
 /// Fingerprint of this crate's source: stored structures of its own bodies depend on it.
 const SOURCE: &str = env!("CALYX_SOURCE");

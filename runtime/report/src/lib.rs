@@ -4,7 +4,6 @@
 //! This crate does not run models. It writes results into the directory that a run has locked, and
 //! reads them from there: [`page`] and [`tradeoff`] depend on the files of a run alone.
 
-pub mod body_pictures;
 pub mod campbell;
 pub mod choices;
 pub mod contact_pattern;

@@ -4,10 +4,9 @@
 
 mod content;
 mod grid;
+pub mod pictures;
 
-use crate::body_pictures;
 use calyx_runtime::observables::Fields;
-pub(crate) use content::von_mises;
 use grid::Grid;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -34,7 +33,6 @@ const KINDS: [Kind; 3] = [
 /// Writer of the VTU files of a run and of pictures of its bodies, in folder [`FOLDER`] of its
 /// directory.
 pub struct VtuFiles {
-    directory: PathBuf,
     folder: PathBuf,
     times: Vec<f64>,
 }
@@ -44,7 +42,7 @@ impl VtuFiles {
     pub fn begin(directory: &Path, times: Vec<f64>) -> io::Result<VtuFiles> {
         let folder = folder(directory);
         fs::create_dir_all(&folder)?;
-        Ok(VtuFiles { directory: directory.to_owned(), folder, times })
+        Ok(VtuFiles { folder, times })
     }
 
     /// Writes the files of a position at a time (s).
@@ -57,7 +55,7 @@ impl VtuFiles {
             }
             self.collect(kind.name)?;
         }
-        body_pictures::update(&self.directory, (step, time), fields)
+        pictures::update(&self.folder, (step, time), fields)
     }
 
     /// Writes the PVD collection of a kind, if it has files.
@@ -99,13 +97,14 @@ pub fn files_of(step: usize, fields: Option<&Fields>) -> impl Iterator<Item = St
     let grids = KINDS.iter().flat_map(move |kind| {
         [format!("{FOLDER}/{}", name(kind.name, step)), format!("{FOLDER}/{}.pvd", kind.name)]
     });
-    grids.chain(fields.into_iter().flat_map(body_pictures::files_of))
+    let pictures = fields.into_iter().flat_map(pictures::files_of);
+    grids.chain(pictures.map(|name| format!("{FOLDER}/{name}")))
 }
 
 /// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
-    let is_picture = name == body_pictures::LIST
-        || name.strip_prefix(body_pictures::PREFIX).is_some_and(|rest| rest.ends_with(".png"));
+    let is_picture = name == pictures::LIST
+        || name.strip_prefix(pictures::PREFIX).is_some_and(|rest| rest.ends_with(".png"));
     is_picture
         || KINDS.iter().any(|kind| {
             name.strip_prefix(kind.name)

@@ -9,10 +9,9 @@
 //! See `docs/theory/modes.md`.
 
 use crate::system::System;
-use calyx_model::connection::{
-    add_connection_gyroscopic, add_connection_whirl_form, gyroscopic_moment, quarter_turn_momentum,
-};
+use calyx_model::connection::{add_connection_gyroscopic, add_connection_whirl_form};
 use calyx_model::motion::angular_velocity;
+use calyx_model::whirl::{gyroscopic_moment, quarter_turn_momentum};
 use calyx_numerics::vec3::dot;
 use nalgebra::DMatrix;
 

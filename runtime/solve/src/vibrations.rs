@@ -23,7 +23,7 @@ pub struct Vibrations {
     /// Gyroscopic matrix at the prescribed speeds, skew-symmetric: kg m²/s for DOFs.
     pub gyroscopic: DMatrix<f64>,
     /// Form of the sense of whirl, see
-    /// [`quarter_turn_momentum`](calyx_model::connection::quarter_turn_momentum).
+    /// [`quarter_turn_momentum`](calyx_model::whirl::quarter_turn_momentum).
     pub whirl_form: DMatrix<f64>,
     /// Whirl modes at the prescribed speeds, computed on request.
     pub whirl: OnceLock<Option<Arc<WhirlModes>>>,

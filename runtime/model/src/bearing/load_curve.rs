@@ -4,7 +4,8 @@
 //! Numer. Anal. 17, 1980), so it never decreases and its derivative is continuous. Beyond the last
 //! point it continues with the last slope.
 
-use super::{BearingMatrix, NonlinearState};
+use super::BearingMatrix;
+use super::nonlinear_state::NonlinearState;
 use calyx_numerics::error::EngineError;
 use calyx_rolling::{Displacement, Evaluation, Start};
 

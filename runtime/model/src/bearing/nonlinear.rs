@@ -1,9 +1,10 @@
 //! Nonlinear loads of bearings by their deflection: rolling elements and load curves. Contact
 //! problems have their tangents.
 
+use super::nonlinear_state::NonlinearState;
 use super::{Bearing, BearingMatrix, LoadCurves, RollingElements, five};
 use calyx_numerics::error::EngineError;
-use calyx_rolling::{Displacement, Evaluation, Start};
+use calyx_rolling::{Displacement, Start};
 use nalgebra::{Matrix5, SymmetricEigen, Vector5};
 use std::sync::Arc;
 
@@ -23,17 +24,6 @@ pub struct Tangent {
     pub stiffness: BearingMatrix,
     /// Force on the first race at zero deflection of the linearized bearing, N and N m.
     pub load: [f64; 6],
-}
-
-/// State of the nonlinear load of one bearing in the search for equilibrium.
-#[derive(Clone, Debug)]
-pub struct NonlinearState {
-    /// Deflection: displacement of the first race relative to the second.
-    pub deflection: Displacement,
-    /// Load on the first race and stiffness there.
-    pub evaluation: Evaluation,
-    /// Positions of rolling elements, from which the next evaluation starts.
-    pub(super) start: Start,
 }
 
 impl NonlinearLoad {

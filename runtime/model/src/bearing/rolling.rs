@@ -1,7 +1,8 @@
 //! Rolling elements between the races of a bearing, whose load is a nonlinear function of the
 //! deflection.
 
-use super::{BearingMatrix, NonlinearState};
+use super::BearingMatrix;
+use super::nonlinear_state::NonlinearState;
 use calyx_numerics::error::EngineError;
 use calyx_rolling::rating::{bearing_capacity, static_safety};
 use calyx_rolling::{Displacement, ElementState, Motion, RollingBearing, RollingError, Start};

@@ -3,9 +3,10 @@
 //! See `docs/theory/shafts.md`.
 
 use super::Shaft;
-use crate::connection::quarter_turn_momentum;
 use crate::elastic_body::by_row;
 use crate::interior_modes::InteriorModes;
+use crate::whirl::quarter_turn_momentum;
+use calyx_numerics::error::EngineError;
 use calyx_structure::{AttachmentMatrices, ComponentModes};
 use nalgebra::DMatrix;
 
@@ -21,8 +22,22 @@ const MOST: usize = 400;
 impl Shaft {
     /// Returns mass and component modes of the shaft with fixed stations (m, ascending), up to a
     /// frequency (Hz), with the gyroscopic terms of both. The static shapes of the mass are those of
-    /// beams. `None` without stations, or if an eigenproblem fails.
-    pub fn component_modes(&self, stations: &[f64], highest: f64) -> Option<AttachmentMatrices> {
+    /// beams.
+    ///
+    /// # Errors
+    /// E0858: the matrices are too ill-conditioned.
+    pub fn component_modes(&self, stations: &[f64], highest: f64) -> Result<AttachmentMatrices, EngineError> {
+        self.modes_between(stations, highest).ok_or_else(|| {
+            EngineError::new(
+                "E0858",
+                "the modes between its sections cannot be computed, because their stiffnesses differ too much",
+                "leave out segments that are much thinner or shorter than the others, or leave `highest_frequency` at 0",
+            )
+            .blame("segments")
+        })
+    }
+
+    fn modes_between(&self, stations: &[f64], highest: f64) -> Option<AttachmentMatrices> {
         let all = self.sections_between(stations)?;
         let place = |station: f64| all.iter().position(|&other| other == station);
         let attached: Vec<usize> = stations.iter().map(|&station| place(station)).collect::<Option<_>>()?;

@@ -4,7 +4,7 @@
 use super::number;
 use super::read::Run;
 use super::units::{Unit, Units};
-use crate::body_pictures::{BodyPicture, colour_scale};
+use crate::vtu::pictures::{BodyPicture, colour_scale};
 use maud::{Markup, PreEscaped, html};
 use std::fmt::Write as _;
 

@@ -1,13 +1,12 @@
 //! Pictures of deformed bodies for the report page: the outer surface of each body with exaggerated
 //! displacements, coloured by von Mises stress, at the position with the largest stress.
 //!
-//! The pictures are files of the run directory with a list of what they show, so that the page
+//! The pictures are files next to the VTU files with a list of what they show, so that the page
 //! depends on files only.
 
 mod surface;
 mod view;
 
-use crate::vtu::FOLDER;
 use calyx_runtime::observables::Fields;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -17,9 +16,9 @@ use surface::Surface;
 
 pub use view::colour_scale;
 
-/// List of the pictures, in [`FOLDER`].
+/// List of the pictures.
 pub const LIST: &str = "pictures.json";
-/// Beginning of the names of the pictures in [`FOLDER`].
+/// Beginning of the names of the pictures.
 pub const PREFIX: &str = "body-";
 /// Largest exaggerated displacement relative to the size of the body.
 const EXAGGERATED: f64 = 0.08;
@@ -29,7 +28,7 @@ const EXAGGERATED: f64 = 0.08;
 pub struct BodyPicture {
     /// Name of the body.
     pub body: String,
-    /// Name of the file in [`FOLDER`].
+    /// Name of the file.
     pub file: String,
     /// Index of the position.
     pub position: usize,
@@ -45,32 +44,31 @@ pub struct BodyPicture {
     pub size: [u32; 2],
 }
 
-/// Returns the names of the pictures of these fields, relative to the run directory.
+/// Returns the names of the files of these fields.
 pub fn files_of(fields: &Fields) -> Vec<String> {
     let numbers = fields.bodies.iter().map(|body| body.number);
     let numbers = numbers.chain(fields.elastic_bodies.iter().map(|body| body.number));
-    let pictures = numbers.map(|number| format!("{FOLDER}/{}", name(number)));
-    pictures.chain([format!("{FOLDER}/{LIST}")]).collect()
+    let pictures = numbers.map(|number| name(number));
+    pictures.chain([LIST.to_owned()]).collect()
 }
 
 fn name(number: usize) -> String {
     format!("{PREFIX}{number:03}.png")
 }
 
-/// Returns the list of the pictures in a run directory; empty if there is none.
-pub fn read(directory: &Path) -> Vec<BodyPicture> {
-    let content = fs::read(directory.join(FOLDER).join(LIST)).ok();
+/// Returns the list of the pictures in a folder; empty if there is none.
+pub fn read(folder: &Path) -> Vec<BodyPicture> {
+    let content = fs::read(folder.join(LIST)).ok();
     content.and_then(|content| serde_json::from_slice(&content).ok()).unwrap_or_default()
 }
 
 /// Draws the bodies whose largest stress at this position exceeds that of their picture, into
-/// [`FOLDER`] of a run directory, and updates the list.
+/// a folder, and updates the list.
 ///
 /// # Errors
 /// A file cannot be written.
-pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields) -> io::Result<()> {
-    let mut list = if position == 0 { Vec::new() } else { read(directory) };
-    let folder = directory.join(FOLDER);
+pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) -> io::Result<()> {
+    let mut list = if position == 0 { Vec::new() } else { read(folder) };
     let mut changed = false;
     for surface in surface::all(fields) {
         let largest_stress = surface.largest_stress();
@@ -142,7 +140,6 @@ mod tests {
     #[test]
     fn the_picture_is_that_of_the_position_with_the_largest_stress() {
         let directory = tempfile::tempdir().unwrap();
-        fs::create_dir(directory.path().join(FOLDER)).unwrap();
         for (position, stress) in [(0, 1e6), (1, 3e6), (2, 2e6)] {
             update(directory.path(), (position, 0.1 * position as f64), &fields(stress)).unwrap();
         }
@@ -159,7 +156,7 @@ mod tests {
         for name in files_of(&fields(1.0)) {
             assert!(directory.path().join(name).exists());
         }
-        let file = fs::File::open(directory.path().join(FOLDER).join(&picture.file)).unwrap();
+        let file = fs::File::open(directory.path().join(&picture.file)).unwrap();
         let reader = png::Decoder::new(io::BufReader::new(file)).read_info().unwrap();
         assert_eq!([reader.info().width, reader.info().height], picture.size);
         // A new run starts anew.
