@@ -101,10 +101,8 @@ calyx_abi::externs! {
         let result = shafts[index].mount(scene, mounted, toothed, |metres| shown(metres, unit));
         let mounted = result.map_err(|refused| host.rejected(refused, place))?;
         if let Some(gear) = gear.cylindrical() {
-            let face = (at, gear.face_width);
-            if let Some(warning) = host.shafts[index].add_face(&name, face, |metres| shown(metres, unit)) {
-                host.warn_of_argument((warning.code, "at"), warning.message, &warning.help, place);
-            }
+            let added = host.shafts[index].add_face(&name, (at, gear.face_width), |metres| shown(metres, unit));
+            added.map_err(|error| host.rejected(error.into(), place))?;
         }
         complete_bodies(host, index, place);
         let BodyId(body) = mounted.body;

@@ -206,18 +206,20 @@ impl ModelShaft {
         Ok(own)
     }
 
-    /// Adds the face of a gear at a position, m. Returns a warning if it overlaps that of another
-    /// gear; `shown` formats lengths.
+    /// Adds the face of a gear at a position, m; `shown` formats lengths.
+    ///
+    /// # Errors
+    /// E0859: it overlaps that of another gear.
     pub fn add_face(
         &mut self,
         name: &str,
         (at, width): (f64, f64),
         shown: impl Fn(f64) -> String,
-    ) -> Option<EngineError> {
+    ) -> Result<(), EngineError> {
         let [from, to] = [at - 0.5 * width, at + 0.5 * width];
         let slack = SAME_POSITION * self.shaft.length();
         let other = self.faces.iter().find(|(_, [start, end])| from < end - slack && *start < to - slack);
-        let found = other.map(|(other, [start, end])| {
+        if let Some((other, [start, end])) = other {
             let message = format!(
                 "the face of \"{name}\", {} to {} of the shaft \"{}\", overlaps that of \"{other}\", {} to {}",
                 shown(from),
@@ -227,10 +229,10 @@ impl ModelShaft {
                 shown(*end)
             );
             let help = "`at` is the middle of the face: mount the gears farther apart";
-            EngineError::new("E0997", message, help).blame("at")
-        });
+            return Err(EngineError::new("E0859", message, help).blame("at"));
+        }
         self.faces.push((name.to_owned(), [from, to]));
-        found
+        Ok(())
     }
 
     /// Returns the position on the shaft, without rounding errors at its ends.
