@@ -93,3 +93,22 @@ fn a_straight_curve_is_a_linear_bearing() {
     }
     assert!(curve["radial"][0] > linear["radial"][0] + 9e-6);
 }
+
+/// Without load, a bearing has the slope of its curve at zero. A clearance has none.
+#[test]
+fn an_unloaded_bearing_has_the_first_slope() {
+    let curves = "radial_displacements = [0, 10, 20] um, radial_forces = [0, 1, 4] kN,
+        axial_displacements = [0, 10] um, axial_forces = [0, 3] kN";
+    let found = solved(&block(curves, "0 N * e1"));
+    // Slope at the start of a parabola through the first secants, 1e8 and 3e8 N/m.
+    let radial = (3.0 * 1e8 - 3e8) / 2.0;
+    assert_eq!(radial, 0.0);
+    let curves = curves.replace("[0, 1, 4] kN", "[0, 2, 5] kN");
+    let found_stiffer = solved(&block(&curves, "0 N * e1"));
+    let radial: f64 = (3.0 * 2e8 - 3e8) / 2.0;
+    for mode in 1..=2 {
+        let expected = (radial / 2.0).sqrt() / std::f64::consts::TAU;
+        close("frequency", found_stiffer[&format!("mode_{mode}")][0], expected, 1e-9, 0.0);
+        assert!(found[&format!("mode_{mode}")][0] > 0.0);
+    }
+}

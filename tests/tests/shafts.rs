@@ -323,6 +323,35 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"plane\
     close("high", found["high"][1], root(1.0), 1e-3);
 }
 
+/// In two dimensions, where only gears have modes, a highest frequency below those of the gears
+/// changes nothing: bending modes of the shaft do not appear.
+#[test]
+fn a_shaft_in_a_plane_model_has_no_component_modes() {
+    let model = |highest: f64| {
+        ranges(&format!(
+            "import gears;
+units mm_N_s;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+var a = gears.external(24, module = 2.5 mm, face_width = 20 mm, material = steel), b = gears.external(37, module = 2.5 mm, face_width = 20 mm, material = steel);
+var shaft = gears.shaft(
+    \"input\", [gears.shaft_segment(length = 200 mm, diameter = 20 mm)], steel, free = [\"theta_z\"], frame := Rotate(600 rpm * Time, e3));
+var first = gears.mount(\"pinion\", a, on = shaft, at = 0 mm);
+gears.shaft_disc(shaft, at = 200 mm, mass = 5 kg, inertia = 9e-3 kg*m^2);
+gears.shaft_load(shaft, at = 200 mm, moment = 80 N*m * e3);
+var second = gears.body(\"gear\", b, frame := Rotate(-600 rpm * 24 / 37 * Time, e3) * Translate(76.3 mm * e1));
+var mesh = gears.mesh(first, second);
+output low := gears.natural_frequency(1);
+output high := gears.natural_frequency(2);
+analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"plane\", highest_frequency = {highest} Hz, error_estimates = \"none\");
+"
+        ))
+    };
+    let [without, with] = [0.0, 3000.0].map(model);
+    for mode in ["low", "high"] {
+        close(mode, with[mode][1], without[mode][1], 1e-9);
+    }
+}
+
 /// What a run would reject, a check rejects, with the argument.
 #[test]
 fn checks_reject_impossible_shafts() {

@@ -149,8 +149,8 @@ impl<'a> Request<'a> {
         method.check_options(fidelity)?;
         let planned = if method.has_inertia() { Plan::in_time } else { Plan::new };
         let plan = planned(scene, fidelity, structure)?;
-        let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
         check_modes(scene, &plan, highest_frequency)?;
+        let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
         refuse_idle_bearings(scene, &plan)?;
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {

@@ -43,8 +43,8 @@ pub enum MassReduction {
     None,
     /// By the static displacements (Guyan 1965).
     Static,
-    /// In addition, modes with fixed attachments up to this frequency, Hz, and pseudo-modes for the
-    /// omitted ones (Craig and Bampton 1968).
+    /// In addition, modes with fixed attachments up to this frequency, Hz (Craig and Bampton 1968),
+    /// and pseudo-modes for the omitted ones (Dickens, Nakagawa and Wittbrodt 1997).
     ComponentModes(f64),
 }
 

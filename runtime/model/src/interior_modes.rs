@@ -32,6 +32,14 @@ impl InteriorModes {
         inertia: &DMatrix<f64>,
         highest: f64,
     ) -> Option<InteriorModes> {
+        if mass.nrows() == 0 {
+            let none = DMatrix::zeros(inertia.ncols(), 0);
+            return Some(InteriorModes {
+                eigenvalues: Vec::new(),
+                coupling: none,
+                shapes: DMatrix::zeros(0, 0),
+            });
+        }
         let lower = factor.l();
         let half = lower.solve_lower_triangular(mass)?;
         let scaled = lower.solve_lower_triangular(&half.transpose())?;
@@ -70,6 +78,10 @@ impl InteriorModes {
 /// Returns squared frequencies of the pseudo-modes, and their combinations of the omitted modes by
 /// column.
 fn pseudo_modes(squares: &[f64], participation: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
+    let none = || (Vec::new(), DMatrix::zeros(squares.len(), 0));
+    if squares.is_empty() || participation.ncols() == 0 {
+        return none();
+    }
     let response =
         DMatrix::from_fn(squares.len(), participation.ncols(), |k, j| participation[(k, j)] / squares[k]);
     let norms: Vec<f64> = response.column_iter().map(|column| column.norm()).collect();
@@ -79,6 +91,9 @@ fn pseudo_modes(squares: &[f64], participation: &DMatrix<f64>) -> (Vec<f64>, DMa
     });
     let found = SymmetricEigen::new(scaled.transpose() * &scaled);
     let independent: Vec<usize> = (0..norms.len()).filter(|&k| found.eigenvalues[k] > DEPENDENT).collect();
+    if independent.is_empty() {
+        return none();
+    }
     let combination = DMatrix::from_fn(norms.len(), independent.len(), |j, k| {
         found.eigenvectors[(j, independent[k])] / found.eigenvalues[independent[k]].sqrt()
     });

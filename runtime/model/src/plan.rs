@@ -237,12 +237,9 @@ impl Plan {
     /// Adds the modes of bodies up to a natural frequency (Hz); 0 adds none. In three dimensions
     /// these are the component modes of elastic bodies; gears vibrate as rigid bodies.
     pub fn with_modes(mut self, scene: &Mechanism, highest: f64) -> Plan {
-        for connection in self.connections.iter_mut().filter(|plan| highest > 0.0 && plan.mass.has_mass()) {
+        let in_space = highest > 0.0 && self.three_dimensional;
+        for connection in self.connections.iter_mut().filter(|plan| in_space && plan.mass.has_mass()) {
             connection.mass = MassReduction::ComponentModes(highest);
-        }
-        if highest > 0.0 && self.three_dimensional && self.bodies.iter().any(BodyPlan::is_elastic) {
-            let reason = "gears vibrate as rigid bodies on their elastic teeth; it applies to shafts, housings and other elastic bodies";
-            self.ignored.push(Ignored { input: "highest_frequency".into(), reason: reason.into() });
         }
         let in_plane = highest > 0.0 && !self.three_dimensional;
         let modelled =
@@ -254,6 +251,12 @@ impl Plan {
             let bodies = rigid.join("; ");
             let reason = format!("some bodies vibrate as rigid bodies on their elastic teeth, {bodies}");
             self.ignored.push(Ignored { input: "highest_frequency".into(), reason });
+        }
+        let twisted =
+            self.modelled_connections().into_iter().any(|index| scene.connections[index].has_modes());
+        if in_plane && twisted {
+            let reason = "in a two-dimensional model shafts have the mass of their sections, without modes between them";
+            self.ignored.push(Ignored { input: "highest_frequency".into(), reason: reason.into() });
         }
         self.ignored.sort();
         self.ignored.dedup();

@@ -479,6 +479,13 @@ fn matrices_may_be_given() {
         all.attach(label, label, None).expect("an attachment");
     }
     let copied = all.condense(MassReduction::Static, &Interrupt::never()).expect("copied");
+    // Without further nodes there are no modes, and far above all modes no pseudo-modes.
+    let modes = |body: &MatrixBody, highest: f64| {
+        let reduction = MassReduction::ComponentModes(highest);
+        body.condense(reduction, &Interrupt::never()).expect("condensed").modes.count()
+    };
+    assert_eq!(modes(&all, 1e4), 0);
+    assert_eq!(modes(&all, 1e9), 0);
     close(&copied.stiffness, &matrices.stiffness, 1e-15);
     close(&copied.mass, &matrices.mass, 1e-15);
 
@@ -487,6 +494,7 @@ fn matrices_may_be_given() {
         elements.attach(attachment).expect("an attachment");
         ends.attach(label, label, None).expect("an attachment");
     }
+    assert_eq!(modes(&ends, 1e9), 6);
     let free_foot = ends.condense(MassReduction::Static, &Interrupt::never()).expect("condensed");
     // The rigid foot stiffens the bar, so only the order of magnitude is that of the bare bar.
     let bare = elements.condense(MassReduction::Static, &Interrupt::never()).expect("condensed");

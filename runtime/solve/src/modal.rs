@@ -100,8 +100,9 @@ impl Modes {
 pub fn check_modes(scene: &Mechanism, plan: &Plan, highest: f64) -> Result<(), EngineError> {
     let fidelity = plan.fidelity;
     let mut modelled = plan.modelled_connections().into_iter();
-    let elastic =
-        fidelity != Fidelity::Rigid && modelled.any(|connection| scene.connections[connection].has_modes());
+    let elastic = plan.three_dimensional
+        && fidelity != Fidelity::Rigid
+        && modelled.any(|connection| scene.connections[connection].has_modes());
     let (code, message, help) = match fidelity {
         _ if !(highest.is_finite() && highest >= 0.0) => (
             "E0764",

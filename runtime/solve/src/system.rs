@@ -317,13 +317,13 @@ impl<'s> System<'s> {
 
     /// Returns stiffness and forces of bearings, elastic connections and spline teeth with
     /// clearance at a time, per [`System::width`].
-    /// Rolling elements have their typical stiffness.
+    /// Nonlinear bearings have their typical stiffness.
     pub fn springs_at(&self, time: f64) -> Result<Springs, EngineError> {
         self.springs_with(time, &[])
     }
 
-    /// Returns the springs of [`System::springs_at`] with linearized rolling elements, by bearing
-    /// of the scene.
+    /// Returns the springs of [`System::springs_at`] with linearized nonlinear loads, by
+    /// bearing of the scene.
     pub fn springs_with(&self, time: f64, tangents: &[Option<Tangent>]) -> Result<Springs, EngineError> {
         let mut springs = {
             let Mechanism { bodies, bearings, .. } = self.scene;

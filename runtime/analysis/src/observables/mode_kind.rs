@@ -255,9 +255,17 @@ impl Equilibrium<'_> {
             }
         };
         let count = all.frequencies.len().min(request.count.unwrap_or(usize::MAX));
-        let names = bodies.iter().map(|&body| scene.bodies[body].name.clone());
-        let names = names.chain(elastic_bodies.iter().map(|(connection, _)| connection.name.clone()));
-        Some(ModesTable { time: self.time(), bodies: names.collect(), modes: (0..count).map(row).collect() })
+        let mut names: Vec<String> = bodies.iter().map(|&body| scene.bodies[body].name.clone()).collect();
+        for (connection, _) in &elastic_bodies {
+            // A shaft has the name of its first section.
+            let is_known = names.contains(&connection.name);
+            names.push(if is_known {
+                format!("{} (elastic)", connection.name)
+            } else {
+                connection.name.clone()
+            });
+        }
+        Some(ModesTable { time: self.time(), bodies: names, modes: (0..count).map(row).collect() })
     }
 }
 

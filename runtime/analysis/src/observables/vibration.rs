@@ -44,7 +44,8 @@ pub struct ModeShare {
     pub body: BodyId,
     /// Components of its frame that count, in the order of [`calyx_model::dof::DOF_NAMES`].
     pub components: [bool; 6],
-    /// Includes its modal coordinates: vibrations relative to its frame.
+    /// Includes the modes of a gear: vibrations relative to its frame. Component modes of shafts
+    /// and housings belong to no frame.
     pub elastic: bool,
 }
 

@@ -1,7 +1,7 @@
 //! Force of a bearing as a table over its deflection: stiffness that depends on the load.
 //!
-//! Between the points of the table the force is a monotone cubic (Fritsch and Carlson, SIAM J.
-//! Numer. Anal. 17, 1980), so it never decreases and its derivative is continuous. Beyond the last
+//! Between the points of the table the force is a monotone cubic (Fritsch and Butland, SIAM J.
+//! Sci. Stat. Comput. 5, 1984), so it never decreases and its derivative is continuous. Beyond the last
 //! point it continues with the last slope.
 
 use super::BearingMatrix;
@@ -192,6 +192,12 @@ impl LoadCurves {
         [&self.radial, &self.axial].into_iter().flatten().map(LoadCurve::reach).fold(0.0, f64::max)
     }
 
+    /// Returns whether displacements to +z and to -z are resisted, however long they are.
+    pub fn axial_supports(&self) -> [bool; 2] {
+        let Some(curve) = &self.axial else { return [false; 2] };
+        [curve.slopes[curve.slopes.len() - 1] > 0.0, curve.slopes[0] > 0.0]
+    }
+
     /// Returns the largest force of a point, N.
     pub fn largest_force(&self) -> f64 {
         [&self.radial, &self.axial].into_iter().flatten().map(LoadCurve::largest_force).fold(0.0, f64::max)
@@ -199,7 +205,7 @@ impl LoadCurves {
 
     /// Returns whether the curves carry load without deflection.
     pub fn is_preloaded(&self) -> bool {
-        self.state([0.0; 5]).evaluation.scale > 0.0
+        self.state([0.0; 5]).is_ok_and(|state| state.evaluation.scale > 0.0)
     }
 
     /// Returns a warning if a deflection is beyond the points of a curve, as the end of a sentence
@@ -221,7 +227,17 @@ impl LoadCurves {
     }
 
     /// Returns the force that opposes a deflection, and its derivatives.
-    pub fn state(&self, deflection: Displacement) -> NonlinearState {
+    ///
+    /// # Errors
+    /// E0697: the deflection is not finite.
+    pub fn state(&self, deflection: Displacement) -> Result<NonlinearState, EngineError> {
+        if !deflection.iter().all(|part| part.is_finite()) {
+            return Err(EngineError::new(
+                "E0697",
+                "the deflection of a bearing with load curves is not finite",
+                "look for a division by zero in the loads and frames of its bodies",
+            ));
+        }
         let [x, y, z] = self.relative(&deflection);
         let mut evaluation =
             Evaluation { load: [0.0; 5], stiffness: [[0.0; 5]; 5], scale: 0.0, unconverged: 0 };
@@ -246,7 +262,7 @@ impl LoadCurves {
             evaluation.stiffness[2][2] = along;
             evaluation.scale += force.abs();
         }
-        NonlinearState { deflection, evaluation, start: Start::default() }
+        Ok(NonlinearState { deflection, evaluation, start: Start::default() })
     }
 }
 
@@ -296,6 +312,17 @@ mod tests {
                 assert!((slope - difference).abs() < 1e-5 * (slope + 1e7), "{x:e}: {slope:e} {difference:e}");
                 assert!((curve.at(-x)[0] + force).abs() <= 1e-12 * force.abs());
             }
+        }
+    }
+
+    /// A deflection that is not finite is an error, and one sense may be without support.
+    #[test]
+    fn invalid_deflections_and_one_sided_curves() {
+        let axial = LoadCurve::new(vec![-1e-5, 0.0, 2e-5], vec![0.0, 0.0, 4e3]).expect("a curve");
+        let curves = LoadCurves { radial: Some(hertzian(4)), axial: Some(axial), origin: [0.0; 3] };
+        assert_eq!(curves.axial_supports(), [true, false]);
+        for deflection in [[f64::NAN, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, f64::INFINITY, 0.0, 0.0]] {
+            assert_eq!(curves.state(deflection).expect_err("not finite").code, "E0697");
         }
     }
 

@@ -72,7 +72,7 @@ impl NonlinearLoad {
     pub fn axial_supports(&self) -> [bool; 2] {
         match self {
             NonlinearLoad::Rolling(elements) => elements.axial_supports(),
-            NonlinearLoad::Curves(curves) => [curves.axial.is_some(); 2],
+            NonlinearLoad::Curves(curves) => curves.axial_supports(),
         }
     }
 
@@ -101,7 +101,7 @@ impl NonlinearLoad {
                 let start = from.map_or_else(Start::default, |from| from.start.clone());
                 elements.evaluate(deflection, start)
             }
-            NonlinearLoad::Curves(curves) => Ok(curves.state(deflection)),
+            NonlinearLoad::Curves(curves) => curves.state(deflection),
         }
     }
 
@@ -115,6 +115,16 @@ impl NonlinearLoad {
             }
             Err(_) => [f64::NAN; 6],
         }
+    }
+
+    /// Returns the tangent without deflection if it supports what the load supports: that of curves
+    /// without clearance. Rolling elements have hardly any stiffness there.
+    pub fn unloaded_tangent(&self) -> Option<Tangent> {
+        let NonlinearLoad::Curves(curves) = self else { return None };
+        let tangent = self.tangent(&curves.state([0.0; 5]).ok()?, 0.0);
+        let typical = self.typical_stiffness();
+        let supports = (0..3).all(|k| typical[k][k] == 0.0 || tangent.stiffness[k][k] > 0.0);
+        supports.then_some(tangent)
     }
 
     /// Linearizes the load about a state, with `addition` times the typical stiffness added.

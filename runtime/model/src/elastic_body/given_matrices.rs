@@ -124,7 +124,9 @@ impl ElasticBody for MatrixBody {
         interrupt: &Interrupt,
     ) -> Result<AttachmentMatrices, EngineError> {
         let (attached, others) = self.rows();
-        let bytes = 8 * 4 * (self.matrices.components.len() as u64).pow(2);
+        // Modes need several matrices more.
+        let copies = if reduction.highest_frequency() > 0.0 { 12 } else { 4 };
+        let bytes = 8 * copies * (self.matrices.components.len() as u64).pow(2);
         let _room = interrupt.reserve_memory(bytes)?;
         let block = |matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]| {
             DMatrix::from_fn(rows.len(), columns.len(), |row, column| matrix[(rows[row], columns[column])])
@@ -143,17 +145,29 @@ impl ElasticBody for MatrixBody {
         let moved = -factor.solve(&coupling);
         let own = block(stiffness, &attached, &attached) + coupling.transpose() * &moved;
         let mass = self.matrices.mass.as_ref().filter(|_| reduction.has_mass());
-        let mut modes = None;
-        let reduced = mass.map(|mass| {
+        let mut modes = ComponentModes::default();
+        let placed: Vec<_> = self.attachments.iter().map(|(_, position)| (*position, BASIC)).collect();
+        let mut reduced = None;
+        if let Some(mass) = mass {
             let between = block(mass, &others, &attached);
             let inner = block(mass, &others, &others);
             let inertia = &between + &inner * &moved;
             if let MassReduction::ComponentModes(highest) = reduction {
-                modes = InteriorModes::find(&factor, &inner, &inertia, highest);
+                interrupt.check()?;
+                let found = InteriorModes::find(&factor, &inner, &inertia, highest).ok_or_else(|| {
+                    EngineError::new(
+                        "E0992",
+                        "the modes of the body with fixed attachments cannot be computed",
+                        "check its mass matrix, or leave `highest_frequency` at 0",
+                    )
+                })?;
+                let motions = relative_motions(&placed, self.grounded);
+                modes.coupling = by_row(&(motions.transpose() * found.coupling));
+                modes.eigenvalues = found.eigenvalues;
             }
-            block(mass, &attached, &attached) + between.transpose() * &moved + moved.transpose() * inertia
-        });
-        let placed: Vec<_> = self.attachments.iter().map(|(_, position)| (*position, BASIC)).collect();
+            let own = block(mass, &attached, &attached);
+            reduced = Some(own + between.transpose() * &moved + moved.transpose() * inertia);
+        }
         let rows = 6 * (placed.len() + usize::from(self.grounded));
         Ok(AttachmentMatrices {
             stiffness: on_attachments(&own, &placed, self.grounded),
@@ -162,11 +176,7 @@ impl ElasticBody for MatrixBody {
                 None if reduction.has_mass() => vec![0.0; rows * rows],
                 None => Vec::new(),
             },
-            modes: modes.map_or_else(ComponentModes::default, |modes| ComponentModes {
-                coupling: by_row(&(relative_motions(&placed, self.grounded).transpose() * modes.coupling)),
-                eigenvalues: modes.eigenvalues,
-                ..ComponentModes::default()
-            }),
+            modes,
         })
     }
 

@@ -1,7 +1,7 @@
 //! Plan of bearings: which are modelled, and what their models ignore.
 
 use super::{BearingPlan, BodyPlan, DAMPING, Plan};
-use crate::bearing::Bearing;
+use crate::bearing::{Bearing, NonlinearLoad};
 use crate::dof::DOF_NAMES;
 use crate::ids::BodyId;
 use crate::mechanism::Mechanism;
@@ -34,7 +34,12 @@ pub(super) fn ignored_bearing_inputs(bearing: &Bearing, three_dimensional: bool)
             reason: "a quasi-static analysis neglects velocities, so bearings have no damping".into(),
         });
     }
-    let out_of_plane = |row: &usize| bearing.stiffness[*row].iter().any(|&entry| entry != 0.0);
+    let typical = match &bearing.nonlinear {
+        Some(NonlinearLoad::Curves(curves)) => curves.typical_stiffness(),
+        Some(NonlinearLoad::Rolling(_)) | None => [[0.0; 6]; 6],
+    };
+    let out_of_plane =
+        |row: &usize| bearing.stiffness[*row].iter().chain(&typical[*row]).any(|&entry| entry != 0.0);
     if !three_dimensional && [2, 3, 4].iter().any(out_of_plane) {
         unseen.push(Ignored {
             input: "bearing".into(),

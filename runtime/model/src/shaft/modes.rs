@@ -9,15 +9,17 @@ use crate::whirl::quarter_turn_momentum;
 use calyx_numerics::error::EngineError;
 use calyx_structure::{AttachmentMatrices, ComponentModes};
 use nalgebra::DMatrix;
+use std::f64::consts::TAU;
 
 /// Components of a station that move in tension, in torsion, and in bending in both planes.
 const FAMILIES: [&[usize]; 4] = [&[2], &[5], &[0, 4], &[1, 3]];
-/// Number of sections per diameter, which resolve shear by inertia: the error of a frequency is a
-/// few 1e-5.
+/// Number of sections per diameter, which resolve shear by inertia, and per wavelength of bending
+/// and torsion at the highest frequency. The error of a frequency is a few 1e-5.
 const PER_DIAMETER: f64 = 8.0;
-/// Least and largest number of parts of a stretch, and of the whole shaft.
-const PARTS: [usize; 2] = [4, 64];
-const MOST: usize = 400;
+const PER_WAVE: f64 = 16.0;
+/// Least number of parts of a stretch, and most of a shaft. Beyond it there are fewer per diameter.
+const LEAST: usize = 4;
+const MOST: f64 = 400.0;
 
 impl Shaft {
     /// Returns mass and component modes of the shaft with fixed stations (m, ascending), up to a
@@ -25,20 +27,20 @@ impl Shaft {
     /// beams.
     ///
     /// # Errors
-    /// E0858: the matrices are too ill-conditioned.
+    /// E0858: there are too many modes, or the matrices are too ill-conditioned.
     pub fn component_modes(&self, stations: &[f64], highest: f64) -> Result<AttachmentMatrices, EngineError> {
         self.modes_between(stations, highest).ok_or_else(|| {
             EngineError::new(
                 "E0858",
-                "the modes between its sections cannot be computed, because their stiffnesses differ too much",
-                "leave out segments that are much thinner or shorter than the others, or leave `highest_frequency` at 0",
+                format!("its modes up to {highest} Hz cannot be computed: they are too many, or its stiffnesses differ too much"),
+                "reduce `highest_frequency`, or leave out segments that are much thinner or shorter than the others",
             )
             .blame("segments")
         })
     }
 
     fn modes_between(&self, stations: &[f64], highest: f64) -> Option<AttachmentMatrices> {
-        let all = self.sections_between(stations)?;
+        let all = self.sections_between(stations, highest)?;
         let place = |station: f64| all.iter().position(|&other| other == station);
         let attached: Vec<usize> = stations.iter().map(|&station| place(station)).collect::<Option<_>>()?;
         let others: Vec<usize> = (0..all.len()).filter(|k| !attached.contains(k)).collect();
@@ -109,24 +111,29 @@ impl Shaft {
     }
 
     /// Returns the stations with sections between and beyond them, up to both ends; `None` without
-    /// stations.
-    fn sections_between(&self, stations: &[f64]) -> Option<Vec<f64>> {
+    /// stations, or if modes up to a frequency (Hz) need too many sections.
+    fn sections_between(&self, stations: &[f64], highest: f64) -> Option<Vec<f64>> {
         let (&low, &high) = (stations.first()?, stations.last()?);
         let mut stretches: Vec<[f64; 2]> = stations.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let least = 1e-6 * self.length();
         stretches.extend([[0.0, low], [high, self.length()]].into_iter().filter(|[a, b]| b - a > least));
-        // Thinnest section of each stretch.
-        let thinnest = |[from, to]: [f64; 2]| {
-            let diameters = self.gauss(from, to).into_iter().map(|(z, _)| self.diameters_at(z)[0]);
-            diameters.fold(f64::INFINITY, f64::min)
-        };
-        let wanted = |stretch: [f64; 2]| PER_DIAMETER * (stretch[1] - stretch[0]) / thinnest(stretch);
-        let total: f64 = stretches.iter().map(|&stretch| wanted(stretch)).sum();
-        let coarser = (MOST as f64 / total).min(1.0);
+        let mut wanted = Vec::new();
+        for &[from, to] in &stretches {
+            let (mut diameter, mut wave) = (f64::INFINITY, f64::INFINITY);
+            for (z, _) in self.gauss(from, to) {
+                diameter = diameter.min(self.diameters_at(z)[0]);
+                wave = wave.min(self.shortest_wave(z, highest));
+            }
+            wanted.push([(to - from) * PER_DIAMETER / diameter, (to - from) * PER_WAVE / wave]);
+        }
+        let total = |k: usize| wanted.iter().map(|parts| parts[k]).sum::<f64>();
+        let coarser = (MOST / total(0)).min(1.0);
+        if total(1) > MOST {
+            return None;
+        }
         let mut all = stations.to_vec();
-        for stretch in stretches {
-            let [from, to] = stretch;
-            let parts = ((coarser * wanted(stretch)).ceil() as usize).clamp(PARTS[0], PARTS[1]);
+        for ([from, to], [by_diameter, by_wave]) in stretches.into_iter().zip(wanted) {
+            let parts = ((coarser * by_diameter).max(by_wave).ceil() as usize).max(LEAST);
             all.extend((0..=parts).map(|k| from + (to - from) * (k as f64 / parts as f64)));
         }
         all.sort_by(f64::total_cmp);
@@ -135,5 +142,17 @@ impl Shaft {
         all.retain(|&z| stations.contains(&z) || !stations.iter().any(|&station| near(station, z)));
         all.dedup();
         Some(all)
+    }
+
+    /// Returns the shorter of the wavelengths of bending and torsion at a position (m) and a
+    /// frequency (Hz), m.
+    fn shortest_wave(&self, z: f64, frequency: f64) -> f64 {
+        let section = self.section(z, false);
+        let [.., bending, torsion] = section.compliances(&self.material);
+        let inertia = section.inertia(&self.material);
+        let omega = TAU * frequency;
+        let of_bending = (omega * omega * inertia[0] * bending).powf(0.25);
+        let of_torsion = omega * (inertia[5] * torsion).sqrt();
+        TAU / of_bending.max(of_torsion)
     }
 }

@@ -39,8 +39,6 @@ const FINENESS: f64 = 2.0;
 /// The same for quadratic elements. Error estimates compare with 1.5 times as many quadratic
 /// elements. Stress is singular at steps, so more of these would have the error of the cubic ones.
 const QUADRATIC_FINENESS: f64 = 4.0 / 3.0;
-/// Lowest order of the elements: linear ones lock in bending.
-const LEAST_ORDER: u8 = 2;
 
 /// Mesh of a solid shaft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +52,8 @@ pub struct SolidShaftMesh {
 impl SolidShaftMesh {
     /// Returns the mesh for the options of the structures of an analysis.
     pub fn of(options: &StructureOptions) -> SolidShaftMesh {
-        let order = u8::try_from(options.order).unwrap_or(u8::MAX).clamp(LEAST_ORDER, 3);
+        // Linear elements lock in bending.
+        let order = if options.order == 2 { 2 } else { 3 };
         let of_order = if order < 3 { QUADRATIC_FINENESS } else { FINENESS };
         let fineness = (of_order * options.refinement).round().max(1.0) as usize;
         SolidShaftMesh { order, fineness }

@@ -6,10 +6,6 @@ use super::read::Run;
 use super::units::{Unit, Units};
 use crate::vtu::pictures::{BodyPicture, colour_scale};
 use maud::{Markup, PreEscaped, html};
-use std::fmt::Write as _;
-
-/// Width and height of the colour scale, pixels.
-const SCALE: [usize; 2] = [240, 12];
 
 /// Returns the section; empty without pictures.
 pub fn section(run: &Run, units: Units) -> Markup {
@@ -39,28 +35,14 @@ fn body(picture: &BodyPicture, content: &str, units: Units) -> Markup {
     html! {
         figure {
             img.body src={ "data:image/png;base64," (content) } width=(width) height=(height) alt=(caption);
-            p.legend {
-                "von Mises stress: 0 " (PreEscaped(scale())) " " (shown(units.stress, picture.largest_stress))
+            @if picture.largest_stress > 0.0 {
+                p.legend {
+                    "von Mises stress: 0 "
+                    i.scale style={ "background:linear-gradient(90deg," (colour_scale().join(",")) ")" } {}
+                    " " (shown(units.stress, picture.largest_stress))
+                }
             }
             figcaption { (caption) }
         }
     }
-}
-
-/// Returns the colour scale as a drawing.
-fn scale() -> String {
-    let colours = colour_scale();
-    let [width, height] = SCALE;
-    let mut stops = String::new();
-    for (k, colour) in colours.iter().enumerate() {
-        let _ = write!(
-            stops,
-            "<stop offset=\"{}\" stop-color=\"{colour}\"/>",
-            k as f64 / (colours.len() - 1) as f64
-        );
-    }
-    format!(
-        "<svg width=\"{width}\" height=\"{height}\" aria-hidden=\"true\"><defs><linearGradient id=\"stress\">{stops}</linearGradient></defs>\
-         <rect width=\"{width}\" height=\"{height}\" fill=\"url(#stress)\"/></svg>"
-    )
 }

@@ -129,14 +129,19 @@ fn unsupported(scene: &Mechanism, body: BodyId, supports: &[usize], positive: bo
     let names: Vec<String> =
         supports.iter().map(|&bearing| format!("\"{}\"", scene.bearings[bearing].name)).collect();
     let which = match &names[..] {
-        [only] => format!("its only axial support, {only}, carries axial force to {has} (`thrust`) alone"),
-        _ => format!("its axial supports {} carry axial force to {has} (`thrust`) alone", names.join(", ")),
+        [only] => format!("its only axial support, {only}, carries axial force to {has} alone"),
+        _ => format!("its axial supports {} carry axial force to {has} alone", names.join(", ")),
+    };
+    let rolling = supports.iter().all(|&bearing| scene.bearings[bearing].rolling().is_some());
+    let (argument, help) = match rolling {
+        true => ("thrust", format!("mount one of two such bearings with `thrust = \"{lacks}\"`")),
+        false => ("axial_forces", "let the axial load curve increase at both of its ends".to_owned()),
     };
     EngineError::new(
         "E0729",
         format!("nothing supports \"{name}\" against axial force to {lacks}: {which}"),
-        format!("mount one of two such bearings with `thrust = \"{lacks}\"`, or add a bearing that carries axial force to {lacks}"),
+        format!("{help}, or add a bearing that carries axial force to {lacks}"),
     )
     .about(Subject::Bearing(supports.last().copied().unwrap_or_default()))
-    .blame("thrust")
+    .blame(argument)
 }

@@ -1,12 +1,12 @@
 //! Bearings with a nonlinear load in equilibrium with contact: rolling bearings and load curves.
 //!
-//! The load is a function of the deflection. Each contact problem has the tangents of all bearings, and its solution gives their next deflections: a
-//! proximal Newton method on the total potential energy, which is exact for contact and quadratic
-//! for bearings. The grids of contact do not change in this iteration, so the energy is one convex
-//! function (nearly so with balls). A step ends where the work of the bearings attains that of
-//! their linearization, which decreases an upper bound of the energy without another contact
-//! problem. A multiple of the typical stiffness restrains bearings within their clearances; it
-//! vanishes with the convergence.
+//! The load is a function of the deflection. Each contact problem has the tangents of all bearings,
+//! and its solution gives their next deflections: a proximal Newton method on the total potential
+//! energy, which is exact for contact and quadratic for bearings. The grids of contact do not change
+//! in this iteration, so the energy is one convex function (nearly so with balls). A step ends where
+//! the work of the bearings attains that of their linearization, which decreases an upper bound of
+//! the energy without another contact problem. A multiple of the typical stiffness restrains
+//! bearings within their clearances; it vanishes with the convergence.
 //!
 //! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
@@ -103,10 +103,18 @@ impl System<'_> {
         let is_preloaded = iteration.states.iter().any(|state| state.evaluation.scale > 0.0);
         // In the limit without load, bearings keep the middle of their clearance.
         if !is_preloaded && load.iter().all(|&load| load == 0.0) {
-            let mut step = solve(&[], None)?;
-            step.warnings.push(
-                "bearings with rolling elements or load curves have neither load nor preload: stiffness and natural frequencies are those of bearings with a typical stiffness".to_owned(),
-            );
+            let mut by_scene = vec![None; self.scene.bearings.len()];
+            let mut known = true;
+            for member in &bearings.members {
+                by_scene[member.bearing] = member.nonlinear.unloaded_tangent();
+                known &= by_scene[member.bearing].is_some();
+            }
+            let mut step = solve(&by_scene, None)?;
+            if !known {
+                step.warnings.push(
+                    "bearings with rolling elements or clearance have neither load nor preload: stiffness and natural frequencies are those of bearings with a typical stiffness".to_owned(),
+                );
+            }
             return Ok(step);
         }
         let mut step = solve(&[], Some(&bearings))?;

@@ -1,5 +1,5 @@
 //! Pictures of deformed bodies for the report page: the outer surface of each body with exaggerated
-//! displacements, coloured by von Mises stress, at the position with the largest stress.
+//! displacements, coloured by von Mises stress, at the position with the largest stress, or displacement of beams.
 //!
 //! The pictures are files next to the VTU files with a list of what they show, so that the page
 //! depends on files only.
@@ -70,12 +70,18 @@ pub fn read(folder: &Path) -> Vec<BodyPicture> {
 pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) -> io::Result<()> {
     let mut list = if position == 0 { Vec::new() } else { read(folder) };
     let mut changed = false;
-    for surface in surface::all(fields) {
-        let largest_stress = surface.largest_stress();
-        let known = list.iter().position(|picture: &BodyPicture| picture.body == surface.body);
-        if known.is_some_and(|known| list[known].largest_stress >= largest_stress) {
+    for body in surface::all(fields) {
+        let (largest_stress, largest_displacement) = (body.largest_stress(), body.largest_displacement());
+        let known = list.iter().position(|picture: &BodyPicture| picture.body == body.name());
+        // Beams have no stress.
+        let is_less = |known: usize| match largest_stress > 0.0 {
+            true => list[known].largest_stress >= largest_stress,
+            false => list[known].largest_displacement >= largest_displacement,
+        };
+        if known.is_some_and(is_less) {
             continue;
         }
+        let surface = body.surface();
         let file = name(surface.number);
         let exaggeration = exaggeration(&surface);
         let image = view::draw(&surface, exaggeration, largest_stress);
@@ -86,7 +92,7 @@ pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) ->
             position,
             time,
             exaggeration,
-            largest_displacement: surface.largest_displacement(),
+            largest_displacement,
             largest_stress,
             size: image.size(),
         };
@@ -96,7 +102,7 @@ pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) ->
         }
         changed = true;
     }
-    if changed || position == 0 && !list.is_empty() {
+    if changed {
         fs::write(folder.join(LIST), serde_json::to_vec_pretty(&list)?)?;
     }
     Ok(())
@@ -169,7 +175,7 @@ mod tests {
         let mut field = cube(0, 0.0);
         field.displacements = vec![[0.0; 3]; 8];
         let all = Fields { elastic_bodies: vec![field], ..Fields::default() };
-        let surface = surface::all(&all).next().unwrap();
-        assert_eq!((exaggeration(&surface), surface.largest_stress()), (1.0, 0.0));
+        let body = surface::all(&all).next().unwrap();
+        assert_eq!((exaggeration(&body.surface()), body.largest_stress()), (1.0, 0.0));
     }
 }

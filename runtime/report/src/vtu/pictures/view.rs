@@ -386,7 +386,7 @@ mod tests {
     #[test]
     fn visible_faces_cover_their_projection() {
         let fields = Fields { elastic_bodies: vec![cube(0, 1e6)], ..Fields::default() };
-        let surface = all(&fields).next().expect("a cube");
+        let surface = all(&fields).next().expect("a cube").surface();
         let frame = Frame::around(surface.points.iter());
         let image = draw(&surface, 0.0, 1e6);
         let covered = image.samples.iter().filter(|sample| sample[3] == 1.0).count() as f64;
@@ -401,7 +401,7 @@ mod tests {
     #[test]
     fn exaggerated_displacements_move_the_surface() {
         let fields = Fields { elastic_bodies: vec![cube(0, 1e6)], ..Fields::default() };
-        let surface = all(&fields).next().expect("a cube");
+        let surface = all(&fields).next().expect("a cube").surface();
         let covered = |exaggeration: f64| {
             let image = draw(&surface, exaggeration, 1e6);
             let [width, height] = image.size();
@@ -420,8 +420,8 @@ mod tests {
         empty.cells.clear();
         for field in [flat, invalid, empty] {
             let fields = Fields { elastic_bodies: vec![field], ..Fields::default() };
-            let surface = all(&fields).next().expect("a body");
-            let image = draw(&surface, 1.0, surface.largest_stress());
+            let body = all(&fields).next().expect("a body");
+            let image = draw(&body.surface(), 1.0, body.largest_stress());
             assert!(!image.png().expect("a picture").is_empty());
         }
     }
