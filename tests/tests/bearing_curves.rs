@@ -41,8 +41,8 @@ fn a_load_at_a_point_deflects_by_its_displacement() {
     close("z", found["z"][0], -2e-5, 1e-9, 0.0);
     close("force", found["force"][0], 4e4, 1e-9, 0.0);
     close("axial", found["axial"][0].abs(), 8e3, 1e-9, 0.0);
-    // Across the load the bearing has its secant stiffness, along it the slope of the curve, which is
-    // the harmonic mean of those on both sides.
+    // Across the load the bearing has its secant stiffness, along it the slope of the curve, which
+    // is the harmonic mean of those on both sides.
     let along = 2.0 * 3e9 * 5e9 / (3e9 + 5e9);
     // At the first point, that of the parabola through the secants 4e8 and 0 N/m.
     let axial = (2.0 * 20.0 + 5.0) * 4e8 / (20.0 + 5.0);

@@ -272,8 +272,8 @@ fn a_housing_takes_part_in_vibrations() {
 }
 
 /// With component modes, a housing on its feet has the natural frequencies of the whole housing
-/// below half of their highest frequency. By its static displacements it has the motions of its seats
-/// only.
+/// below half of their highest frequency. By its static displacements it has the motions of its
+/// seats only.
 #[test]
 fn a_housing_vibrates_like_the_whole_housing() {
     for how in ["rigid", "average"] {

@@ -538,9 +538,9 @@ fn with_modes(matrices: &AttachmentMatrices, springs: &DMatrix<f64>) -> [DMatrix
     [stiffness, mass]
 }
 
-/// A bar that is given by the matrices of seven cross-sections, of which both ends are attached, has
-/// the natural frequencies of these matrices below half of the highest frequency of its modes, on
-/// springs at both ends and at one.
+/// A bar that is given by the matrices of seven cross-sections, of which both ends are attached,
+/// has the natural frequencies of these matrices below half of the highest frequency of its modes,
+/// on springs at both ends and at one.
 #[test]
 fn component_modes_complete_given_matrices() {
     let mut sections = FiniteElementBody::new(Arc::new(bar([6, 2, 2], 1.0)), Key::of("bar").finish());

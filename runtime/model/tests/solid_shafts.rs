@@ -147,8 +147,9 @@ fn a_step_is_softer_than_two_beams() {
     }
 }
 
-/// The mesh that estimates of the mesh error compare with shows the error of a step: its factor of 2
-/// on the difference covers the difference from a mesh twice as fine, and is not 6 times too large.
+/// The mesh that estimates of the mesh error compare with shows the error of a step: its factor of
+/// 2 on the difference covers the difference from a mesh twice as fine, and is not 6 times too
+/// large.
 #[test]
 fn the_mesh_of_error_estimates_shows_the_error_of_a_step() {
     let other = StructureOptions { order: 2, refinement: 1.5, ..StructureOptions::default() };

@@ -58,8 +58,8 @@ impl System<'_> {
         DMatrix::from_row_slice(count, count, &matrix)
     }
 
-    /// Returns the form of the sense of whirl of all coordinates at a time (s), with the units of the mass
-    /// matrix: see [`quarter_turn_momentum`]. Bodies that do not rotate do not contribute.
+    /// Returns the form of the sense of whirl of all coordinates at a time (s), with the units of
+    /// the mass matrix: see [`quarter_turn_momentum`]. Bodies that do not rotate do not contribute.
     pub fn whirl_form(&self, time: f64) -> DMatrix<f64> {
         let count = self.dofs.len() + self.mode_count();
         let mut matrix = vec![0.0; count * count];

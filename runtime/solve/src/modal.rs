@@ -91,8 +91,8 @@ impl Modes {
     }
 }
 
-/// Checks whether modes of bodies up to this natural frequency, Hz, are supported: those of gears in
-/// two dimensions, and those of elastic bodies such as housings in three.
+/// Checks whether modes of bodies up to this natural frequency, Hz, are supported: those of gears
+/// in two dimensions, and those of elastic bodies such as housings in three.
 ///
 /// # Errors
 /// E0764: it is negative or NaN. E0771: the model is three-dimensional and has no elastic body.

@@ -272,8 +272,8 @@ impl<'s> System<'s> {
         }
     }
 
-    /// Returns the elastic connections with component modes, and the index of the first mode of each
-    /// among those of all.
+    /// Returns the elastic connections with component modes, and the index of the first mode of
+    /// each among those of all.
     pub fn connection_modes(&self) -> Vec<(&ElasticConnection, usize)> {
         let mut first = 0;
         let planned = self.connections.iter().filter_map(|&index| self.elastic_connections.get(index));
@@ -285,8 +285,8 @@ impl<'s> System<'s> {
         numbered.collect()
     }
 
-    /// Returns the number of modal coordinates in vibrations: modes of gears, and component modes of
-    /// elastic bodies.
+    /// Returns the number of modal coordinates in vibrations: modes of gears, and component modes
+    /// of elastic bodies.
     pub fn mode_count(&self) -> usize {
         let connections = self.connection_modes();
         self.modes.count() + connections.iter().map(|(connection, _)| connection.modes.count()).sum::<usize>()

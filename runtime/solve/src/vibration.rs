@@ -7,9 +7,10 @@
 //! their compliance minus that of the modes, `sum phi phi' / omega²`, so that both together have
 //! the static compliance. The mass matrix contains the inertia of the bodies, with `phi' M r`
 //! between modes and frames. The component modes of elastic bodies follow the modes of gears: they
-//! move no cell, and their mass couples them to the attachments. The frequencies are those at one position: stiffness and frequencies
-//! change as teeth enter and leave contact. These are the frequencies without rotation and without
-//! damping; those with gyroscopic terms follow from them, see [`crate::gyroscopic`].
+//! move no cell, and their mass couples them to the attachments. The frequencies are those at one
+//! position: stiffness and frequencies change as teeth enter and leave contact. These are the
+//! frequencies without rotation and without damping; those with gyroscopic terms follow from them,
+//! see [`crate::gyroscopic`].
 //!
 //! See `docs/theory/modes.md`.
 
@@ -136,9 +137,9 @@ impl System<'_> {
         Some(Mat::from_fn(m + count, m + count, entry))
     }
 
-    /// Returns the width to which forces on each coordinate refer, m: DOFs, then modal coordinates of
-    /// gears and of elastic bodies, which exist in three dimensions only. Coupled coordinates have
-    /// equal widths.
+    /// Returns the width to which forces on each coordinate refer, m: DOFs, then modal coordinates
+    /// of gears and of elastic bodies, which exist in three dimensions only. Coupled coordinates
+    /// have equal widths.
     fn coordinate_widths(&self) -> Vec<f64> {
         let mut widths: Vec<f64> = self.dofs.iter().map(|dof| self.width(dof.body)).collect();
         for body in 0..self.scene.bodies.len() {

@@ -1,7 +1,7 @@
 //! Force of a bearing as a table over its deflection: stiffness that depends on the load.
 //!
-//! Between the points of the table the force is a monotone cubic (Fritsch and Butland, SIAM J.
-//! Sci. Stat. Comput. 5, 1984), so it never decreases and its derivative is continuous. Beyond the last
+//! Between the points of the table the force is a monotone cubic (Fritsch and Butland, SIAM J. Sci.
+//! Stat. Comput. 5, 1984), so it never decreases and its derivative is continuous. Beyond the last
 //! point it continues with the last slope.
 
 use super::BearingMatrix;

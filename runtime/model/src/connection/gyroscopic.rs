@@ -61,8 +61,8 @@ impl<'c> Rotation<'c> {
     }
 }
 
-/// Returns the planned connections, each with the index of its first mode among all coordinates of a
-/// matrix, of which the component modes are the last ones.
+/// Returns the planned connections, each with the index of its first mode among all coordinates of
+/// a matrix, of which the component modes are the last ones.
 fn numbered<'c>(
     target: &[f64],
     connections: &'c [ElasticConnection],
@@ -79,8 +79,8 @@ fn numbered<'c>(
 }
 
 /// Adds the gyroscopic matrix of the planned connections of a three-dimensional scene at a time (s)
-/// to a matrix, row-major, kg m²/s. Its coordinates begin with these DOFs and end with the component
-/// modes of all planned connections. Elastic shafts have gyroscopic terms; other
+/// to a matrix, row-major, kg m²/s. Its coordinates begin with these DOFs and end with the
+/// component modes of all planned connections. Elastic shafts have gyroscopic terms; other
 /// connections have none.
 ///
 /// # Errors

@@ -23,8 +23,8 @@ const MOST: f64 = 400.0;
 
 impl Shaft {
     /// Returns mass and component modes of the shaft with fixed stations (m, ascending), up to a
-    /// frequency (Hz), with the gyroscopic terms of both. The static shapes of the mass are those of
-    /// beams.
+    /// frequency (Hz), with the gyroscopic terms of both. The static shapes of the mass are those
+    /// of beams.
     ///
     /// # Errors
     /// E0858: there are too many modes, or the matrices are too ill-conditioned.

@@ -45,7 +45,8 @@ pub(super) struct Conditions<'a> {
     pub(super) direction: &'a [f64],
     /// Terms of bearings at the position.
     pub(super) springs: &'a Springs,
-    /// Bearings with a nonlinear load, whose tangents replace those of `springs` in contact problems.
+    /// Bearings with a nonlinear load, whose tangents replace those of `springs` in contact
+    /// problems.
     pub(super) nonlinear: Option<&'a NonlinearBearings<'a>>,
     /// Deviations from the prescribed motions at which the contact grid is created, m or rad by
     /// DOF; empty if zero.

@@ -160,8 +160,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         Ok(LaidOutContact { step, references })
     }
 
-    /// Solves a contact problem, with nonlinear bearings in equilibrium; `guess` is an initial active
-    /// set.
+    /// Solves a contact problem, with nonlinear bearings in equilibrium; `guess` is an initial
+    /// active set.
     fn solve_problem(
         &self,
         problem: ContactProblem,

@@ -2,11 +2,11 @@
 //!
 //! The load is a function of the deflection. Each contact problem has the tangents of all bearings,
 //! and its solution gives their next deflections: a proximal Newton method on the total potential
-//! energy, which is exact for contact and quadratic for bearings. The grids of contact do not change
-//! in this iteration, so the energy is one convex function (nearly so with balls). A step ends where
-//! the work of the bearings attains that of their linearization, which decreases an upper bound of
-//! the energy without another contact problem. A multiple of the typical stiffness restrains
-//! bearings within their clearances; it vanishes with the convergence.
+//! energy, which is exact for contact and quadratic for bearings. The grids of contact do not
+//! change in this iteration, so the energy is one convex function (nearly so with balls). A step
+//! ends where the work of the bearings attains that of their linearization, which decreases an
+//! upper bound of the energy without another contact problem. A multiple of the typical stiffness
+//! restrains bearings within their clearances; it vanishes with the convergence.
 //!
 //! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
@@ -23,8 +23,8 @@ use std::cell::Cell;
 
 /// Largest number of contact problems with the same grids.
 const ROUNDS: usize = 100;
-/// Difference between the load of a bearing and its linearization, relative to the largest load of a
-/// bearing and to the external load.
+/// Difference between the load of a bearing and its linearization, relative to the largest load of
+/// a bearing and to the external load.
 const TOLERANCE: f64 = 1e-11;
 /// Difference below which rounding may end the iteration.
 const ROUNDING: f64 = 1e-9;
@@ -86,8 +86,8 @@ impl System<'_> {
         self.bearings.iter().any(|&bearing| self.scene.bearings[bearing].nonlinear.is_some())
     }
 
-    /// Solves the equilibrium with nonlinear bearings under a load at a time (s). `solve` solves the
-    /// position with given tangents, by bearing of the scene; without them, bearings have their
+    /// Solves the equilibrium with nonlinear bearings under a load at a time (s). `solve` solves
+    /// the position with given tangents, by bearing of the scene; without them, bearings have their
     /// typical stiffness.
     ///
     /// # Errors

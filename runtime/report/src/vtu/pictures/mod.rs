@@ -1,5 +1,6 @@
 //! Pictures of deformed bodies for the report page: the outer surface of each body with exaggerated
-//! displacements, coloured by von Mises stress, at the position with the largest stress, or displacement of beams.
+//! displacements, coloured by von Mises stress, at the position with the largest stress, or
+//! displacement of beams.
 //!
 //! The pictures are files next to the VTU files with a list of what they show, so that the page
 //! depends on files only.
@@ -23,7 +24,7 @@ pub const PREFIX: &str = "body-";
 /// Largest exaggerated displacement relative to the size of the body.
 const EXAGGERATED: f64 = 0.08;
 
-/// What a picture shows.
+/// Description of a picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BodyPicture {
     /// Name of the body.
@@ -165,7 +166,7 @@ mod tests {
         let file = fs::File::open(directory.path().join(&picture.file)).unwrap();
         let reader = png::Decoder::new(io::BufReader::new(file)).read_info().unwrap();
         assert_eq!([reader.info().width, reader.info().height], picture.size);
-        // A new run starts anew.
+        // A new run replaces the pictures.
         update(directory.path(), (0, 0.0), &fields(1e5)).unwrap();
         assert_eq!(read(directory.path())[1].largest_stress, 2e5);
     }

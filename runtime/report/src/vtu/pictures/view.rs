@@ -234,8 +234,8 @@ impl Image {
         }
     }
 
-    /// Draws a line of a colour, opacity and width where nothing is more than a distance in front of
-    /// it.
+    /// Draws a line of a colour, opacity and width where nothing is more than a distance in front
+    /// of it.
     fn line(
         &mut self,
         [from, to]: [[f64; 3]; 2],
