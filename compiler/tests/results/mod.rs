@@ -38,7 +38,11 @@ fn read(directory: &Path, below: &str, all: &mut BTreeMap<String, String>) {
         match path.is_dir() {
             true => read(&path, &format!("{name}/"), all),
             false => {
-                all.insert(name, fs::read_to_string(&path).expect("text"));
+                // Pictures are not text.
+                let content = fs::read(&path).expect("a file");
+                let text =
+                    String::from_utf8(content).unwrap_or_else(|other| format!("{:?}", other.as_bytes()));
+                all.insert(name, text);
             }
         }
     }

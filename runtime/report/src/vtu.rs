@@ -103,7 +103,7 @@ pub fn files_of(step: usize, fields: Option<&Fields>) -> impl Iterator<Item = St
 
 /// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
-    let is_picture = name == pictures::LIST
+    let is_picture = [pictures::LIST, pictures::UNFINISHED].contains(&name)
         || name.strip_prefix(pictures::PREFIX).is_some_and(|rest| rest.ends_with(".png"));
     is_picture
         || KINDS.iter().any(|kind| {

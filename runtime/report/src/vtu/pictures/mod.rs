@@ -19,6 +19,8 @@ pub use view::colour_scale;
 
 /// List of the pictures.
 pub const LIST: &str = "pictures.json";
+/// The list while it is being written.
+pub const UNFINISHED: &str = "pictures.json.part";
 /// Beginning of the names of the pictures.
 pub const PREFIX: &str = "body-";
 /// Largest exaggerated displacement relative to the size of the body.
@@ -50,7 +52,7 @@ pub fn files_of(fields: &Fields) -> Vec<String> {
     let numbers = fields.bodies.iter().map(|body| body.number);
     let numbers = numbers.chain(fields.elastic_bodies.iter().map(|body| body.number));
     let pictures = numbers.map(|number| name(number));
-    pictures.chain([LIST.to_owned()]).collect()
+    pictures.chain([LIST.to_owned(), UNFINISHED.to_owned()]).collect()
 }
 
 fn name(number: usize) -> String {
@@ -104,7 +106,10 @@ pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) ->
         changed = true;
     }
     if changed {
-        fs::write(folder.join(LIST), serde_json::to_vec_pretty(&list)?)?;
+        // A run that is ended here keeps its former list.
+        let unfinished = folder.join(UNFINISHED);
+        fs::write(&unfinished, serde_json::to_vec_pretty(&list)?)?;
+        fs::rename(unfinished, folder.join(LIST))?;
     }
     Ok(())
 }
@@ -161,7 +166,7 @@ mod tests {
         // 8 % of the diagonal are 13856 times the displacement.
         assert_eq!(picture.exaggeration, 1e4);
         for name in files_of(&fields(1.0)) {
-            assert!(directory.path().join(name).exists());
+            assert_eq!(directory.path().join(&name).exists(), name != UNFINISHED, "{name}");
         }
         let file = fs::File::open(directory.path().join(&picture.file)).unwrap();
         let reader = png::Decoder::new(io::BufReader::new(file)).read_info().unwrap();
