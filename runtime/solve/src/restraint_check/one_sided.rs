@@ -128,11 +128,12 @@ fn unsupported(scene: &Mechanism, body: BodyId, supports: &[usize], positive: bo
     let [has, lacks] = if positive { ["+z", "-z"] } else { ["-z", "+z"] };
     let names: Vec<String> =
         supports.iter().map(|&bearing| format!("\"{}\"", scene.bearings[bearing].name)).collect();
-    let which = match &names[..] {
-        [only] => format!("its only axial support, {only}, carries axial force to {has} alone"),
-        _ => format!("its axial supports {} carry axial force to {has} alone", names.join(", ")),
-    };
     let rolling = supports.iter().all(|&bearing| scene.bearings[bearing].rolling().is_some());
+    let by = if rolling { " (`thrust`)" } else { "" };
+    let which = match &names[..] {
+        [only] => format!("its only axial support, {only}, carries axial force to {has}{by} alone"),
+        _ => format!("its axial supports {} carry axial force to {has}{by} alone", names.join(", ")),
+    };
     let (argument, help) = match rolling {
         true => ("thrust", format!("mount one of two such bearings with `thrust = \"{lacks}\"`")),
         false => ("axial_forces", "let the axial load curve increase at both of its ends".to_owned()),
