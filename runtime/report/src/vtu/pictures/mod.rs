@@ -51,7 +51,7 @@ pub struct BodyPicture {
 pub fn files_of(fields: &Fields) -> Vec<String> {
     let numbers = fields.bodies.iter().map(|body| body.number);
     let numbers = numbers.chain(fields.elastic_bodies.iter().map(|body| body.number));
-    let pictures = numbers.map(|number| name(number));
+    let pictures = numbers.map(name);
     pictures.chain([LIST.to_owned(), UNFINISHED.to_owned()]).collect()
 }
 

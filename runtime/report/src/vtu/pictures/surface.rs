@@ -6,6 +6,9 @@ use calyx_runtime::elastic_body::CellShape;
 use calyx_runtime::observables::{BodyField, ElasticBodyField, Fields};
 use std::collections::BTreeMap;
 
+/// Faces of a cell, as indices of its corners.
+type Faces = &'static [&'static [usize]];
+
 /// Faces of a hexahedron, wedge and tetrahedron, outward.
 const HEXAHEDRON: [&[usize]; 6] =
     [&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]];
@@ -88,7 +91,7 @@ fn largest(vectors: &[[f64; 3]]) -> f64 {
 
 fn of_gear(body: &BodyField) -> Surface {
     let mut surface = Surface::empty(&body.body, body.number);
-    let mut cells: Vec<(&'static [&'static [usize]], Vec<usize>)> = Vec::new();
+    let mut cells: Vec<(Faces, Vec<usize>)> = Vec::new();
     for sector in &body.sectors {
         let first = surface.points.len();
         surface.points.extend(&sector.points);
@@ -111,7 +114,7 @@ fn of_elastic_body(body: &ElasticBodyField) -> Surface {
     surface.points.clone_from(&body.points);
     surface.displacements.clone_from(&body.displacements);
     surface.stresses = body.stresses.iter().map(|&stress| von_mises(stress)).collect();
-    let mut cells: Vec<(&'static [&'static [usize]], Vec<usize>)> = Vec::new();
+    let mut cells: Vec<(Faces, Vec<usize>)> = Vec::new();
     for (shape, nodes) in &body.cells {
         match shape {
             CellShape::Line => surface.lines.push([nodes[0], nodes[nodes.len() - 1]]),
@@ -137,7 +140,7 @@ fn of_elastic_body(body: &ElasticBodyField) -> Surface {
 }
 
 /// Returns the faces that belong to one cell only.
-fn outer_faces(cells: &[(&[&[usize]], Vec<usize>)]) -> Vec<Vec<usize>> {
+fn outer_faces(cells: &[(Faces, Vec<usize>)]) -> Vec<Vec<usize>> {
     let mut found: BTreeMap<Vec<usize>, Option<Vec<usize>>> = BTreeMap::new();
     for (faces, corners) in cells {
         for face in *faces {
@@ -203,7 +206,7 @@ mod tests {
     /// Faces of all shapes are outward: their normals point away from the centre.
     #[test]
     fn faces_are_outward() {
-        let shapes: [(&[&[usize]], Vec<[f64; 3]>); 3] = [
+        let shapes: [(Faces, Vec<[f64; 3]>); 3] = [
             (&HEXAHEDRON, cube(0, 1.0).points),
             (
                 &WEDGE,
