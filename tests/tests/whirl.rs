@@ -152,6 +152,9 @@ fn component_modes_replace_sections() {
         println!("{differences:?}");
         assert!(differences.iter().all(|difference| *difference < 3e-5), "{differences:?}");
     }
+    // More modes than sections can resolve are rejected before the run.
+    let end = END.replace("fidelity =", "highest_frequency = 1e7 Hz, fidelity =");
+    assert_eq!(codes(&format!("{START}{}{}{end}", stepped(800.0, 0, ""), modes(1))), ["E0858"]);
     // Without modes and sections, the shaft has the mass of its static displacements.
     assert!(difference(0)[0] > 1e-2);
 }

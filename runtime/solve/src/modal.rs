@@ -11,6 +11,7 @@
 
 use calyx_contact::grid::Cell;
 use calyx_contact::problem::ContactProblem;
+use calyx_model::connection::CondensedShaft;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::plan::Plan;
@@ -96,13 +97,22 @@ impl Modes {
 ///
 /// # Errors
 /// E0764: it is negative or NaN. E0771: the model is three-dimensional and has no elastic body.
-/// E0782: its bodies have no meshes.
+/// E0782: its bodies have no meshes. E0858: a shaft has too many modes.
 pub fn check_modes(scene: &Mechanism, plan: &Plan, highest: f64) -> Result<(), EngineError> {
     let fidelity = plan.fidelity;
     let mut modelled = plan.modelled_connections().into_iter();
     let elastic = plan.three_dimensional
         && fidelity != Fidelity::Rigid
         && modelled.any(|connection| scene.connections[connection].has_modes());
+    if elastic && highest > 0.0 && highest.is_finite() {
+        for connection in plan.modelled_connections().into_iter().map(|index| &scene.connections[index]) {
+            if let Some(CondensedShaft { shaft, stations, rigid: false }) = &connection.shaft
+                && !stations.is_empty()
+            {
+                shaft.check_modes(stations, highest).map_err(|error| connection.about_shaft(error))?;
+            }
+        }
+    }
     let (code, message, help) = match fidelity {
         _ if !(highest.is_finite() && highest >= 0.0) => (
             "E0764",

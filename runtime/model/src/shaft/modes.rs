@@ -29,14 +29,17 @@ impl Shaft {
     /// # Errors
     /// E0858: there are too many modes, or the matrices are too ill-conditioned.
     pub fn component_modes(&self, stations: &[f64], highest: f64) -> Result<AttachmentMatrices, EngineError> {
-        self.modes_between(stations, highest).ok_or_else(|| {
-            EngineError::new(
-                "E0858",
-                format!("its modes up to {highest} Hz cannot be computed: they are too many, or its stiffnesses differ too much"),
-                "reduce `highest_frequency`, or leave out segments that are much thinner or shorter than the others",
-            )
-            .blame("segments")
-        })
+        self.modes_between(stations, highest).ok_or_else(|| not_computed(highest))
+    }
+
+    /// Checks whether the shaft with these stations (m, ascending) can have modes up to a frequency
+    /// (Hz), as far as this is known before they are computed.
+    ///
+    /// # Errors
+    /// E0858: there are too many modes.
+    pub fn check_modes(&self, stations: &[f64], highest: f64) -> Result<(), EngineError> {
+        let sections = self.sections_between(stations, highest);
+        sections.map(|_| ()).ok_or_else(|| not_computed(highest))
     }
 
     fn modes_between(&self, stations: &[f64], highest: f64) -> Option<AttachmentMatrices> {
@@ -155,4 +158,15 @@ impl Shaft {
         let of_torsion = omega * (inertia[5] * torsion).sqrt();
         TAU / of_bending.max(of_torsion)
     }
+}
+
+fn not_computed(highest: f64) -> EngineError {
+    EngineError::new(
+        "E0858",
+        format!(
+            "its modes up to {highest} Hz cannot be computed: they are too many, or its stiffnesses differ too much"
+        ),
+        "reduce `highest_frequency`, or leave out segments that are much thinner or shorter than the others",
+    )
+    .blame("highest_frequency")
 }
