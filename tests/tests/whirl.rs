@@ -154,7 +154,8 @@ fn component_modes_replace_sections() {
     }
     // More modes than sections can resolve are rejected before the run.
     let end = END.replace("fidelity =", "highest_frequency = 1e7 Hz, fidelity =");
-    assert_eq!(codes(&format!("{START}{}{}{end}", stepped(800.0, 0, ""), modes(1))), ["E0858"]);
+    let found = codes(&format!("{START}{}{}{end}", stepped(800.0, 0, ""), modes(1)));
+    assert!(found.contains(&"E0858".to_owned()), "{found:?}");
     // Without modes and sections, the shaft has the mass of its static displacements.
     assert!(difference(0)[0] > 1e-2);
 }
