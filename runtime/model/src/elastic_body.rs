@@ -41,7 +41,7 @@ pub enum MassReduction {
     /// No mass: for statics.
     #[default]
     None,
-    /// By the static displacements (Guyan 1965).
+    /// Reduction by the static displacements (Guyan 1965).
     Static,
     /// In addition, modes with fixed attachments up to this frequency, Hz (Craig and Bampton 1968),
     /// and pseudo-modes for the omitted ones (Dickens, Nakagawa and Wittbrodt 1997).
