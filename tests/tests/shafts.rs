@@ -2,6 +2,8 @@
 //! on bearings without a shaft, in other orientations, and with several gears on a shaft.
 
 use crate::models::{close, codes, ranges};
+use calyx::rt::{RunOptions, run};
+use calyx::{Engine, Module};
 use std::f64::consts::PI;
 
 /// The example of a pinion on bearings, with the pinion on a rigid shaft instead, that has its
@@ -350,6 +352,35 @@ analyze(\"quasi_static\", over = gears.times(1 ms, 1 ms, 1), fidelity = \"plane\
     for mode in ["low", "high"] {
         close(mode, with[mode][1], without[mode][1], 1e-9);
     }
+}
+
+/// A picture has 24 points around a section, so its largest stress is at most 1 % below that of the
+/// section.
+#[test]
+fn pictures_of_shafts_have_their_nominal_stress_and_deflection() {
+    let path = calyx_tests::root().join("examples/flexible_shafts.cx");
+    let text = std::fs::read_to_string(path)
+        .expect("the example")
+        .replace("steps = 4", "steps = 2")
+        .replace("\nanalyze(", "\noutput stress := gears.shaft_stress(input);\nanalyze(");
+    let found = ranges(&text);
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("model.cx");
+    std::fs::write(&model, &text).expect("written");
+    let module = Module::from_file(&Engine::default(), &model).expect("a model");
+    let directory = folder.path().join("run");
+    let options =
+        RunOptions { directory: directory.clone(), quiet: true, vtu: true, ..RunOptions::default() };
+    run(module.as_program(), &options).unwrap_or_else(|error| panic!("{error:?}"));
+    let list = std::fs::read_to_string(directory.join("vtu/pictures.json")).expect("pictures");
+    let list: Vec<serde_json::Value> = serde_json::from_str(&list).expect("a list");
+    let of = |name: &str| list.iter().find(|picture| picture["body"] == name);
+    assert!(of("output").is_some(), "{list:?}");
+    let input = of("input").expect("a picture of the shaft");
+    let number = |name: &str| input[name].as_f64().expect("a number");
+    let (shown, stress) = (number("largest_stress"), found["stress"][1]);
+    assert!((0.99 * stress..=(1.0 + 1e-6) * stress).contains(&shown), "{shown} instead of {stress}");
+    assert!(number("largest_displacement") > found["deflection"][0], "{input}");
 }
 
 /// What a run would reject, a check rejects, with the argument.

@@ -128,8 +128,12 @@ impl Zone {
     }
 }
 
-/// Returns the largest pressure between two points, Pa.
-fn peak_within(pieces: &[impl PressureStrip], pressures: &[f64], [from, to]: [f64; 2]) -> Option<Peak> {
+/// Returns the largest pressure between two points (m), Pa.
+pub(crate) fn peak_within(
+    pieces: &[impl PressureStrip],
+    pressures: &[f64],
+    [from, to]: [f64; 2],
+) -> Option<Peak> {
     if from >= to {
         return None;
     }

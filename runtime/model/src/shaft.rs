@@ -14,6 +14,7 @@
 //! See `docs/theory/shafts.md`.
 
 mod beam;
+mod deformed;
 mod modes;
 mod segment;
 mod solid;

@@ -428,3 +428,64 @@ fn the_gyroscopic_matrix_has_the_polar_inertia_of_the_shaft() {
         }
     }
 }
+
+/// Volume of a cell with two opposite faces of three or four corners: of tetrahedra around a corner.
+fn volume(corners: &[[f64; 3]]) -> f64 {
+    let n = corners.len() / 2;
+    let mut faces: Vec<Vec<usize>> = vec![(0..n).rev().collect(), (n..2 * n).collect()];
+    faces.extend((0..n).map(|k| vec![k, (k + 1) % n, n + (k + 1) % n, n + k]));
+    let triangles =
+        faces.iter().flat_map(|face| (1..face.len() - 1).map(|k| [face[0], face[k], face[k + 1]]));
+    let spanned = |triangle: [usize; 3]| {
+        let [a, b, c] = triangle.map(|corner| {
+            nalgebra::Vector3::from(std::array::from_fn(|axis| corners[corner][axis] - corners[0][axis]))
+        });
+        a.dot(&b.cross(&c)) / 6.0
+    };
+    triangles.map(spanned).sum()
+}
+
+/// The mesh of a picture fills a hollow and a solid segment, its stresses are the nominal ones, and
+/// its displacements are those of the sections without the mean rotation.
+#[test]
+fn a_deformed_shaft_has_the_motions_and_the_nominal_stresses_of_its_sections() {
+    let shaft = shaft(&[cylinder(0.05, 0.04, 0.016), cylinder(0.08, 0.03, 0.0)]);
+    let stations = [0.0, 0.13];
+    let load = [0.0, 900.0, 4e3, 0.0, 0.0, 50.0];
+    let clamped = Problem::new(&shaft, &stations).support(0, &[0, 1, 2, 3, 4, 5], HARD);
+    let motions = clamped.load(1, load).solve();
+    // The moment of the force about the clamped end is about -x.
+    let reaction = [0.0, -900.0, -4e3, 900.0 * 0.13, 0.0, -50.0];
+    let forces = [reaction, load];
+    let found = shaft.deformed(&stations, &motions, &forces);
+
+    let around = 24.0 / (2.0 * PI) * (2.0 * PI / 24.0_f64).sin();
+    let expected =
+        around * 0.25 * PI * (0.05 * (0.04_f64.powi(2) - 0.016_f64.powi(2)) + 0.08 * 0.03_f64.powi(2));
+    let volumes = found
+        .cells
+        .iter()
+        .map(|(_, nodes)| volume(&nodes.iter().map(|&node| found.points[node]).collect::<Vec<_>>()));
+    assert!(volumes.clone().all(|volume| volume > 0.0));
+    close(volumes.sum(), expected, 1e-12);
+
+    let von_mises = |[_, _, zz, yz, zx, _]: [f64; 6]| (zz * zz + 3.0 * (yz * yz + zx * zx)).sqrt();
+    for (z, after) in [(0.0, true), (0.05, false), (0.05, true)] {
+        let section = shaft.section_forces(&stations, &forces, (z, after));
+        let [.., equivalent] = shaft.nominal_stress((z, after), &section);
+        let radius = 0.5 * if after && z > 0.0 { 0.03 } else { 0.04 };
+        let there = |point: &[f64; 3]| {
+            (point[2] - z).abs() < 1e-12 && (point[0].hypot(point[1]) - radius).abs() < 1e-12
+        };
+        let largest = found.points.iter().zip(&found.stresses).filter(|(point, _)| there(point));
+        close(largest.map(|(_, &stress)| von_mises(stress)).fold(0.0, f64::max), equivalent, 1e-12);
+    }
+
+    let mean_rotation = 0.5 * (motions[0][5] + motions[1][5]);
+    for ([x, y, z], displacement) in found.points.iter().zip(&found.displacements) {
+        let [ux, uy, uz, tx, ty, tz] = shaft.motion_at(&stations, &motions, *z);
+        let tz = tz - mean_rotation;
+        let section = [ux - tz * y, uy + tz * x, uz + tx * y - ty * x];
+        assert!(section.iter().zip(displacement).all(|(one, other)| (one - other).abs() < 1e-15));
+    }
+}

@@ -7,10 +7,10 @@
 //! neglected, as in the contact problem.
 
 use super::Equilibrium;
-use calyx_model::connection::ConnectionState;
-use calyx_model::elastic_body::{CellShape, Recovery};
+use calyx_model::connection::{CondensedShaft, ConnectionState, ElasticConnection};
+use calyx_model::elastic_body::{CellShape, DeformedElasticBody, Recovery};
 use calyx_model::fidelity::{BodyModel, StructureOptions};
-use calyx_model::ids::BodyId;
+use calyx_model::ids::{BodyId, ConnectionId};
 use calyx_model::mechanism::Mechanism;
 use calyx_model::plan::Plan;
 use calyx_model::resources::Resources;
@@ -140,8 +140,8 @@ fn recoveries(
     for index in plan.modelled_connections() {
         let connection = &scene.connections[index];
         let Some(body) = &connection.body else {
-            if connection.shaft.is_some() {
-                without.push((connection.name.clone(), "is a shaft, a beam without a mesh"));
+            if connection.shaft.as_ref().is_some_and(|shaft| shaft.rigid) {
+                without.push((connection.name.clone(), "is rigid"));
             }
             continue;
         };
@@ -176,20 +176,29 @@ impl Equilibrium<'_> {
                 .deformed(&connection.stiffness, &motions)
                 .map_err(|error| connection.named(error))?;
             let first = connection.body.as_ref().and_then(|body| body.0.positions().first().copied());
-            let origin = state.origin(first.unwrap_or_default());
-            let axes = state.axes;
-            let rotation = [0, 1, 2].map(|row: usize| axes.map(|axis| axis[row]));
-            let placed = |point| plus(origin, state.to_ground(point));
-            Ok(ElasticBodyField {
-                body: connection.name.clone(),
-                number: scene.bodies.len() + index,
-                points: deformed.points.into_iter().map(placed).collect(),
-                cells: deformed.cells,
-                displacements: deformed.displacements.into_iter().map(|by| state.to_ground(by)).collect(),
-                stresses: deformed.stresses.into_iter().map(|own| rotated_tensor(&rotation, own)).collect(),
-            })
+            Ok(placed(&connection.name, scene.bodies.len() + index, &state, first, deformed))
         };
         meshed.elastic.iter().map(field).collect()
+    }
+
+    /// Returns the deformed elastic shafts, as meshes with nominal stresses.
+    pub(crate) fn deformed_shafts(self) -> Vec<ElasticBodyField> {
+        let connections = self.system.elastic_connections.iter().enumerate();
+        let field = |(index, connection): (usize, &ElasticConnection)| {
+            let CondensedShaft { shaft, stations, rigid: false } = connection.shaft.as_ref()? else {
+                return None;
+            };
+            // The plan leaves shafts out that no output depends on.
+            if !self.system.connections.contains(&index) {
+                return None;
+            }
+            let load = self.connection(ConnectionId(index))?;
+            let deformed = shaft.deformed(stations, &load.motions, &load.forces_on_shaft());
+            let first = stations.first().map(|&z| [0.0, 0.0, z]);
+            let number = self.system.scene.bodies.len() + index;
+            Some(placed(&connection.name, number, load.state(), first, deformed))
+        };
+        connections.filter_map(field).collect()
     }
 
     /// Returns the deformed meshes of the bodies.
@@ -229,5 +238,27 @@ impl Equilibrium<'_> {
             fields.push(BodyField { body: body.name.clone(), number: index, sectors });
         }
         Ok(fields)
+    }
+}
+
+/// Returns a deformed body in ground coordinates, from the position of the first attachment of its
+/// connection in its own coordinates, m.
+fn placed(
+    name: &str,
+    number: usize,
+    state: &ConnectionState,
+    first: Option<[f64; 3]>,
+    deformed: DeformedElasticBody,
+) -> ElasticBodyField {
+    let origin = state.origin(first.unwrap_or_default());
+    let rotation = [0, 1, 2].map(|row: usize| state.axes.map(|axis| axis[row]));
+    let point = |point| plus(origin, state.to_ground(point));
+    ElasticBodyField {
+        body: name.to_owned(),
+        number,
+        points: deformed.points.into_iter().map(point).collect(),
+        cells: deformed.cells,
+        displacements: deformed.displacements.into_iter().map(|by| state.to_ground(by)).collect(),
+        stresses: deformed.stresses.into_iter().map(|own| rotated_tensor(&rotation, own)).collect(),
     }
 }

@@ -131,9 +131,11 @@ impl Equilibrium<'_> {
     pub(crate) fn fields_with(self, meshed: Option<&MeshedBodies>) -> Result<Fields, EngineError> {
         let fields = self.fields();
         let Some(meshed) = meshed else { return Ok(fields) };
+        let mut elastic_bodies = self.deformed_elastic_bodies(meshed)?;
+        elastic_bodies.extend(self.deformed_shafts());
         Ok(Fields {
             bodies: self.deformed(meshed)?,
-            elastic_bodies: self.deformed_elastic_bodies(meshed)?,
+            elastic_bodies,
             without_mesh: meshed.without.clone(),
             ..fields
         })

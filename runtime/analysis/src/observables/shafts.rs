@@ -42,9 +42,16 @@ impl ConnectionLoad<'_> {
     /// `None` for another connection and for a rigid shaft.
     pub fn section_forces(&self, at: (f64, bool)) -> Option<SectionForces> {
         let CondensedShaft { shaft, stations, rigid } = self.shaft()?;
-        // The bodies load the shaft with the opposite of its forces on them.
-        let on_shaft: Vec<[f64; 6]> = self.push.iter().map(|push| push.map(|part| -part)).collect();
-        (!rigid).then(|| shaft.section_forces(stations, &on_shaft, at))
+        (!rigid).then(|| shaft.section_forces(stations, &self.forces_on_shaft(), at))
+    }
+
+    /// Returns the forces (N) and moments (N m) of the bodies on a shaft at its stations.
+    pub(super) fn forces_on_shaft(&self) -> Vec<[f64; 6]> {
+        self.push.iter().map(|push| push.map(|part| -part)).collect()
+    }
+
+    pub(super) fn state(&self) -> &ConnectionState {
+        &self.state
     }
 
     fn along(&self, [x, y, z]: [f64; 3], direction: Direction) -> f64 {

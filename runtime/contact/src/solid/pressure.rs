@@ -7,7 +7,7 @@
 use super::grid::{Cell, Grid, Slice};
 use crate::grid::{LEAST_LOADED_CELLS, MARGIN};
 use crate::pressure::{self, zeros_of_squared_pressure};
-use crate::zone::Zone;
+use crate::zone::{self, Zone};
 
 /// Computes the pressure in each cell (Pa) from the cell forces (N).
 pub fn pressures(cells: &[Cell], forces: &[f64]) -> Vec<f64> {
@@ -77,14 +77,21 @@ fn lengths(grid: &Grid) -> Vec<[f64; 2]> {
 /// Returns the peak pressure, interpolated between cells and slices; `None` if no cell is loaded.
 /// `pressures` are in Pa, one per cell.
 pub fn peak(grid: &Grid, pressures: &[f64]) -> Option<Peak> {
-    along(grid, &slice_peaks(grid, pressures))
+    along(grid, &slice_peaks(grid, pressures), zone::ENDLESS)
 }
 
-/// Returns the largest pressure of a zone. Side faces do not count as edges, because every patch
-/// reaches them.
+/// Returns the largest pressure of a zone.
+///
+/// A contact line that ends at a side face has a singular pressure there, so the flank zone ends
+/// one half-width before it. The edge zone is that of the edges across the slices only, because
+/// every contact line along a whole face reaches its side faces.
 pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
     let peaks = slice_peaks_in(grid, pressures, zone);
     let half_width = half_width(grid, pressures);
+    let between = match zone {
+        Zone::Flank => between_side_faces(grid, half_width),
+        Zone::Edge => zone::ENDLESS,
+    };
     // At slices that an edge truncates, and within the edge zone, the peaks of the slices do not
     // lie on a parabola.
     let mut whole = peaks.clone();
@@ -93,24 +100,43 @@ pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
         let (cells, own) = strip(grid, pressures, index);
         if zone == Zone::Edge || grid.slices[index].edges.reached(&cells, &own, half_width) {
             whole[index] = NONE;
+            let middle = middle(&grid.slices[index]);
             let larger = |other: usize| peaks[index].pressure > peaks[other].pressure;
-            largest_cut = if largest_cut.is_none_or(larger) { Some(index) } else { largest_cut };
+            if between[0] <= middle && middle <= between[1] && largest_cut.is_none_or(larger) {
+                largest_cut = Some(index);
+            }
         }
     }
-    let found = along(grid, &whole);
+    let found = along(grid, &whole, between);
     let cut = largest_cut.map(|index| {
         let pressure::Peak { pressure, x, cell } = peaks[index];
-        let Slice { y, cells, .. } = &grid.slices[index];
-        Peak { pressure, at: [x, 0.5 * (y[0] + y[1])], cell: cells.start + cell }
+        let slice = &grid.slices[index];
+        Peak { pressure, at: [x, middle(slice)], cell: slice.cells.start + cell }
     });
     let cut = cut.filter(|peak| peak.pressure > found.map_or(0.0, |found| found.pressure));
     cut.or(found)
 }
 
-/// Returns the largest of the slices' peaks.
-fn along(grid: &Grid, peaks: &[pressure::Peak]) -> Option<Peak> {
+/// Returns the part of the contact line that is at least one half-width (m) away from side faces,
+/// m.
+fn between_side_faces(grid: &Grid, half_width: f64) -> [f64; 2] {
+    let (Some(first), Some(last)) = (grid.slices.first(), grid.slices.last()) else { return zone::ENDLESS };
+    let [low, high] = grid.surface_ends;
+    [
+        if low { first.y[0] + half_width } else { f64::NEG_INFINITY },
+        if high { last.y[1] - half_width } else { f64::INFINITY },
+    ]
+}
+
+/// Returns the middle of a slice along the contact line, m.
+fn middle(slice: &Slice) -> f64 {
+    0.5 * (slice.y[0] + slice.y[1])
+}
+
+/// Returns the largest of the slices' peaks between two points of the contact line, m.
+fn along(grid: &Grid, peaks: &[pressure::Peak], between: [f64; 2]) -> Option<Peak> {
     let values: Vec<f64> = peaks.iter().map(|peak| peak.pressure).collect();
-    let found = pressure::peak(&lengths(grid), &values)?;
+    let found = zone::peak_within(&lengths(grid), &values, between)?;
     let own = &peaks[found.cell];
     Some(Peak {
         pressure: found.pressure,
