@@ -369,10 +369,9 @@ fn pictures_of_shafts_have_their_nominal_stress_and_deflection() {
     std::fs::write(&model, &text).expect("written");
     let module = Module::from_file(&Engine::default(), &model).expect("a model");
     let directory = folder.path().join("run");
-    let options =
-        RunOptions { directory: directory.clone(), quiet: true, vtu: true, ..RunOptions::default() };
+    let options = RunOptions { directory: directory.clone(), quiet: true, ..RunOptions::default() };
     run(module.as_program(), &options).unwrap_or_else(|error| panic!("{error:?}"));
-    let list = std::fs::read_to_string(directory.join("vtu/pictures.json")).expect("pictures");
+    let list = std::fs::read_to_string(directory.join("pictures/list.json")).expect("pictures");
     let list: Vec<serde_json::Value> = serde_json::from_str(&list).expect("a list");
     let of = |name: &str| list.iter().find(|picture| picture["body"] == name);
     assert!(of("output").is_some(), "{list:?}");

@@ -1,6 +1,7 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`. Each position is on disk before
 //! the next one starts.
 
+use crate::body_pictures;
 use crate::choices::counts;
 use crate::contact_pattern::ContactPattern;
 use crate::field_tables::{self, FieldTables};
@@ -98,30 +99,31 @@ pub struct Details {
     /// Field tables, see [`crate::field_tables`].
     pub tables: bool,
     /// VTU files for ParaView, see [`crate::vtu`].
-    pub pictures: bool,
+    pub vtu: bool,
 }
 
 impl Details {
     /// Returns the largest number of positions whose fields are recorded.
     pub fn positions(self) -> usize {
-        if self.tables || self.pictures { usize::MAX } else { RECORDED }
+        if self.tables || self.vtu { usize::MAX } else { RECORDED }
     }
 
     /// Returns true if an earlier run has written these files for its first positions.
     pub fn are_in(self, directory: &Path, positions: usize) -> bool {
         (positions == 0 || field_tables::are_in(directory, self.tables))
-            && (!self.pictures || vtu::are_in(directory, positions))
+            && (!self.vtu || vtu::are_in(directory, positions))
     }
 }
 
-/// Writer of solved positions: tables and VTU files for users, and the journal for a run that
-/// resumes.
+/// Writer of solved positions: tables, pictures and VTU files for users, and the journal for a run
+/// that resumes.
 pub struct Record {
+    directory: PathBuf,
     table: StepTable,
     tables: FieldTables,
     stresses: StressRange,
     pattern: ContactPattern,
-    pictures: Option<VtuFiles>,
+    vtu: Option<VtuFiles>,
     journal: Journal,
 }
 
@@ -134,11 +136,12 @@ impl Record {
         details: Details,
     ) -> io::Result<Record> {
         Ok(Record {
+            directory: directory.to_owned(),
             table: StepTable::create(directory, outputs)?,
             tables: FieldTables::create(directory, details.tables)?,
             stresses: StressRange::create(directory)?,
             pattern: ContactPattern::create(directory)?,
-            pictures: details.pictures.then(|| VtuFiles::begin(directory, Vec::new())).transpose()?,
+            vtu: details.vtu.then(|| VtuFiles::begin(directory, Vec::new())).transpose()?,
             journal: Journal::create(directory, head)?,
         })
     }
@@ -156,13 +159,14 @@ impl Record {
         };
         let (stresses, pattern) = (StressRange::resume(directory)?, ContactPattern::resume(directory)?);
         let times = found.solved.iter().map(|solved| solved.row.position.time).collect();
-        let pictures = details.pictures.then(|| VtuFiles::begin(directory, times)).transpose()?;
+        let vtu = details.vtu.then(|| VtuFiles::begin(directory, times)).transpose()?;
         let mut table = StepTable::create(directory, outputs)?;
         for (index, solved) in found.solved.iter().enumerate() {
             table.write(index, &solved.row)?;
         }
         let journal = Journal::resume(directory, found)?;
-        Ok(Record { table, tables, stresses, pattern, pictures, journal })
+        let directory = directory.to_owned();
+        Ok(Record { directory, table, tables, stresses, pattern, vtu, journal })
     }
 
     pub fn write(
@@ -176,8 +180,10 @@ impl Record {
             self.tables.write(index, &solved.row, outputs, fields)?;
             self.stresses.add(fields)?;
             self.pattern.add(index, fields)?;
-            if let Some(pictures) = &mut self.pictures {
-                pictures.write(index, solved.row.position.time, fields)?;
+            let time = solved.row.position.time;
+            body_pictures::update(&self.directory, (index, time), fields)?;
+            if let Some(vtu) = &mut self.vtu {
+                vtu.write(index, time, fields)?;
             }
         }
         self.journal.write(solved)?;

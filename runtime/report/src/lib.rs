@@ -4,6 +4,7 @@
 //! This crate does not run models. It writes results into the directory that a run has locked, and
 //! reads them from there: [`page`] and [`tradeoff`] depend on the files of a run alone.
 
+pub mod body_pictures;
 pub mod campbell;
 pub mod choices;
 pub mod contact_pattern;
@@ -21,4 +22,5 @@ pub mod stress_range;
 pub mod summary_table;
 #[cfg(feature = "pages")]
 pub mod tradeoff;
+mod von_mises;
 pub mod vtu;

@@ -4,7 +4,6 @@
 
 mod content;
 mod grid;
-pub mod pictures;
 
 use calyx_runtime::observables::Fields;
 use grid::Grid;
@@ -30,8 +29,7 @@ const KINDS: [Kind; 3] = [
     Kind { name: "bodies", of: content::bodies, always: false },
 ];
 
-/// Writer of the VTU files of a run and of pictures of its bodies, in folder [`FOLDER`] of its
-/// directory.
+/// Writer of the VTU files of a run, in folder [`FOLDER`] of its directory.
 pub struct VtuFiles {
     folder: PathBuf,
     times: Vec<f64>,
@@ -55,7 +53,7 @@ impl VtuFiles {
             }
             self.collect(kind.name)?;
         }
-        pictures::update(&self.folder, (step, time), fields)
+        Ok(())
     }
 
     /// Writes the PVD collection of a kind, if it has files.
@@ -91,25 +89,19 @@ pub fn are_in(directory: &Path, positions: usize) -> bool {
     positions == 0 || folder(directory).join(name(KINDS[0].name, positions - 1)).exists()
 }
 
-/// Returns the names of the files that may exist for a position with these fields, relative to the
-/// run directory.
-pub fn files_of(step: usize, fields: Option<&Fields>) -> impl Iterator<Item = String> {
-    let grids = KINDS.iter().flat_map(move |kind| {
+/// Returns the names of the files that may exist for a position, relative to the run directory.
+pub fn files_of(step: usize) -> impl Iterator<Item = String> {
+    KINDS.iter().flat_map(move |kind| {
         [format!("{FOLDER}/{}", name(kind.name, step)), format!("{FOLDER}/{}.pvd", kind.name)]
-    });
-    let pictures = fields.into_iter().flat_map(pictures::files_of);
-    grids.chain(pictures.map(|name| format!("{FOLDER}/{name}")))
+    })
 }
 
 /// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
-    let is_picture = [pictures::LIST, pictures::UNFINISHED].contains(&name)
-        || name.strip_prefix(pictures::PREFIX).is_some_and(|rest| rest.ends_with(".png"));
-    is_picture
-        || KINDS.iter().any(|kind| {
-            name.strip_prefix(kind.name)
-                .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
-        })
+    KINDS.iter().any(|kind| {
+        name.strip_prefix(kind.name)
+            .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
+    })
 }
 
 /// Returns the files in [`FOLDER`] that a run may have written, relative to the run directory.
@@ -302,7 +294,7 @@ mod tests {
         let list = fs::read_to_string(folder(directory.path()).join("contact.pvd")).unwrap();
         assert!(list.contains("timestep=\"0.25\" file=\"contact-0000.vtu\""), "{list}");
         fs::write(folder(directory.path()).join("notes.txt"), "").unwrap();
-        let (mut found, known) = (files_in(directory.path()), files_of(0, None).collect::<Vec<_>>());
+        let (mut found, known) = (files_in(directory.path()), files_of(0).collect::<Vec<_>>());
         found.sort();
         let expected = ["contact-0000.vtu", "contact.pvd", "root_stress-0000.vtu", "root_stress.pvd"];
         assert_eq!(found, expected.map(|name| format!("{FOLDER}/{name}")));

@@ -19,8 +19,8 @@ use calyx_report::directory::{
 };
 use calyx_report::journal::FoundJournal;
 use calyx_report::{
-    campbell, contact_pattern, field_tables, flank_tables, journal, modes_table, page, signals, stress_range,
-    summary_table, vtu,
+    body_pictures, campbell, contact_pattern, field_tables, flank_tables, journal, modes_table, page,
+    signals, stress_range, summary_table, vtu,
 };
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
@@ -68,7 +68,7 @@ pub struct RunOptions {
 
 impl RunOptions {
     fn details(&self) -> Details {
-        Details { tables: self.fields, pictures: self.vtu }
+        Details { tables: self.fields, vtu: self.vtu }
     }
 }
 
@@ -135,6 +135,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let directory = Arc::new(RunDirectory::lock(path, Kind::Run, options.force)?);
     directory.check_folder(SIGNALS, |name| signals::is_name_of_a_run(description, name))?;
     directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
+    directory.check_folder(body_pictures::FOLDER, body_pictures::is_name_of_a_run)?;
     let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
     let found = match earlier(options, &head)? {
         EarlierRun::Finished => {
@@ -313,7 +314,7 @@ fn write_steps(
     let unwritable = |error| RunError::Io { path: path.to_owned(), error };
     let outputs = instance.description().outputs.clone();
     instance.request_fields(details.positions());
-    instance.request_bodies(details.pictures);
+    instance.request_bodies(details.vtu);
     let solved = found.map_or(0, |found| found.solved.len());
     let record = match found.map(|found| Record::resume(path, &outputs, found, details)).transpose() {
         Ok(record) => record,
@@ -386,8 +387,9 @@ impl Written {
                 Record::begin(directory.path(), outputs, head, details)?
             }
         };
-        if details.pictures {
-            directory.claim_all(vtu::files_of(index, fields))?;
+        directory.claim_all(fields.map(body_pictures::files_of).unwrap_or_default())?;
+        if details.vtu {
+            directory.claim_all(vtu::files_of(index))?;
         }
         self.record.insert(record).write(index, outputs, solved, fields)?;
         self.solved = index + 1;

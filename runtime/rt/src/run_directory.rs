@@ -9,7 +9,7 @@
 
 use calyx_report::directory::{REPORT, SIGNALS};
 use calyx_report::former_keys::{self, ResultFile};
-use calyx_report::{journal, page, vtu};
+use calyx_report::{body_pictures, journal, page, vtu};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -65,7 +65,7 @@ impl Kind {
     /// Returns the folders whose file names depend on the model.
     fn folders(self) -> &'static [&'static str] {
         match self {
-            Kind::Run => &[SIGNALS, vtu::FOLDER],
+            Kind::Run => &[SIGNALS, vtu::FOLDER, body_pictures::FOLDER],
             Kind::Tradeoff => &[],
         }
     }

@@ -25,8 +25,9 @@ use std::f64::consts::SQRT_2;
 /// Factor for contact grids with half as many cells.
 pub(super) const OF_GRID: f64 = 0.4;
 /// The same for pressures on flanks in three dimensions, which are vertices of parabolas through
-/// the pressures of several cells: measured, see `docs/theory/error-estimates.md`.
-const OF_GRID_PRESSURE: f64 = 0.2;
+/// the pressures of a few cells and hardly converge from one grid to the next: measured, see
+/// `docs/theory/error-estimates.md`.
+const OF_GRID_PRESSURE: f64 = 0.8;
 /// Minimum number of positions that are solved again; of many positions, a fraction.
 pub(super) const SAMPLES: usize = 8;
 pub(super) const PART_OF_POSITIONS: usize = 4;

@@ -20,7 +20,8 @@ pub struct Fields {
     pub fillets: Vec<FilletField>,
     /// Meshes of elastic bodies, if requested ([`crate::options::AnalysisOptions::bodies`]).
     pub bodies: Vec<BodyField>,
-    /// Meshes of elastic bodies of any shape, such as housings, if meshes are requested.
+    /// Elastic shafts, and meshes of elastic bodies of any shape, such as housings, if meshes are
+    /// requested.
     pub elastic_bodies: Vec<ElasticBodyField>,
     /// Bodies without a mesh, with the reason, phrased to follow the name.
     pub without_mesh: Vec<(String, &'static str)>,
@@ -120,6 +121,7 @@ impl Equilibrium<'_> {
         Fields {
             contacts: self.all_contacts().map(|contact| contact.field()).collect(),
             fillets: bodies.flat_map(|body| self.fillets(BodyId(body))).collect(),
+            elastic_bodies: self.deformed_shafts(),
             ..Fields::default()
         }
     }
@@ -132,7 +134,7 @@ impl Equilibrium<'_> {
         let fields = self.fields();
         let Some(meshed) = meshed else { return Ok(fields) };
         let mut elastic_bodies = self.deformed_elastic_bodies(meshed)?;
-        elastic_bodies.extend(self.deformed_shafts());
+        elastic_bodies.extend(fields.elastic_bodies);
         Ok(Fields {
             bodies: self.deformed(meshed)?,
             elastic_bodies,

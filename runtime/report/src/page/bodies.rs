@@ -4,7 +4,7 @@
 use super::number;
 use super::read::Run;
 use super::units::{Unit, Units};
-use crate::vtu::pictures::{BodyPicture, colour_scale};
+use crate::body_pictures::{BodyPicture, colour_scale};
 use maud::{Markup, PreEscaped, html};
 
 /// Returns the section; empty without pictures.
@@ -15,7 +15,8 @@ pub fn section(run: &Run, units: Units) -> Markup {
     html! {
         p.note {
             "Meshed bodies at the position with their largest stress: undeformed edges in blue, displacements exaggerated. "
-            "Displacements of gears are relative to their frames. The files of " code { "vtu" } " show all positions."
+            "Displacements of gears are relative to their frames. Stresses of shafts are nominal. "
+            code { "calyx run --vtu" } " draws gears, housings and carriers as well, and writes files of all positions for ParaView."
         }
         @for (picture, content) in &run.bodies { (body(picture, content, units)) }
     }

@@ -2,6 +2,7 @@
 //! stopped, in progress or killed.
 
 use super::units::{self, Unit, Units};
+use crate::body_pictures::{self, BodyPicture};
 use crate::choices;
 use crate::contact_pattern::{self, PathPoint, PressurePoint};
 use crate::directory::{CHOICES, SIGNALS, read_run};
@@ -9,8 +10,6 @@ use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
 use crate::flank_tables::FlankTables;
 use crate::former_keys::{self, ResultFile};
 use crate::stress_range::{self, StressExtremes};
-use crate::vtu::FOLDER;
-use crate::vtu::pictures::{self as body_pictures, BodyPicture};
 use crate::{journal, modes_table};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -307,10 +306,10 @@ type Columns = Vec<(String, Vec<f64>)>;
 /// Reads the pictures of bodies that exist.
 fn bodies(directory: &Path) -> Vec<(BodyPicture, String)> {
     let content = |picture: BodyPicture| {
-        let content = fs::read(directory.join(FOLDER).join(&picture.file)).ok()?;
+        let content = fs::read(body_pictures::path(directory, &picture.file)).ok()?;
         Some((picture, BASE64_STANDARD.encode(content)))
     };
-    body_pictures::read(&directory.join(FOLDER)).into_iter().filter_map(content).collect()
+    body_pictures::read(directory).into_iter().filter_map(content).collect()
 }
 
 fn steps(path: &Path) -> io::Result<(Vec<Position>, Columns)> {

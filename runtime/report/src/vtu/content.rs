@@ -5,6 +5,7 @@ use super::grid::{
     QUADRATIC_TETRAHEDRON, QUADRATIC_TRIANGLE, QUADRATIC_WEDGE, QUADRILATERAL, TETRAHEDRON, TRIANGLE, VERTEX,
     Values, WEDGE,
 };
+use crate::von_mises::von_mises;
 use calyx_runtime::elastic::model::{ShellShape, SolidShape};
 use calyx_runtime::elastic_body::CellShape;
 use calyx_runtime::observables::Fields;
@@ -148,10 +149,4 @@ fn cell_of(shape: CellShape) -> (u8, &'static [usize]) {
             (QUADRATIC_WEDGE, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11])
         }
     }
-}
-
-/// Computes the von Mises stress from xx, yy, zz, yz, zx, xy.
-pub fn von_mises([xx, yy, zz, yz, zx, xy]: [f64; 6]) -> f64 {
-    let direct = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
-    (0.5 * direct + 3.0 * (yz * yz + zx * zx + xy * xy)).sqrt()
 }

@@ -2,8 +2,9 @@
 //! displacements, coloured by von Mises stress, at the position with the largest stress, or
 //! displacement of beams.
 //!
-//! The pictures are files next to the VTU files with a list of what they show, so that the page
-//! depends on files only.
+//! The pictures are files of a run directory with a list of what they show, so that the page
+//! depends on files only. Shafts are drawn in every run. The meshes of other bodies must be
+//! factorized for it, so they are drawn in runs with VTU files only.
 
 mod surface;
 mod view;
@@ -12,17 +13,19 @@ use calyx_runtime::observables::Fields;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use surface::Surface;
 
 pub use view::colour_scale;
 
+/// Folder of the pictures in a run directory.
+pub const FOLDER: &str = "pictures";
 /// List of the pictures.
-pub const LIST: &str = "pictures.json";
+const LIST: &str = "list.json";
 /// The list while it is being written.
-pub const UNFINISHED: &str = "pictures.json.part";
+const UNFINISHED: &str = "list.json.part";
 /// Beginning of the names of the pictures.
-pub const PREFIX: &str = "body-";
+const PREFIX: &str = "body-";
 /// Largest exaggerated displacement relative to the size of the body.
 const EXAGGERATED: f64 = 0.08;
 
@@ -47,31 +50,46 @@ pub struct BodyPicture {
     pub size: [u32; 2],
 }
 
-/// Returns the names of the files of these fields.
+/// Returns the names of the files of these fields, relative to the run directory; none without
+/// bodies.
 pub fn files_of(fields: &Fields) -> Vec<String> {
     let numbers = fields.bodies.iter().map(|body| body.number);
     let numbers = numbers.chain(fields.elastic_bodies.iter().map(|body| body.number));
-    let pictures = numbers.map(name);
-    pictures.chain([LIST.to_owned(), UNFINISHED.to_owned()]).collect()
+    let mut files: Vec<String> = numbers.map(name).collect();
+    if !files.is_empty() {
+        files.extend([LIST.to_owned(), UNFINISHED.to_owned()]);
+    }
+    files.into_iter().map(|name| format!("{FOLDER}/{name}")).collect()
+}
+
+/// Returns true if a run may write a file of this name into [`FOLDER`].
+pub fn is_name_of_a_run(name: &str) -> bool {
+    let is_picture = name.strip_prefix(PREFIX).is_some_and(|rest| rest.ends_with(".png"));
+    is_picture || [LIST, UNFINISHED].contains(&name)
 }
 
 fn name(number: usize) -> String {
     format!("{PREFIX}{number:03}.png")
 }
 
-/// Returns the list of the pictures in a folder; empty if there is none.
-pub fn read(folder: &Path) -> Vec<BodyPicture> {
-    let content = fs::read(folder.join(LIST)).ok();
+/// Returns the path of a file of the pictures in a run directory.
+pub fn path(directory: &Path, file: &str) -> PathBuf {
+    directory.join(FOLDER).join(file)
+}
+
+/// Returns the list of the pictures in a run directory; empty if there is none.
+pub fn read(directory: &Path) -> Vec<BodyPicture> {
+    let content = fs::read(path(directory, LIST)).ok();
     content.and_then(|content| serde_json::from_slice(&content).ok()).unwrap_or_default()
 }
 
 /// Draws the bodies whose largest stress at this position exceeds that of their picture, into
-/// a folder, and updates the list.
+/// the folder of a run directory, and updates the list.
 ///
 /// # Errors
 /// A file cannot be written.
-pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) -> io::Result<()> {
-    let mut list = if position == 0 { Vec::new() } else { read(folder) };
+pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields) -> io::Result<()> {
+    let mut list = if position == 0 { Vec::new() } else { read(directory) };
     let mut changed = false;
     for body in surface::all(fields) {
         let (largest_stress, largest_displacement) = (body.largest_stress(), body.largest_displacement());
@@ -88,7 +106,8 @@ pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) ->
         let file = name(surface.number);
         let exaggeration = exaggeration(&surface);
         let image = view::draw(&surface, exaggeration, largest_stress);
-        fs::write(folder.join(&file), image.png()?)?;
+        fs::create_dir_all(directory.join(FOLDER))?;
+        fs::write(path(directory, &file), image.png()?)?;
         let picture = BodyPicture {
             body: surface.body.clone(),
             file,
@@ -107,9 +126,9 @@ pub fn update(folder: &Path, (position, time): (usize, f64), fields: &Fields) ->
     }
     if changed {
         // A run that is ended here keeps its former list.
-        let unfinished = folder.join(UNFINISHED);
+        let unfinished = path(directory, UNFINISHED);
         fs::write(&unfinished, serde_json::to_vec_pretty(&list)?)?;
-        fs::rename(unfinished, folder.join(LIST))?;
+        fs::rename(unfinished, path(directory, LIST))?;
     }
     Ok(())
 }
@@ -166,9 +185,12 @@ mod tests {
         // 8 % of the diagonal are 13856 times the displacement.
         assert_eq!(picture.exaggeration, 1e4);
         for name in files_of(&fields(1.0)) {
-            assert_eq!(directory.path().join(&name).exists(), name != UNFINISHED, "{name}");
+            let own = name.strip_prefix("pictures/").unwrap();
+            assert_eq!(directory.path().join(&name).exists(), own != UNFINISHED, "{name}");
+            assert!(is_name_of_a_run(own), "{name}");
         }
-        let file = fs::File::open(directory.path().join(&picture.file)).unwrap();
+        assert!(files_of(&Fields::default()).is_empty() && !is_name_of_a_run("notes.txt"));
+        let file = fs::File::open(path(directory.path(), &picture.file)).unwrap();
         let reader = png::Decoder::new(io::BufReader::new(file)).read_info().unwrap();
         assert_eq!([reader.info().width, reader.info().height], picture.size);
         // A new run replaces the pictures.

@@ -1,6 +1,6 @@
 //! Outer surface of a meshed body: faces that belong to one cell only, shells, and beams as lines.
 
-use crate::vtu::content::von_mises;
+use crate::von_mises::von_mises;
 use calyx_runtime::elastic::model::{ShellShape, SolidShape};
 use calyx_runtime::elastic_body::CellShape;
 use calyx_runtime::observables::{BodyField, ElasticBodyField, Fields};
