@@ -81,7 +81,7 @@ fn the_largest_contact_pressure_converges_where_a_contact_line_ends_at_a_tip_edg
 fn the_largest_contact_pressure_converges_on_relieved_flanks() {
     for position in ["HPSTC", "LPSTC"] {
         let off = deviations(&GRIDS.map(|cells| at(RELIEVED_PAIR, position, cells)));
-        assert!(off[0] < 0.015 && off[1] < 0.006, "{position}: {off:?}");
+        assert!(off[0] < 0.015 && off[1] < 0.01, "{position}: {off:?}");
     }
 }
 

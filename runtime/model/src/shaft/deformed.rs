@@ -15,8 +15,8 @@ const MOST_CELLS: usize = 24;
 
 impl Shaft {
     /// Returns the shaft deformed by motions of its stations under forces of gears, bearings and
-    /// couplings at them, in its own coordinates. Displacements are without the mean rotation of the
-    /// stations about the axis, and stresses are nominal ([`Shaft::section_stress`]).
+    /// couplings at them, in its own coordinates. Displacements are without the mean rotation of
+    /// the stations about the axis, and stresses are nominal ([`Shaft::section_stress`]).
     pub fn deformed(&self, stations: &[f64], motions: &[Six], forces: &[Six]) -> DeformedElasticBody {
         let mean_rotation = motions.iter().map(|motion| motion[5]).sum::<f64>() / motions.len() as f64;
         let mut found = DeformedElasticBody {
@@ -76,9 +76,9 @@ impl Shaft {
         self.section(z, after).diameters()
     }
 
-    /// Returns the nominal stress at a point of a section, xx, yy, zz, yz, zx, xy in Pa: of bending,
-    /// axial force and torsion. The part outside of the diameter that carries load has the stress of
-    /// that diameter. Stresses of transverse forces are not included.
+    /// Returns the nominal stress at a point of a section, xx, yy, zz, yz, zx, xy in Pa: of
+    /// bending, axial force and torsion. The part outside of the diameter that carries load has the
+    /// stress of that diameter. Stresses of transverse forces are not included.
     pub fn section_stress(
         &self,
         (z, after): (f64, bool),
