@@ -10,7 +10,9 @@ use calyx_runtime::bearing::{
     Bearing, BearingMatrix, LoadCurve, LoadCurves, NonlinearLoad, Stop, Support, axisymmetric,
 };
 use calyx_runtime::error::EngineError;
-use calyx_runtime::observables::{BearingDeflection, BearingForce, BearingMoment, BearingTilt, Direction};
+use calyx_runtime::observables::{
+    BearingDeflection, BearingForce, BearingMoment, BearingStiffness, BearingTilt, Direction,
+};
 use calyx_runtime::scene::{BearingId, BodyId};
 use std::sync::Arc;
 
@@ -86,6 +88,7 @@ calyx_abi::externs! {
             load: six(force, moment),
             stops,
             nonlinear,
+            linearization: None,
         };
         add(context, bearing)
     }
@@ -108,6 +111,18 @@ calyx_abi::externs! {
     Scene fn calyx_gears_bearing_tilt(context, bearing: Handle, axis: String) -> Handle {
         let bearing = self::bearing(context, bearing)?;
         observe(context, BearingTilt(bearing, direction(&axis)))
+    }
+
+    Scene fn calyx_gears_bearing_stiffness(context, bearing: Handle, force: String, displacement: String) -> Handle {
+        stiffness(context, bearing, [component(&force), component(&displacement)])
+    }
+
+    Scene fn calyx_gears_bearing_coupling_stiffness(context, bearing: Handle, force: String, rotation: String) -> Handle {
+        stiffness(context, bearing, [component(&force), 3 + component(&rotation)])
+    }
+
+    Scene fn calyx_gears_bearing_tilting_stiffness(context, bearing: Handle, moment: String, rotation: String) -> Handle {
+        stiffness(context, bearing, [3 + component(&moment), 3 + component(&rotation)])
     }
 }
 
@@ -194,6 +209,35 @@ pub(crate) fn add(context: &mut Context, bearing: Bearing) -> Result<Handle, Run
 pub(crate) fn bearing(context: &mut Context, bearing: Handle) -> Result<BearingId, RuntimeError> {
     entry(&host(context)?.scene.bearings, bearing)?;
     Ok(BearingId(bearing.0 as usize))
+}
+
+/// Adds the observable of an entry of the stiffness matrix.
+///
+/// # Errors
+/// E0698: the bearing has stops, whose stiffness changes as they close.
+fn stiffness(
+    context: &mut Context,
+    bearing: Handle,
+    [row, column]: [usize; 2],
+) -> Result<Handle, RuntimeError> {
+    let id = self::bearing(context, bearing)?;
+    let own = &host(context)?.scene.bearings[id.0];
+    if !own.stops.is_empty() {
+        let message = format!("the stiffness of bearing \"{}\" changes as its clearances close", own.name);
+        let help =
+            "divide forces by deflections instead: `gears.bearing_force` and `gears.bearing_deflection`";
+        return Err(refusal("E0698", "bearing", &message, help));
+    }
+    observe(context, BearingStiffness { bearing: id, row, column })
+}
+
+/// Index of an axis by its declared name.
+fn component(axis: &str) -> usize {
+    match axis {
+        "x" => 0,
+        "y" => 1,
+        _ => 2,
+    }
 }
 
 /// Direction by its declared name.

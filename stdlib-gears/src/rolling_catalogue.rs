@@ -15,7 +15,7 @@ calyx_abi::externs! {
         context, name: String, body: Handle, to: Handle, at: [f64; 3], kind: String, bore: f64,
         outside_diameter: f64, width: f64, dynamic_rating: f64, static_rating: f64, contact_angle: Option<f64>,
         clearance: Option<f64>, thrust: Option<String>, axial_preload: Option<f64>, ring: String, azimuth: f64,
-        inner_speed: f64, outer_speed: f64,
+        inner_speed: f64, outer_speed: f64, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let data = CatalogueData { bore, outside_diameter, width, dynamic_rating, static_rating };
@@ -52,7 +52,7 @@ calyx_abi::externs! {
         let senses = (thrust.as_deref(), ring.as_str());
         let rows = arranged(found.elements, ("single", None), senses, axial_preload.unwrap_or(0.0))?;
         let cause = if angled { "axial_preload" } else { "clearance" };
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], cause);
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], cause).linearized(linearized_at);
         let bearing = add(context, mounting, rows, &operation, Some(Boundary { bore, outside_diameter, width }))?;
         host(context)?.bearing_ratings.insert(bearing.0 as usize, [dynamic_rating, static_rating]);
         Ok(bearing)

@@ -24,14 +24,14 @@ calyx_abi::externs! {
         context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, ball_diameter: f64,
         pitch_diameter: f64, inner_conformity: f64, outer_conformity: f64, clearance: f64, ring: String,
         azimuth: f64, inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>,
-        element_material: Option<Handle>,
+        element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let conformities = [inner_conformity, outer_conformity];
         let kind = BallKind::DeepGroove { clearance };
         let size = (count, ball_diameter, pitch_diameter);
         let row = balls(context, kind, size, conformities, [ring_material, element_material])?;
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance").linearized(linearized_at);
         add(context, mounting, RollingBearing::single(row), &operation, None)
     }
 
@@ -40,7 +40,7 @@ calyx_abi::externs! {
         pitch_diameter: f64, contact_angle: f64, inner_conformity: f64, outer_conformity: f64,
         thrust: Option<String>, arrangement: String, row_distance: Option<f64>, axial_preload: f64,
         ring: String, azimuth: f64, inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>,
-        element_material: Option<Handle>,
+        element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let conformities = [inner_conformity, outer_conformity];
@@ -50,7 +50,7 @@ calyx_abi::externs! {
         warn_about_arrangement(context, &mounting, (&arrangement, row_distance), thrust.as_deref())?;
         let senses = (thrust.as_deref(), ring.as_str());
         let rows = arranged(row.into(), (&arrangement, row_distance), senses, axial_preload)?;
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "axial_preload");
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "axial_preload").linearized(linearized_at);
         add(context, mounting, rows, &operation, None)
     }
 
@@ -58,14 +58,14 @@ calyx_abi::externs! {
         context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, ball_diameter: f64,
         pitch_diameter: f64, contact_angle: f64, inner_conformity: f64, outer_conformity: f64, clearance: f64,
         ring: String, azimuth: f64, inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>,
-        element_material: Option<Handle>,
+        element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let conformities = [inner_conformity, outer_conformity];
         let kind = BallKind::FourPoint { angle: contact_angle, clearance };
         let size = (count, ball_diameter, pitch_diameter);
         let row = balls(context, kind, size, conformities, [ring_material, element_material])?;
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance").linearized(linearized_at);
         add(context, mounting, RollingBearing::single(row), &operation, None)
     }
 
@@ -73,12 +73,12 @@ calyx_abi::externs! {
         context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
         roller_length: f64, pitch_diameter: f64, clearance: f64, profile: String, crown_radius: Option<f64>,
         profile_positions: Vec<f64>, profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64,
-        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
         let size = (count, roller_diameter, roller_length, pitch_diameter);
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance").linearized(linearized_at);
         let materials = [ring_material, element_material];
         cylindrical(context, mounting, (size, clearance), (profile, laminae), materials, &operation)
     }
@@ -88,12 +88,12 @@ calyx_abi::externs! {
         context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
         roller_length: f64, pitch_diameter: f64, clearance: f64, profile: String, crown_radius: Option<f64>,
         profile_positions: Vec<f64>, profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64,
-        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+        inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
         let size = (count, roller_diameter, roller_length, pitch_diameter);
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance").linearized(linearized_at);
         let materials = [ring_material, element_material];
         cylindrical(context, mounting, (size, clearance), (profile, laminae), materials, &operation)
     }
@@ -104,7 +104,7 @@ calyx_abi::externs! {
         rib_height: Option<f64>, thrust: Option<String>, arrangement: String, row_distance: Option<f64>,
         axial_preload: f64, profile: String, crown_radius: Option<f64>, profile_positions: Vec<f64>,
         profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64, inner_speed: f64,
-        outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+        outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let rib = rib(roller_diameter, pitch_diameter, contact_angle);
@@ -119,7 +119,7 @@ calyx_abi::externs! {
         warn_about_arrangement(context, &mounting, (&arrangement, row_distance), thrust.as_deref())?;
         let senses = (thrust.as_deref(), ring.as_str());
         let rows = arranged(row.into(), (&arrangement, row_distance), senses, axial_preload)?;
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "axial_preload");
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "axial_preload").linearized(linearized_at);
         add(context, mounting, rows, &operation, None)
     }
 
@@ -127,7 +127,7 @@ calyx_abi::externs! {
         context, name: String, body: Handle, to: Handle, at: [f64; 3], count: f64, roller_diameter: f64,
         roller_length: f64, pitch_diameter: f64, contact_angle: f64, inner_osculation: f64,
         outer_osculation: f64, clearance: f64, laminae: f64, ring: String, azimuth: f64, inner_speed: f64,
-        outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>,
+        outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let kind = RollerKind::Spherical { angle: contact_angle, outer_osculation, inner_osculation, clearance };
@@ -137,7 +137,7 @@ calyx_abi::externs! {
         // Both rows have the centre of the outer sphere in common.
         let distance = pitch_diameter * contact_angle.tan();
         let rows = RollingBearing::pair(row, Arrangement::FaceToFace, distance, 0.0).map_err(rejected)?;
-        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance");
+        let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance").linearized(linearized_at);
         add(context, mounting, rows, &operation, None)
     }
 
@@ -206,6 +206,8 @@ pub(crate) struct Operation<'a> {
     motion: Motion,
     /// Argument that presses the elements without load.
     cause: &'static str,
+    /// External force on the body at which the bearing is linearized, N.
+    linearized_at: Option<[f64; 3]>,
 }
 
 impl<'a> Operation<'a> {
@@ -215,7 +217,13 @@ impl<'a> Operation<'a> {
         [inner_speed, outer_speed]: [f64; 2],
         cause: &'static str,
     ) -> Self {
-        Self { ring, motion: Motion { inner_speed, outer_speed, azimuth, ..Motion::REST }, cause }
+        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        Self { ring, motion, cause, linearized_at: None }
+    }
+
+    /// Linearizes the bearing at an external force on the body (N), if there is one.
+    pub(crate) fn linearized(self, force: Option<[f64; 3]>) -> Self {
+        Self { linearized_at: force, ..self }
     }
 }
 
@@ -300,11 +308,15 @@ pub(crate) fn add(
     let elements = if operation.ring == "outer" { elements.inverted() } else { elements };
     let none = [[0.0; 6]; 6];
     let Mounting { name, body, to, at, .. } = mounting;
-    let bearing = Bearing {
-        to,
-        at,
-        nonlinear: Some(NonlinearLoad::Rolling(Arc::new(elements))),
-        ..Bearing::new(name, body, 0.0, none)
+    let elements = Arc::new(elements);
+    let bearing = Bearing { to, at, ..Bearing::new(name, body, 0.0, none) };
+    let bearing = match operation.linearized_at {
+        None => Bearing { nonlinear: Some(NonlinearLoad::Rolling(elements)), ..bearing },
+        Some(force) => {
+            let linearized = elements.linearized(force);
+            let (tangent, at) = linearized.map_err(|error| externs::engine(error.blame("linearized_at")))?;
+            Bearing { stiffness: tangent.stiffness, load: tangent.load, linearization: Some(at), ..bearing }
+        }
     };
     crate::bearing_externs::add(context, bearing)
 }
@@ -348,6 +360,11 @@ fn rolling(context: &mut Context, handle: Handle) -> Result<(BearingId, Arc<Roll
     let own = &host(context)?.scene.bearings[id.0];
     match own.rolling() {
         Some(elements) => Ok((id, elements.clone())),
+        None if own.linearization.is_some() => {
+            let message =
+                format!("bearing \"{}\" is linearized, so the loads of its elements are unknown", own.name);
+            Err(refusal("E0698", "bearing", &message, "remove `linearized_at`, or this output"))
+        }
         None => {
             let message = format!("bearing \"{}\" has no rolling elements", own.name);
             let help = "create it by `ball_bearing`, `tapered_roller_bearing` or another rolling bearing";

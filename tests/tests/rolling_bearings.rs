@@ -227,3 +227,48 @@ fn invalid_bearings_are_rejected_at_their_argument() {
     let found = check_text("model.cx", &helical(&crushed, 100.0, 0.0)).diagnostics;
     assert!(found.iter().any(|found| found.code == "E0697"), "{found:?}");
 }
+
+/// The helical pair on bearings that are linearized at the forces of the rolling ones.
+#[test]
+fn linearized_bearings_have_the_forces_and_stiffness_of_the_operating_point() {
+    let components = ["x", "y", "z"];
+    let outputs: String = ["near", "far"]
+        .iter()
+        .flat_map(|name| {
+            components.map(|axis| {
+                format!(
+                    "output {name}_{axis} := gears.bearing_force({name}, \"{axis}\");
+output {name}_stiffness_{axis} := gears.bearing_stiffness({name}, \"{axis}\", \"{axis}\");\n"
+                )
+            })
+        })
+        .collect();
+    let elements = ["pressure", "largest", "first", "loaded", "safety", "life"];
+    let model = |bearings: &str| {
+        let text = helical(bearings, 100.0, 0.0);
+        let lines = text
+            .lines()
+            .filter(|line| !elements.iter().any(|name| line.starts_with(&format!("output {name} "))));
+        lines.collect::<Vec<_>>().join("\n").replace("analyze(", &format!("{outputs}analyze("))
+    };
+    let rolling = solved(&model(&tapered(0.0)));
+    let mean = |name: &str| 0.5 * (rolling[name][0] + rolling[name][1]);
+    let at = |name: &str| {
+        let [x, y, z] = components.map(|axis| -mean(&format!("{name}_{axis}")));
+        format!("linearized_at = {x} N * e1 + {y} N * e2 + {z} N * e3")
+    };
+    let linear = tapered(0.0)
+        .replace("at = 40 mm * e3,", &format!("at = 40 mm * e3, {},", at("near")))
+        .replace("at = 120 mm * e3,", &format!("at = 120 mm * e3, {},", at("far")));
+    let found = solved(&model(&linear));
+    for name in ["near", "far"] {
+        for axis in components {
+            let force = format!("{name}_{axis}");
+            close(&force, found[&force][0], rolling[&force][0], 0.02, rolling[&format!("{name}_radial")][0]);
+            // The rolling bearings tilt by a tenth of a milliradian, the linearized ones do not.
+            let stiffness = format!("{name}_stiffness_{axis}");
+            close(&stiffness, found[&stiffness][0], rolling[&stiffness][0], 0.05, 0.0);
+        }
+    }
+    close("transmission error", found["transmission_error"][1], rolling["transmission_error"][1], 0.01, 0.0);
+}

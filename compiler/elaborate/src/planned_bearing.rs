@@ -2,7 +2,7 @@
 
 use crate::shown::rounded;
 use calyx_gears::host::ModelHost;
-use calyx_runtime::bearing::{Bearing, Support};
+use calyx_runtime::bearing::{Bearing, Linearization, RANGE_TOLERANCE, Support};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rolling::rating::bearing_capacity;
 use calyx_runtime::rolling::{BallKind, Elements, RollerKind, RollingBearing};
@@ -19,7 +19,8 @@ pub struct PlannedBearing {
     pub left_out: bool,
     /// The reason for its model, or for omitting it.
     pub reason: &'static str,
-    /// Kind, elements and load ratings of a rolling bearing, as text.
+    /// Kind, elements and load ratings of a rolling bearing, or the operating point of a linearized
+    /// one, as text.
     pub rolling: Option<String>,
 }
 
@@ -42,7 +43,10 @@ impl PlannedBearing {
                 walls: bearing.walls(),
                 left_out: planned.left_out,
                 reason: planned.reason,
-                rolling: bearing.rolling().map(|elements| described(&elements.bearing, stated)),
+                rolling: match (bearing.rolling(), bearing.linearization) {
+                    (Some(elements), _) => Some(described(&elements.bearing, stated)),
+                    (None, linearization) => linearization.map(linearized),
+                },
             })
         };
         scene.bearings.iter().enumerate().filter_map(of).collect()
@@ -58,6 +62,18 @@ impl PlannedBearing {
         let what = self.rolling.as_deref().unwrap_or(self.reason);
         format!("\"{}\": {body} on {to}, {what}{walls}", self.name)
     }
+}
+
+/// Describes a linearized bearing.
+fn linearized(Linearization { force: [x, y, z], range: [least, most] }: Linearization) -> String {
+    let digits = |force: f64| format!("{force:.2e}").parse::<f64>().unwrap_or(force);
+    format!(
+        "a rolling bearing linearized at {} N: its stiffness is within {:.0} % from {} N to {} N",
+        digits(x.hypot(y).hypot(z)),
+        100.0 * RANGE_TOLERANCE,
+        digits(least),
+        digits(most)
+    )
 }
 
 /// Describes a rolling bearing. `stated` has its load ratings C and C0 from a catalogue, N; others

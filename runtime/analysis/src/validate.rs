@@ -54,7 +54,12 @@ fn refuse_nonlinear_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineErr
     let own = &scene.bearings[bearing];
     let what = if own.rolling().is_some() { "rolling elements" } else { "load curves" };
     let message = format!("bearing \"{}\" has {what}, which dynamic analyses do not support", own.name);
-    let help = "use a quasi-static analysis, or a bearing with the stiffness at the operating point";
+    let help = match own.rolling() {
+        Some(_) => {
+            "give `linearized_at`, the force on the body at its operating point, or use a quasi-static analysis"
+        }
+        None => "use a quasi-static analysis, or a bearing with the stiffness at the operating point",
+    };
     Err(EngineError::new("E0727", message, help).about(Subject::Bearing(bearing)))
 }
 

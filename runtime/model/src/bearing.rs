@@ -20,6 +20,7 @@
 
 mod bearing_state;
 mod immobile;
+mod linearization;
 mod load_curve;
 mod nonlinear;
 mod nonlinear_state;
@@ -28,6 +29,7 @@ mod springs;
 
 pub use bearing_state::BearingState;
 pub use immobile::Mobility;
+pub use linearization::{Linearization, RANGE_TOLERANCE};
 pub use load_curve::{LoadCurve, LoadCurves};
 pub use nonlinear::{NonlinearLoad, Tangent};
 pub use nonlinear_state::NonlinearState;
@@ -78,6 +80,8 @@ pub struct Bearing {
     pub stops: Vec<Stop>,
     /// Nonlinear load, which adds to that of the springs and stops.
     pub nonlinear: Option<NonlinearLoad>,
+    /// Operating point of a rolling bearing whose linearized load is `stiffness` and `load`.
+    pub linearization: Option<Linearization>,
 }
 
 /// Unilateral spring with a clearance.
@@ -208,6 +212,7 @@ impl Bearing {
             load: [0.0; 6],
             stops: Vec::new(),
             nonlinear: None,
+            linearization: None,
         }
     }
 

@@ -6,6 +6,7 @@ mod connections;
 mod elastic_bodies;
 mod elastic_body_checks;
 mod flanks;
+mod linearized_bearings;
 mod lubrication;
 mod motion;
 mod shafts;

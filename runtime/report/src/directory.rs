@@ -1,6 +1,7 @@
 //! The run directory: `run.json`, `timing.json` and `steps.csv`. Each position is on disk before
 //! the next one starts.
 
+use crate::bearing_loads::BearingLoads;
 use crate::body_pictures;
 use crate::choices::counts;
 use crate::contact_pattern::ContactPattern;
@@ -123,6 +124,7 @@ pub struct Record {
     tables: FieldTables,
     stresses: StressRange,
     pattern: ContactPattern,
+    bearings: BearingLoads,
     vtu: Option<VtuFiles>,
     journal: Journal,
 }
@@ -141,6 +143,7 @@ impl Record {
             tables: FieldTables::create(directory, details.tables)?,
             stresses: StressRange::create(directory)?,
             pattern: ContactPattern::create(directory)?,
+            bearings: BearingLoads::create(directory)?,
             vtu: details.vtu.then(|| VtuFiles::begin(directory, Vec::new())).transpose()?,
             journal: Journal::create(directory, head)?,
         })
@@ -158,6 +161,7 @@ impl Record {
             solved => FieldTables::resume(directory, solved, details.tables)?,
         };
         let (stresses, pattern) = (StressRange::resume(directory)?, ContactPattern::resume(directory)?);
+        let bearings = BearingLoads::resume(directory)?;
         let times = found.solved.iter().map(|solved| solved.row.position.time).collect();
         let vtu = details.vtu.then(|| VtuFiles::begin(directory, times)).transpose()?;
         let mut table = StepTable::create(directory, outputs)?;
@@ -166,7 +170,7 @@ impl Record {
         }
         let journal = Journal::resume(directory, found)?;
         let directory = directory.to_owned();
-        Ok(Record { directory, table, tables, stresses, pattern, vtu, journal })
+        Ok(Record { directory, table, tables, stresses, pattern, bearings, vtu, journal })
     }
 
     pub fn write(
@@ -181,6 +185,7 @@ impl Record {
             self.stresses.add(fields)?;
             self.pattern.add(index, fields)?;
             let time = solved.row.position.time;
+            self.bearings.add((index, time), fields)?;
             body_pictures::update(&self.directory, (index, time), fields)?;
             if let Some(vtu) = &mut self.vtu {
                 vtu.write(index, time, fields)?;

@@ -4,6 +4,7 @@
 //! This crate does not run models. It writes results into the directory that a run has locked, and
 //! reads them from there: [`page`] and [`tradeoff`] depend on the files of a run alone.
 
+pub mod bearing_loads;
 pub mod body_pictures;
 pub mod campbell;
 pub mod choices;

@@ -19,8 +19,8 @@ use calyx_report::directory::{
 };
 use calyx_report::journal::FoundJournal;
 use calyx_report::{
-    body_pictures, campbell, contact_pattern, field_tables, flank_tables, journal, modes_table, page,
-    signals, stress_range, summary_table, vtu,
+    bearing_loads, body_pictures, campbell, contact_pattern, field_tables, flank_tables, journal,
+    modes_table, page, signals, stress_range, summary_table, vtu,
 };
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
@@ -209,6 +209,7 @@ fn begin(directory: &RunDirectory, details: Details) -> io::Result<()> {
     directory.claim_all(["journal.jsonl"].iter().chain(&page::FILES))?;
     directory.claim_all([stress_range::NAME, "root_stress_range.csv.part"])?;
     directory.claim_all(contact_pattern::FILES)?;
+    directory.claim_all(bearing_loads::FILES)?;
     directory.claim_all(flank_tables::FILES)?;
     let asked_for = if details.tables { &field_tables::NAMES[..] } else { &[field_tables::LINE_LOAD] };
     directory.claim_all(asked_for)

@@ -121,7 +121,7 @@ impl Kind {
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-const FILES_OF_A_RUN: [&str; 27] = [
+const FILES_OF_A_RUN: [&str; 31] = [
     "run.json",
     "journal.jsonl",
     "run.json.part",
@@ -139,6 +139,10 @@ const FILES_OF_A_RUN: [&str; 27] = [
     "contact_pattern.csv.part",
     "contact_path.csv",
     "contact_path.csv.part",
+    "rolling_elements.csv",
+    "rolling_elements.csv.part",
+    "roller_pressure.csv",
+    "roller_pressure.csv.part",
     "tooth_flanks.csv",
     "tooth_flanks.csv.part",
     "unloaded_contact.csv",

@@ -13,6 +13,7 @@ mod contact_layout;
 mod contact_solution;
 mod friction;
 mod grid_warnings;
+mod linearized_bearings;
 mod nonlinear_bearings;
 mod participation;
 mod patch;
@@ -141,10 +142,14 @@ impl System<'_> {
         };
         // With rigid bodies, nonlinear bearings do not deflect: they have their typical stiffness
         // without load.
-        if self.has_nonlinear_bearings() && !self.rigid {
-            return self.with_nonlinear_bearings(time, load, solve);
+        let mut step = match self.has_nonlinear_bearings() && !self.rigid {
+            true => self.with_nonlinear_bearings(time, load, solve)?,
+            false => solve(&[], None)?,
+        };
+        if !self.rigid {
+            self.warn_of_linearized_bearings(time, &mut step)?;
         }
-        solve(&[], None)
+        Ok(step)
     }
 
     /// Solves the end of a time step (s) that starts with the deviations `start` from the

@@ -1,7 +1,7 @@
 //! Observables of bearings: forces, moments, deflections and tilts.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
-use calyx_model::bearing::BearingState;
+use calyx_model::bearing::{BearingState, five};
 use calyx_model::ids::{BearingId, BodyId};
 use calyx_model::observed::Observed;
 
@@ -96,6 +96,48 @@ fn half(numbers: [f64; 6], about: bool) -> [f64; 3] {
 
 fn observed(at: &Equilibrium<'_>, bearing: BearingId, of: impl Fn(&BearingLoad) -> f64) -> Observed {
     Observed::number(at.bearing(bearing).map_or(f64::NAN, |load| of(&load)))
+}
+
+/// Entry of the stiffness matrix of a bearing at the deflection of a position, in its axes: force
+/// (N) or moment (N m) by displacement (m) or rotation (rad). Clearances with stops are not
+/// included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingStiffness {
+    /// Bearing.
+    pub bearing: BearingId,
+    /// Component of the force.
+    pub row: usize,
+    /// Component of the deflection.
+    pub column: usize,
+}
+
+impl Observable for BearingStiffness {
+    fn quantity(&self) -> Quantity {
+        match [self.row < 3, self.column < 3] {
+            [true, true] => Quantity::repeating("bearing_stiffness", "N/m"),
+            [false, false] => Quantity::repeating("bearing_tilting_stiffness", "N*m/rad"),
+            _ => Quantity::repeating("bearing_coupling_stiffness", "N/rad"),
+        }
+    }
+
+    fn needs(&self) -> Needs {
+        Needs::Motions
+    }
+
+    fn bearing_of(&self) -> Option<BearingId> {
+        Some(self.bearing)
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let own = &at.system.scene.bearings[self.bearing.0];
+        observed(at, self.bearing, |load| {
+            let linear = own.stiffness[self.row][self.column];
+            let Some(nonlinear) = &own.nonlinear else { return linear };
+            let state = nonlinear.state(None, five(&load.deflection));
+            let tangent = |state| nonlinear.tangent(&state, 0.0).stiffness[self.row][self.column];
+            state.map_or(f64::NAN, |state| linear + tangent(state))
+        })
+    }
 }
 
 /// Force of a bearing on the body of its first race, N.

@@ -3,6 +3,7 @@
 
 use super::deformed::{BodyField, ElasticBodyField, MeshedBodies};
 use super::flank_cells::FlankCorners;
+use super::rolling::RollingBearingField;
 use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice};
 use calyx_model::ids::BodyId;
@@ -23,6 +24,8 @@ pub struct Fields {
     /// Elastic shafts, and meshes of elastic bodies of any shape, such as housings, if meshes are
     /// requested.
     pub elastic_bodies: Vec<ElasticBodyField>,
+    /// Rolling bearings.
+    pub rolling_bearings: Vec<RollingBearingField>,
     /// Bodies without a mesh, with the reason, phrased to follow the name.
     pub without_mesh: Vec<(String, &'static str)>,
 }
@@ -122,6 +125,7 @@ impl Equilibrium<'_> {
             contacts: self.all_contacts().map(|contact| contact.field()).collect(),
             fillets: bodies.flat_map(|body| self.fillets(BodyId(body))).collect(),
             elastic_bodies: self.deformed_shafts(),
+            rolling_bearings: self.rolling_bearings(),
             ..Fields::default()
         }
     }

@@ -29,7 +29,9 @@ mod tribology;
 mod vibration;
 mod whirl;
 
-pub use bearings::{BearingDeflection, BearingForce, BearingLoad, BearingMoment, BearingTilt, Direction};
+pub use bearings::{
+    BearingDeflection, BearingForce, BearingLoad, BearingMoment, BearingStiffness, BearingTilt, Direction,
+};
 pub use bodies::{
     Displacement, HighestContact, LowestContact, Rotation, SupportForce, SupportMoment, ToothLoad,
 };
@@ -50,7 +52,8 @@ pub use mode_kind::{
 };
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use rolling::{
-    BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingElementLoad, StaticSafety,
+    BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingBearingField, RollingElementLoad,
+    StaticSafety,
 };
 pub use shafts::{
     ConnectionLoad, NominalStress, SectionComponent, ShaftDisplacement, ShaftMoment, ShaftPosition,

@@ -8,7 +8,26 @@ use calyx_model::observed::Observed;
 use calyx_rolling::rating::{Life, LifeConditions, rating_life, static_safety};
 use calyx_rolling::{ElementState, RollingError};
 
+/// Rolling elements of a bearing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RollingBearingField {
+    /// Name of the bearing.
+    pub bearing: String,
+    /// States of the elements, row by row.
+    pub elements: Vec<ElementState>,
+}
+
 impl Equilibrium<'_> {
+    /// Returns the elements of all rolling bearings that take part.
+    pub(super) fn rolling_bearings(self) -> Vec<RollingBearingField> {
+        let field = |&index: &usize| {
+            let bearing = &self.system.scene.bearings[index];
+            let elements = self.rolling_elements(BearingId(index))?;
+            Some(RollingBearingField { bearing: bearing.name.clone(), elements })
+        };
+        self.system.bearings.iter().filter_map(field).collect()
+    }
+
     /// Returns the states of the elements of a rolling bearing, row by row; `None` if the scene has
     /// no such rolling bearing, or its races have separated.
     pub fn rolling_elements(self, bearing: BearingId) -> Option<Vec<ElementState>> {

@@ -162,7 +162,7 @@ impl RollingElements {
     }
 
     /// Converts a displacement or load of the first race to that of the inner ring, or back.
-    fn of_inner_ring(&self, components: [f64; 5]) -> [f64; 5] {
+    pub(super) fn of_inner_ring(&self, components: [f64; 5]) -> [f64; 5] {
         if self.is_inverted { components.map(|part| -part) } else { components }
     }
 

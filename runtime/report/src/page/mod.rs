@@ -7,6 +7,7 @@
 
 mod about;
 mod accuracy;
+mod bearings;
 mod bodies;
 mod chart;
 mod command_line;
@@ -90,6 +91,7 @@ fn page(run: &Run) -> Markup {
         ("tooth-contact", "Tooth contact", projection::section(run, units)),
         ("contact", "Contact", contact_section(run, units)),
         ("stress", "Root stress", stress_section(run, units)),
+        ("bearings", "Rolling bearings", bearings::section(run, units)),
         ("bodies", "Deformed bodies", bodies::section(run, units)),
         ("signals", "Spectra", signals(run)),
         ("modes", "Modes", modes(run)),

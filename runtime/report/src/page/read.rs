@@ -2,6 +2,7 @@
 //! stopped, in progress or killed.
 
 use super::units::{self, Unit, Units};
+use crate::bearing_loads::{self, ElementLoad, RollerLamina};
 use crate::body_pictures::{self, BodyPicture};
 use crate::choices;
 use crate::contact_pattern::{self, PathPoint, PressurePoint};
@@ -49,6 +50,10 @@ pub struct Run {
     /// Flanks, unloaded contact and ease-off of gears on general axes.
     pub flanks: FlankTables,
     pub stresses: Vec<StressExtremes>,
+    /// Elements of the rolling bearings.
+    pub elements: Vec<ElementLoad>,
+    /// Laminae of the most loaded rollers.
+    pub laminae: Vec<RollerLamina>,
     pub pictures: Vec<Picture>,
     /// Pictures of bodies, with the content of their files in base 64.
     pub bodies: Vec<(BodyPicture, String)>,
@@ -280,6 +285,8 @@ impl Run {
             contact_path: contact_pattern::read_path(directory)?,
             flanks: FlankTables::read(directory)?,
             stresses: stress_range::read(directory)?,
+            elements: bearing_loads::read_elements(directory)?,
+            laminae: bearing_loads::read_rollers(directory)?,
             pictures: pictures(directory, &head)?,
             bodies: bodies(directory),
             modes: table(&directory.join(modes_table::NAME))?,

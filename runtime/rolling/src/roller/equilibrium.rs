@@ -22,6 +22,8 @@ pub struct LineContact {
     pub positions: Vec<f64>,
     /// Loads per length of the laminae, N/m.
     pub loads: Vec<f64>,
+    /// Pressures of the laminae, Pa.
+    pub pressures: Vec<f64>,
     /// Largest pressure of the laminae, Pa.
     pub pressure: f64,
     /// Position of the largest pressure, m.
@@ -113,6 +115,7 @@ impl RollerRow {
                 contact.positions.push(position);
                 contact.loads.push(per_length);
                 let pressure = pressure(per_length, lamina.radius, self.modulus);
+                contact.pressures.push(pressure);
                 if pressure > contact.pressure {
                     (contact.pressure, contact.pressure_position) = (pressure, position);
                 }

@@ -147,6 +147,8 @@ fn run(left: bool) -> Run {
         contact_path: path.collect(),
         flanks: FlankTables { flanks, unloaded: unloaded.collect(), ease_off: ease_off.collect() },
         stresses: Vec::new(),
+        elements: Vec::new(),
+        laminae: Vec::new(),
         pictures: Vec::new(),
         bodies: Vec::new(),
         modes: Vec::new(),

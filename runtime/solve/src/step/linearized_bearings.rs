@@ -1,0 +1,39 @@
+//! Linearized rolling bearings under loads that their linearization does not cover.
+
+use super::StepResult;
+use crate::system::System;
+use calyx_model::bearing::BearingState;
+use calyx_numerics::error::EngineError;
+
+impl System<'_> {
+    /// Warns of linearized bearings whose force is out of the range of the linearization. Warnings
+    /// state no values, so that all positions of an analysis have the same ones.
+    ///
+    /// # Errors
+    /// Those of [`BearingState::at`].
+    pub(super) fn warn_of_linearized_bearings(
+        &self,
+        time: f64,
+        step: &mut StepResult,
+    ) -> Result<(), EngineError> {
+        for &index in &self.bearings {
+            let own = &self.scene.bearings[index];
+            let Some(linearization) = own.linearization else { continue };
+            let placed = BearingState::at(&self.scene.bodies, own, time)?;
+            let mut deflection = [0.0; 6];
+            for (dof, motion) in self.dofs.iter().zip(&step.motion) {
+                let parts = placed.deflection(dof);
+                deflection.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part * motion);
+            }
+            let [x, y, z, ..] = own.push(&deflection, &[]);
+            if !linearization.covers([-x, -y, -z]) {
+                step.warnings.push(format!(
+                    "bearing \"{}\" carries a force out of the range of its linearization, which `calyx explain` states; \
+                     linearize it at the force of this position",
+                    own.name
+                ));
+            }
+        }
+        Ok(())
+    }
+}
