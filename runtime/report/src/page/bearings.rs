@@ -141,11 +141,10 @@ fn along_rollers(laminae: &[&RollerLamina], units: Units) -> Plot {
     let several = rows.len() > 1;
     let mut all = Vec::new();
     for (row, laminae) in rows {
-        let rings: [(&str, fn(&RollerLamina) -> f64); 2] =
-            [("inner", |lamina| lamina.inner_pressure), ("outer", |lamina| lamina.outer_pressure)];
-        for (ring, pressure) in rings {
+        for (side, ring) in ["inner", "outer"].into_iter().enumerate() {
             let place = |lamina: &&RollerLamina| {
-                (units.length.of(lamina.position), units.stress.of(pressure(lamina)))
+                let pressure = [lamina.inner_pressure, lamina.outer_pressure][side];
+                (units.length.of(lamina.position), units.stress.of(pressure))
             };
             let name = if several { format!("row {}, {ring} ring", row + 1) } else { format!("{ring} ring") };
             all.push(Curve {
