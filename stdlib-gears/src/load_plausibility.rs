@@ -98,7 +98,9 @@ impl LoadGroups {
         let bearings = scene.bearings.iter().filter(|b| b.bodies().any(|other| group.contains(&other.0)));
         let mut loads = LoadGroups {
             free: false,
-            on_free: bearings.into_iter().any(|b| !b.is_unloaded_without_motion()),
+            on_free: bearings
+                .into_iter()
+                .any(|b| b.linearization.is_none() && !b.is_unloaded_without_motion()),
             on_constrained: None,
         };
         for &index in group {

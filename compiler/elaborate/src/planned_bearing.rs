@@ -65,7 +65,7 @@ impl PlannedBearing {
 }
 
 /// Describes a linearized bearing.
-fn linearized(Linearization { force: [x, y, z], range: [least, most] }: Linearization) -> String {
+fn linearized(Linearization { force: [x, y, z], range: [least, most], .. }: Linearization) -> String {
     let digits = |force: f64| format!("{force:.2e}").parse::<f64>().unwrap_or(force);
     format!(
         "a rolling bearing linearized at {} N: its stiffness is within {:.0} % from {} N to {} N",

@@ -68,7 +68,8 @@ fn refuse_idle_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
     for (index, bearing) in scene.bearings.iter().enumerate() {
         let observed =
             bearing.bodies().any(|body| plan.bodies.get(body.0).is_some_and(|plan| !plan.left_out));
-        let carries_own = bearing.nonlinear.is_none() && !bearing.is_unloaded_without_motion();
+        let is_rolling = bearing.nonlinear.is_some() || bearing.linearization.is_some();
+        let carries_own = !is_rolling && !bearing.is_unloaded_without_motion();
         if !observed || carries_own {
             continue;
         }

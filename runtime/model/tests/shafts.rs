@@ -481,6 +481,22 @@ fn a_deformed_shaft_has_the_motions_and_the_nominal_stresses_of_its_sections() {
         close(largest.map(|(_, &stress)| von_mises(stress)).fold(0.0, f64::max), equivalent, 1e-12);
     }
 
+    // The shaft bends towards +y, so +y is compressed, less than without the tension; the torque
+    // shears +x towards +y.
+    let stress_at = |x: f64, y: f64| {
+        let section = shaft.section_forces(&stations, &forces, (0.0, true));
+        shaft.section_stress((0.0, true), &section, [x, y])
+    };
+    let (bending, tension) = (
+        900.0 * 0.13 * 0.02 / (PI / 64.0 * (0.04_f64.powi(4) - 0.016_f64.powi(4))),
+        4e3 / (0.25 * PI * (0.04_f64.powi(2) - 0.016_f64.powi(2))),
+    );
+    close(stress_at(0.0, 0.02)[2], tension - bending, 1e-12);
+    close(stress_at(0.0, -0.02)[2], tension + bending, 1e-12);
+    let torsion = 50.0 * 0.02 / (PI / 32.0 * (0.04_f64.powi(4) - 0.016_f64.powi(4)));
+    close(stress_at(0.02, 0.0)[3], torsion, 1e-12);
+    close(stress_at(0.0, 0.02)[4], -torsion, 1e-12);
+
     let mean_rotation = 0.5 * (motions[0][5] + motions[1][5]);
     for ([x, y, z], displacement) in found.points.iter().zip(&found.displacements) {
         let [ux, uy, uz, tx, ty, tz] = shaft.motion_at(&stations, &motions, *z);

@@ -1,5 +1,6 @@
-//! Rolling elements of bearings at the position with the largest element load of a run: loads,
-//! contact angles and pressures of all elements, and pressures along the most loaded rollers.
+//! Rolling elements of bearings at the position with the largest element load, of those whose
+//! fields are recorded: loads, contact angles and pressures of all elements, and pressures along the
+//! most loaded rollers.
 //!
 //! The complete tables are on disk before the journal records a position. A resumed run starts with
 //! them, and may add a position a second time, which does not change them.
@@ -119,11 +120,12 @@ impl BearingLoads {
         if !changed {
             return Ok(());
         }
-        write(&self.directory.join(ELEMENTS), self.bearings.values().flat_map(|(loads, _)| loads))?;
-        if self.bearings.values().all(|(_, laminae)| laminae.is_empty()) {
-            return Ok(());
+        // The elements decide whether a resumed run adds the position again, so they come last.
+        if self.bearings.values().any(|(_, laminae)| !laminae.is_empty()) {
+            let laminae = self.bearings.values().flat_map(|(_, laminae)| laminae);
+            write(&self.directory.join(ROLLERS), laminae)?;
         }
-        write(&self.directory.join(ROLLERS), self.bearings.values().flat_map(|(_, laminae)| laminae))
+        write(&self.directory.join(ELEMENTS), self.bearings.values().flat_map(|(loads, _)| loads))
     }
 }
 

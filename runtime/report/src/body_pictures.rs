@@ -28,6 +28,8 @@ const UNFINISHED: &str = "list.json.part";
 const PREFIX: &str = "body-";
 /// Largest exaggerated displacement relative to the size of the body.
 const EXAGGERATED: f64 = 0.08;
+/// Displacement relative to the size of the body below which it is a rounding error.
+const ROUNDING: f64 = 1e-12;
 
 /// Description of a picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -133,10 +135,11 @@ pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields)
     Ok(())
 }
 
-/// Returns the factor on the displacements: 1, 2 or 5 times a power of ten, not below 1.
+/// Returns the factor on the displacements: 1, 2 or 5 times a power of ten, not below 1. Those of
+/// an unloaded body are rounding errors.
 fn exaggeration(surface: &Surface) -> f64 {
     let wanted = EXAGGERATED * surface.diagonal() / surface.largest_displacement();
-    if !wanted.is_finite() || wanted < 1.0 {
+    if !(1.0..1.0 / ROUNDING).contains(&wanted) {
         return 1.0;
     }
     let power = 10.0_f64.powf(wanted.log10().floor());

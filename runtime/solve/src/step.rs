@@ -92,7 +92,9 @@ impl System<'_> {
     /// # Errors
     /// Those of [`System::solve`].
     pub fn touch(&self, time: f64) -> Result<StepResult, EngineError> {
-        self.solve_under(time, &vec![0.0; self.dofs.len()], &self.load_at(time)?, None)
+        // Without load, linearized bearings have no deflection.
+        let load: Vec<f64> = self.linearized_preload(time)?.iter().map(|load| -load).collect();
+        self.solve_under(time, &load, &self.load_at(time)?, None)
     }
 
     /// Solves under a load, or in the limit of a load along a direction.

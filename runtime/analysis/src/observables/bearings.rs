@@ -120,10 +120,6 @@ impl Observable for BearingStiffness {
         }
     }
 
-    fn needs(&self) -> Needs {
-        Needs::Motions
-    }
-
     fn bearing_of(&self) -> Option<BearingId> {
         Some(self.bearing)
     }

@@ -118,14 +118,16 @@ pub struct FilletStress {
 }
 
 impl Equilibrium<'_> {
-    /// Returns all fields except the meshes of bodies.
+    /// Returns all fields except the meshes of bodies other than shafts. Rigid shafts and bearings
+    /// have none.
     pub fn fields(self) -> Fields {
         let bodies = 0..self.system.scene.bodies.len();
+        let is_rigid = self.system.rigid;
         Fields {
             contacts: self.all_contacts().map(|contact| contact.field()).collect(),
             fillets: bodies.flat_map(|body| self.fillets(BodyId(body))).collect(),
-            elastic_bodies: self.deformed_shafts(),
-            rolling_bearings: self.rolling_bearings(),
+            elastic_bodies: if is_rigid { Vec::new() } else { self.deformed_shafts() },
+            rolling_bearings: if is_rigid { Vec::new() } else { self.rolling_bearings() },
             ..Fields::default()
         }
     }

@@ -40,7 +40,7 @@ pub(super) fn ignored_bearing_inputs(bearing: &Bearing, three_dimensional: bool)
     };
     let out_of_plane =
         |row: &usize| bearing.stiffness[*row].iter().chain(&typical[*row]).any(|&entry| entry != 0.0);
-    if !three_dimensional && [2, 3, 4].iter().any(out_of_plane) {
+    if !three_dimensional && bearing.linearization.is_none() && [2, 3, 4].iter().any(out_of_plane) {
         unseen.push(Ignored {
             input: "bearing".into(),
             reason:
@@ -67,9 +67,12 @@ fn partly_fixed(scene: &Mechanism, index: usize) -> Option<EngineError> {
     let bearing = scene.bearings.get(index)?;
     let mobility = bearing.mobility(&scene.bodies).ok()?;
     let is_helical = |pair: &SurfacePair| pair.mesh.as_ref().is_none_or(|mesh| mesh.overlap_ratio != 0.0);
-    let has_contact_angle = bearing.rolling().is_some_and(|elements| elements.bearing.has_contact_angle());
-    let is_axial_of_use =
-        bearing.rolling().is_none() || has_contact_angle || scene.pairs.iter().any(is_helical);
+    let has_contact_angle = match (bearing.rolling(), bearing.linearization) {
+        (Some(elements), _) => elements.bearing.has_contact_angle(),
+        (None, Some(linearization)) => linearization.has_contact_angle,
+        (None, None) => true,
+    };
+    let is_axial_of_use = has_contact_angle || scene.pairs.iter().any(is_helical);
     let fixed: Vec<&str> = (0..3)
         .filter(|&k| mobility.resists[k] && !mobility.moves[k] && (k != 2 || is_axial_of_use))
         .map(|k| DOF_NAMES[k])

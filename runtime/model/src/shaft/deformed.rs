@@ -29,11 +29,13 @@ impl Shaft {
             let (start, length) = (ends[0], ends[1] - ends[0]);
             let is_solid =
                 [(ends[0], true), (ends[1], false)].iter().all(|&at| self.diameters_on(at)[1] == 0.0);
-            let cells = (length / (CELL_LENGTH * self.diameters_at(start)[0])).ceil();
+            // A whole number of cells may be larger by rounding.
+            let cells = (length / (CELL_LENGTH * self.diameters_at(start)[0]) - 1e-6).ceil();
             let cells = (cells as usize).clamp(1, MOST_CELLS);
             let first = found.points.len();
             for ring in 0..=cells {
-                let z = start + length * (ring as f64 / cells as f64);
+                // The last ring is exactly at the end, where another segment may start.
+                let z = if ring == cells { ends[1] } else { start + length * (ring as f64 / cells as f64) };
                 let at = (z, ring == 0);
                 let mut motion = self.motion_at(stations, motions, z);
                 motion[5] -= mean_rotation;

@@ -19,6 +19,8 @@ const SHOWN: usize = 12;
 const SIZE: (u32, u32) = (900, 900);
 /// Radius of the circle of the elements and radius of the largest load.
 const RADII: [f64; 2] = [150.0, 370.0];
+/// Angle between the lines of two rows, rad.
+const APART: f64 = 0.14;
 /// Number of circles of constant load.
 const CIRCLES: usize = 2;
 
@@ -85,7 +87,9 @@ fn polar(elements: &[&ElementLoad], units: Units) -> Plot {
         for element in elements {
             let colour = COLOURS[element.row % COLOURS.len()];
             let radius = RADII[0] + (RADII[1] - RADII[0]) * element.load() / largest;
-            let (foot, tip) = (at(element.azimuth, RADII[0]), at(element.azimuth, radius));
+            // Elements of two rows are at the same azimuths.
+            let azimuth = element.azimuth + APART * (element.row as f64 - 0.5 * (rows as f64 - 1.0));
+            let (foot, tip) = (at(azimuth, RADII[0]), at(azimuth, radius));
             if element.load() > 0.0 {
                 area.draw(&PathElement::new(vec![foot, tip], colour.stroke_width(6)))?;
                 area.draw(&Circle::new(tip, 8, colour.filled()))?;

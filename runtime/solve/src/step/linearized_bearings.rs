@@ -6,6 +6,28 @@ use calyx_model::bearing::BearingState;
 use calyx_numerics::error::EngineError;
 
 impl System<'_> {
+    /// Returns the forces of linearized bearings on the DOFs without deflection, per
+    /// [`System::width`].
+    ///
+    /// # Errors
+    /// Those of [`BearingState::at`].
+    pub(super) fn linearized_preload(&self, time: f64) -> Result<Vec<f64>, EngineError> {
+        let mut preload = vec![0.0; self.dofs.len()];
+        for &index in &self.bearings {
+            let own = &self.scene.bearings[index];
+            if own.linearization.is_none() {
+                continue;
+            }
+            let placed = BearingState::at(&self.scene.bodies, own, time)?;
+            for (sum, dof) in preload.iter_mut().zip(&self.dofs) {
+                let parts = placed.deflection(dof);
+                let force: f64 = (0..6).map(|k| parts[k] * own.load[k]).sum();
+                *sum += force / self.width(own.body.0);
+            }
+        }
+        Ok(preload)
+    }
+
     /// Warns of linearized bearings whose force is out of the range of the linearization. Warnings
     /// state no values, so that all positions of an analysis have the same ones.
     ///

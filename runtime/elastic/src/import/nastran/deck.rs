@@ -38,7 +38,7 @@ pub(super) struct Deck {
     pub cards: Vec<Card>,
     /// Lines of executive and case control.
     pub control: Vec<(String, Place)>,
-    /// True if the deck has case control.
+    /// True if the deck has executive or case control.
     pub has_case_control: bool,
 }
 
@@ -170,7 +170,8 @@ impl DeckReader<'_, '_> {
                         return Err(self.sources.error(place, message, "import one bulk data section"));
                     }
                     self.section = Section::Bulk;
-                    self.deck.has_case_control = true;
+                    // The statement alone selects nothing, as if it were missing.
+                    self.deck.has_case_control |= !self.deck.control.is_empty();
                 }
                 _ => self.deck.control.push((line.trim().to_owned(), place)),
             },
