@@ -87,7 +87,7 @@ fn the_tangent_is_the_derivative_of_the_load() {
         }
     }
     for (row, column) in (0..5).flat_map(|row| (0..5).map(move |column| (row, column))) {
-        // Kinematics are linear in the tilt, so the load is nearly, not exactly, that of a potential.
+        // Kinematics are linear in the tilt, so the load is not exactly that of a potential.
         let expected = 0.5 * (differences[row][column] + differences[column][row]);
         let scale = (tangent.stiffness[row][row] * tangent.stiffness[column][column]).sqrt();
         let found = tangent.stiffness[row][column];

@@ -1,6 +1,6 @@
 //! Rolling elements of bearings at the position with the largest element load, of those whose
-//! fields are recorded: loads, contact angles and pressures of all elements, and pressures along the
-//! most loaded rollers.
+//! fields are recorded: loads, contact angles and pressures of all elements, and pressures along
+//! the most loaded rollers.
 //!
 //! The complete tables are on disk before the journal records a position. A resumed run starts with
 //! them, and may add a position a second time, which does not change them.

@@ -56,7 +56,8 @@ impl RollingElements {
     /// axial position.
     ///
     /// # Errors
-    /// E0697: the elements cannot carry the force, have no stiffness along it, or are damaged by it.
+    /// E0697: the elements cannot carry the force, have no stiffness along it, or are damaged by
+    /// it.
     pub fn linearized(self: &Arc<Self>, force: [f64; 3]) -> Result<(Tangent, Linearization), EngineError> {
         let size = magnitude(force);
         if !(size > 0.0 && size.is_finite()) {
