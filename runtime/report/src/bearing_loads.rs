@@ -5,9 +5,9 @@
 //! The complete tables are on disk before the journal records a position. A resumed run starts with
 //! them, and may add a position a second time, which does not change them.
 
+use crate::contact_pattern::{read, write};
 use calyx_runtime::observables::{Fields, RollingBearingField};
 use calyx_runtime::rolling::ElementState;
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
@@ -187,17 +187,6 @@ fn laminae(bearing: &RollingBearingField) -> Vec<RollerLamina> {
     all
 }
 
-/// Writes to a temporary file and renames it, so that readers never see a partial table.
-fn write<'a, R: Serialize + 'a>(path: &Path, rows: impl Iterator<Item = &'a R>) -> io::Result<()> {
-    let unfinished = path.with_extension("csv.part");
-    let mut writer = csv::Writer::from_path(&unfinished)?;
-    for row in rows {
-        writer.serialize(row)?;
-    }
-    writer.flush()?;
-    fs::rename(unfinished, path)
-}
-
 /// Reads the table of rolling elements of a run; empty if there is none.
 pub fn read_elements(directory: &Path) -> io::Result<Vec<ElementLoad>> {
     read(&directory.join(ELEMENTS))
@@ -206,13 +195,6 @@ pub fn read_elements(directory: &Path) -> io::Result<Vec<ElementLoad>> {
 /// Reads the table of pressures along rollers of a run; empty if there is none.
 pub fn read_rollers(directory: &Path) -> io::Result<Vec<RollerLamina>> {
     read(&directory.join(ROLLERS))
-}
-
-fn read<R: DeserializeOwned>(path: &Path) -> io::Result<Vec<R>> {
-    if !path.exists() {
-        return Ok(Vec::new());
-    }
-    Ok(csv::Reader::from_path(path)?.deserialize().collect::<Result<_, _>>()?)
 }
 
 #[cfg(test)]
