@@ -429,7 +429,8 @@ fn the_gyroscopic_matrix_has_the_polar_inertia_of_the_shaft() {
     }
 }
 
-/// Volume of a cell with two opposite faces of three or four corners: of tetrahedra around a corner.
+/// Volume of a cell with two opposite faces of three or four corners, from tetrahedra around a
+/// corner.
 fn volume(corners: &[[f64; 3]]) -> f64 {
     let n = corners.len() / 2;
     let mut faces: Vec<Vec<usize>> = vec![(0..n).rev().collect(), (n..2 * n).collect()];
