@@ -77,6 +77,7 @@ calyx_abi::externs! {
             let meshed = general_mesh(&mut host.scene, ids, &options);
             let meshed = meshed.map_err(|refusal| host.rejected(refusal, place))?;
             host.note(&meshed.warnings, place);
+            host.general_backlash.extend(meshed.backlash.map(|angle| (meshed.pair.0, angle)));
             return Ok(Handle(meshed.pair.0 as u64));
         }
         let pairing = Pairing::of(&host.scene, ids).map_err(|refusal| host.rejected(refusal, place))?;
@@ -367,9 +368,11 @@ fn fidelity_named(name: &str) -> Result<Fidelity, RuntimeError> {
 
 pub(crate) fn host(context: &mut Context) -> Result<&mut ModelHost, RuntimeError> {
     let instance = context.instance.clone();
+    let library_call = Some(context.library_call).filter(|call| *call != (0, 0, 0));
     let host: Option<&mut ModelHost> = context.host();
     let host = host.ok_or_else(|| defect("the gear library was called without its state"))?;
     host.instance = instance;
+    host.library_call = library_call;
     Ok(host)
 }
 

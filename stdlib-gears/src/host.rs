@@ -190,6 +190,8 @@ pub struct ModelHost {
     pub output_places: Vec<(u32, u32, u32)>,
     /// Requested gear meshes, including rejected ones.
     pub mesh_records: Vec<MeshRecord>,
+    /// Angular backlash of the second gear of meshes on general axes, rad, by surface pair.
+    pub general_backlash: BTreeMap<usize, f64>,
     /// Files that have been read.
     pub files: Vec<ModelFile>,
     /// Tables that have been read.
@@ -237,6 +239,8 @@ pub struct ModelHost {
     pub failed_analyses: usize,
     /// Path of the instance of a component that is being built; empty outside of components.
     pub instance: String,
+    /// Innermost active call of a library function by the program.
+    pub library_call: Option<(u32, u32, u32)>,
 }
 
 impl ModelHost {
@@ -330,9 +334,10 @@ impl ModelHost {
         EngineError { message, help, argument: None, ..error }
     }
 
-    /// Records the instance of a component that is being built.
+    /// Records the instance of a component that is being built, and the call of the library.
     fn in_instance(&self, mut error: RuntimeError) -> RuntimeError {
         error.details.instance.clone_from(&self.instance);
+        error.details.library_call = self.library_call;
         error
     }
 

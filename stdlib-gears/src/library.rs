@@ -52,6 +52,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "bevel_curve",
     "bevel_form",
     "bevel_gear",
+    "bevel_pair_checks",
     "bevel_pattern",
     "bevel_section",
     "bevel_tooth",

@@ -9,27 +9,39 @@ use calyx_runtime::scene::BodyId;
 
 calyx_abi::externs! {
     Pure fn calyx_gears_contact_ratio(context, mesh: Handle) -> f64 {
-        Ok(geometry(context, mesh)?.contact_ratio)
+        Ok(geometry(context, mesh, UNDER_LOAD)?.contact_ratio)
     }
 
     Pure fn calyx_gears_overlap_ratio(context, mesh: Handle) -> f64 {
-        Ok(geometry(context, mesh)?.overlap_ratio)
+        Ok(geometry(context, mesh, UNDER_LOAD)?.overlap_ratio)
     }
 
     Pure fn calyx_gears_operating_pressure_angle(context, mesh: Handle) -> f64 {
-        Ok(geometry(context, mesh)?.operating_pressure_angle)
+        Ok(geometry(context, mesh, FROM_FORCES)?.operating_pressure_angle)
     }
 
     Pure fn calyx_gears_backlash(context, mesh: Handle) -> f64 {
-        Ok(geometry(context, mesh)?.backlash)
+        Ok(geometry(context, mesh, ROTATION)?.backlash)
     }
 
     Pure fn calyx_gears_normal_backlash(context, mesh: Handle) -> f64 {
-        Ok(geometry(context, mesh)?.normal_backlash)
+        Ok(geometry(context, mesh, ROTATION)?.normal_backlash)
+    }
+
+    Pure fn calyx_gears_angular_backlash(context, mesh: Handle) -> f64 {
+        let host = host(context)?;
+        let pair = entry(&host.scene.pairs, mesh)?;
+        if pair.mesh.as_ref().is_some_and(|mesh| mesh.first_contact.is_some()) {
+            let geometry = geometry(context, mesh, ROTATION)?;
+            return Ok(geometry.backlash * geometry.operating_pressure_angle.cos() / geometry.base_radius[1]);
+        }
+        host.general_backlash.get(&(mesh.0 as usize)).copied().ok_or_else(|| {
+            refusal("E0888", "mesh", "this mesh has no backlash: the coast flanks do not come into contact", COAST_FLANKS)
+        })
     }
 
     Pure fn calyx_gears_tip_clearance(context, mesh: Handle, root_of: String) -> f64 {
-        let geometry = geometry(context, mesh)?;
+        let geometry = geometry(context, mesh, CLEARANCE)?;
         let host = host(context)?;
         let bodies = entry(&host.scene.pairs, mesh)?.bodies;
         let [first, second] = [&host.gear_on("mesh", bodies[0])?.gear, &host.gear_on("mesh", bodies[1])?.gear];
@@ -37,7 +49,7 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_working_center_distance(context, mesh: Handle) -> f64 {
-        Ok(geometry(context, mesh)?.center_distance)
+        Ok(geometry(context, mesh, AXES)?.center_distance)
     }
 
     Pure fn calyx_gears_gear_of(context, body: Handle) -> Handle {
@@ -51,6 +63,15 @@ calyx_abi::externs! {
         gear_handle(host, "mesh", body)
     }
 }
+
+// Remedies on general axes, by quantity.
+const UNDER_LOAD: &str =
+    "use `pairs_in_contact`, whose mean over a mesh cycle is the contact ratio under load";
+const ROTATION: &str = "use `angular_backlash`, the rotation of the second gear while the first is fixed";
+const FROM_FORCES: &str = "the direction of the force follows from the mesh forces and the flanks in contact";
+const CLEARANCE: &str = "compare the face cones and root cones of the blanks; `calyx check` reports interference";
+const AXES: &str = "the positions of the axes are those of the frames of both bodies";
+const COAST_FLANKS: &str = "check the frames of the bodies and the tooth thicknesses";
 
 /// Handle of the gear of a body.
 fn gear_handle(host: &ModelHost, argument: &str, body: BodyId) -> Result<Handle, RuntimeError> {
@@ -74,13 +95,9 @@ pub(crate) fn on_parallel_axes(
     Err(refusal("E0888", "mesh", message, instead))
 }
 
-/// Geometry of a mesh.
-fn geometry(context: &mut Context, mesh: Handle) -> Result<MeshGeometry, RuntimeError> {
-    on_parallel_axes(
-        context,
-        mesh,
-        "use `pairs_in_contact`, whose mean over a mesh cycle is the contact ratio under load",
-    )?;
+/// Geometry of a mesh on parallel axes; `instead` is the remedy for other meshes.
+fn geometry(context: &mut Context, mesh: Handle, instead: &str) -> Result<MeshGeometry, RuntimeError> {
+    on_parallel_axes(context, mesh, instead)?;
     let host = host(context)?;
     let bodies = entry(&host.scene.pairs, mesh)?.bodies.map(|body| body.0);
     let meeting = host.mesh_records.iter().find(|meeting| meeting.bodies == bodies);

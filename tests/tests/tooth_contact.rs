@@ -11,14 +11,15 @@ use std::path::Path;
 
 type Row = BTreeMap<String, String>;
 
-fn run_rigid(example: &str, steps: usize) -> tempfile::TempDir {
+fn run_rigid(example: &str, steps: usize, given: &[(&str, &str)]) -> tempfile::TempDir {
     let checked = check_file(&root().join("examples").join(example)).expect("examples can be read");
     let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
     let directory = tempfile::tempdir().expect("a directory");
-    let given = [("fidelity", "rigid".to_owned()), ("steps", steps.to_string())];
+    let steps = steps.to_string();
+    let given = [("fidelity", "rigid"), ("steps", &steps)].iter().chain(given);
     let options = RunOptions {
         directory: directory.path().join("run"),
-        given: given.iter().map(|(name, value)| ParamAssignment::text(*name, value.as_str())).collect(),
+        given: given.map(|(name, value)| ParamAssignment::text(*name, *value)).collect(),
         quiet: true,
         ..RunOptions::default()
     };
@@ -39,7 +40,7 @@ fn value(row: &Row, name: &str) -> f64 {
 
 #[test]
 fn conjugate_flanks_have_no_ease_off_and_touch_everywhere() {
-    let directory = run_rigid("straight_bevel.cx", 2);
+    let directory = run_rigid("straight_bevel.cx", 2, &[]);
     let rows = table(directory.path(), "ease_off.csv");
     // The tips of both gears face fillets.
     assert!(rows.len() > 25 * 17 * 3 / 5, "{}", rows.len());
@@ -55,12 +56,24 @@ fn conjugate_flanks_have_no_ease_off_and_touch_everywhere() {
     }
 }
 
+/// Flanks that are nearly undercut have a curvature that grows towards the fillet. The number of
+/// points of a flank is chosen for it; with 17 points, the transmission error reaches 4e-8 rad.
+#[test]
+fn conjugate_flanks_have_no_transmission_error_near_undercut() {
+    let given = [("pressure_angle", "20 deg"), ("edge_radius", "0.3 mm")];
+    let directory = run_rigid("straight_bevel.cx", 8, &given);
+    for row in table(directory.path(), "steps.csv") {
+        let error = value(&row, "transmission_error");
+        assert!(error.abs() < 1e-9, "{error}");
+    }
+}
+
 /// The path of contact from the surfaces of the flanks agrees with the analysis of rigid bodies.
 /// The unloaded contact of chapter 6's pair reaches the tip of the pinion, whose edge touches until
 /// the next tooth pair overtakes.
 #[test]
 fn unloaded_contact_agrees_with_the_rigid_analysis() {
-    let directory = run_rigid("spiral_bevel.cx", 4);
+    let directory = run_rigid("spiral_bevel.cx", 4, &[]);
     let path = table(directory.path(), "unloaded_contact.csv");
     let touching: Vec<&Row> = path.iter().filter(|row| row["touches"] == "true").collect();
     let pitch = TAU / 12.0;

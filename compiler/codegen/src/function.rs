@@ -7,6 +7,7 @@
 use crate::error::CodegenError;
 use crate::module::ModuleLowering;
 use calyx_abi::context::{Layout, MAX_DEPTH};
+use calyx_abi::description::LIBRARY;
 use calyx_abi::{Repr, Status};
 use calyx_lang::ir::{BlockId, Function, FunctionId, LocalId, Mode};
 use calyx_lang::span::Span;
@@ -21,6 +22,10 @@ use std::collections::{BTreeMap, HashMap};
 
 /// Flags for memory that is always mapped and aligned: the context, arguments, results, the buffer.
 pub const TRUSTED: MemFlagsData = MemFlagsData::trusted();
+
+/// Offsets of the source range of the innermost active call of a library function.
+const LIBRARY_CALL: [usize; 3] =
+    [Layout::LIBRARY_CALL_FILE, Layout::LIBRARY_CALL_START, Layout::LIBRARY_CALL_END];
 
 /// Size of a slot, bytes.
 pub const SLOT: usize = 8;
@@ -224,12 +229,12 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
 
     /// Records the source range of the next operation, for errors.
     pub fn at(&mut self, span: Span) {
-        for (value, offset) in [
-            (span.file.0, Layout::PLACE_FILE),
-            (span.start, Layout::PLACE_START),
-            (span.end, Layout::PLACE_END),
-        ] {
-            let value = self.builder.ins().iconst(types::I32, i64::from(value));
+        self.store_place(span, [Layout::PLACE_FILE, Layout::PLACE_START, Layout::PLACE_END]);
+    }
+
+    fn store_place(&mut self, span: Span, offsets: [usize; 3]) {
+        for (word, offset) in [span.file.0, span.start, span.end].into_iter().zip(offsets) {
+            let value = self.builder.ins().iconst(types::I32, i64::from(word));
             self.store_context(value, offset);
         }
     }
@@ -283,11 +288,25 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
             return Err(missing);
         };
         self.at(span);
-        self.call_slots(target, arguments, types, |f| {
+        let enters_library = !self.is_library(span) && self.is_library(callee.span);
+        let around = enters_library.then(|| LIBRARY_CALL.map(|word| self.load_context(types::I32, word)));
+        if enters_library {
+            self.store_place(span, LIBRARY_CALL);
+        }
+        let results = self.call_slots(target, arguments, types, |f| {
             let [name, length] = f.constant(callee.name.as_bytes())?;
             let place = [span.file.0, span.start, span.end].map(|word| f.word(word as usize));
             f.helper_status("calyx_passed", &[&[name, length], &place[..]].concat())
-        })
+        })?;
+        for (value, offset) in around.into_iter().flatten().zip(LIBRARY_CALL) {
+            self.store_context(value, offset);
+        }
+        Ok(results)
+    }
+
+    fn is_library(&self, span: Span) -> bool {
+        let file = self.module.program.files.get(span.file.0 as usize);
+        file.is_some_and(|file| file.name.starts_with(LIBRARY))
     }
 
     /// Jumps to the target of errors in the current block.

@@ -286,6 +286,7 @@ fn elaborate_here(
             outputs = Some(host.outputs.iter().map(|output| output.name.clone()).collect::<Vec<_>>());
         }
         host.instance.clear();
+        host.library_call = None;
         // An incomplete scene has no meaningful analysis.
         if ran.is_ok() && survived.is_empty() {
             let (plan, errors) = check_analysis(host, description, cancel);

@@ -23,6 +23,7 @@ use crate::fingerprint::FingerprintHasher;
 use crate::layout::{running_sums, tuple_offset};
 use crate::link::{LinkError, resolve_externs};
 use calyx_abi::context::{Context, MAX_DEPTH, RuntimeError};
+use calyx_abi::description::LIBRARY;
 use calyx_abi::error::Place;
 use calyx_abi::helpers::CaptureKind;
 use calyx_abi::{Extern, Purity, Slot, helpers, limits, repr_code, stack};
@@ -235,7 +236,13 @@ impl<'p> Machine<'_, 'p> {
         self.at(span);
         let place = self.ctx.place;
         self.calls.push((id, place));
+        let around = self.ctx.library_call;
+        let callee = self.interpreter.program.functions.get(id.0 as usize);
+        if !self.is_library(span) && callee.is_some_and(|callee| self.is_library(callee.span)) {
+            self.ctx.library_call = place;
+        }
         let result = self.call_or_reuse(id, start);
+        self.ctx.library_call = around;
         self.calls.pop();
         result.map_err(|mut error| {
             error.place.get_or_insert(self.ctx.place);
@@ -243,6 +250,11 @@ impl<'p> Machine<'_, 'p> {
             error.passed(name, place);
             error
         })
+    }
+
+    fn is_library(&self, span: Span) -> bool {
+        let file = self.interpreter.program.files.get(span.file.0 as usize);
+        file.is_some_and(|file| file.name.starts_with(LIBRARY))
     }
 
     /// Calls a function whose arguments are the slots from `start` on, and replaces the arguments

@@ -22,7 +22,7 @@ pub const MAX_DEPTH: u64 = 1000;
 
 /// State of a running model.
 ///
-/// Generated code accesses only the first three fields directly, at the offsets of [`Layout`].
+/// Generated code accesses only the first four fields directly, at the offsets of [`Layout`].
 /// Object files rely on them, so they are part of its [`Fingerprint`](crate::Fingerprint).
 #[repr(C)]
 pub struct Context {
@@ -32,6 +32,9 @@ pub struct Context {
     pub depth: u64,
     /// Source range `(file, start, end)` of the present call, for error messages.
     pub place: (u32, u32, u32),
+    /// Source range of the innermost active call of a library function by the program, for
+    /// findings, which have no call stack; zero outside of such calls.
+    pub library_call: (u32, u32, u32),
     pub heap: Heap,
     /// Error of the call that returned a status other than `Ok`.
     pub error: Option<RuntimeError>,
@@ -89,11 +92,16 @@ impl Layout {
     pub const PLACE_FILE: usize = offset_of!(Context, place.0);
     pub const PLACE_START: usize = offset_of!(Context, place.1);
     pub const PLACE_END: usize = offset_of!(Context, place.2);
+    pub const LIBRARY_CALL_FILE: usize = offset_of!(Context, library_call.0);
+    pub const LIBRARY_CALL_START: usize = offset_of!(Context, library_call.1);
+    pub const LIBRARY_CALL_END: usize = offset_of!(Context, library_call.2);
 }
 
 const _: () = {
     assert!(Layout::GRANTED == 0 && Layout::DEPTH == 8);
     assert!(Layout::PLACE_FILE == 16 && Layout::PLACE_START == 20 && Layout::PLACE_END == 24);
+    assert!(Layout::LIBRARY_CALL_FILE == 28 && Layout::LIBRARY_CALL_START == 32);
+    assert!(Layout::LIBRARY_CALL_END == 36);
 };
 
 impl Context {
@@ -102,6 +110,7 @@ impl Context {
             granted: 0,
             depth: 0,
             place: (0, 0, 0),
+            library_call: (0, 0, 0),
             heap: Heap::default(),
             error: None,
             params: Vec::new(),

@@ -29,6 +29,9 @@ pub struct Details {
     /// Path of the instance of a component that was being built, for a finding, which has no call
     /// stack; empty outside of components.
     pub instance: String,
+    /// Innermost call of a library function by the program when a finding, which has no call
+    /// stack, arose.
+    pub library_call: Option<Place>,
     /// Number at fault, if the program that threw the error named one.
     pub value: Option<f64>,
     /// Origin of the error as stated by the program that threw it; empty if not stated.

@@ -38,6 +38,9 @@ impl Fingerprint {
             Layout::PLACE_FILE,
             Layout::PLACE_START,
             Layout::PLACE_END,
+            Layout::LIBRARY_CALL_FILE,
+            Layout::LIBRARY_CALL_START,
+            Layout::LIBRARY_CALL_END,
             MAX_DEPTH as usize,
             ERROR_SLOTS,
             // Data of generated code that the engine reads.

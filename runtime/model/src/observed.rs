@@ -16,7 +16,8 @@ pub struct Location {
     pub roll_angle: Option<f64>,
     /// Radius, m.
     pub radius: f64,
-    /// Axial coordinate from the middle of the face, m; `None` in a plane model.
+    /// Axial coordinate in the frame of the body, m: from the middle of the face of a cylindrical
+    /// gear. `None` in a plane model.
     pub axial: Option<f64>,
 }
 

@@ -448,6 +448,7 @@ fn calculate(context: &mut Context) -> Result<Option<Solved>, Error> {
         return Ok(None);
     };
     host.instance.clear();
+    host.library_call = None;
     let calculated = calculation::calculate(host)?;
     if let (Some(solved), Some(mut observer)) = (&calculated, host.observer.take()) {
         let event = Event::Step { index: 0, count: 1, solved, fields: None };

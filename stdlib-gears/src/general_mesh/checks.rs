@@ -226,7 +226,13 @@ pub(super) fn edge_contact(tabulated: bool) -> GeometryError {
 }
 
 /// Warning about interrupted contact.
-pub(super) fn low_contact_ratio(ratio: f64) -> Option<GeometryError> {
+pub(super) fn low_contact_ratio(ratio: f64, tabulated: bool) -> Option<GeometryError> {
+    let help = match tabulated {
+        true => sentence![
+            "with less ease-off along the path of contact (see the report) or higher teeth, pairs overlap; under load they may do so anyway: see `pairs_in_contact`"
+        ],
+        false => sentence!["give the teeth more depth or a larger face width"],
+    };
     (ratio < LEAST_CONTACT_RATIO).then(|| {
         GeometryError::warning(
             "W0861",
@@ -234,7 +240,7 @@ pub(super) fn low_contact_ratio(ratio: f64) -> Option<GeometryError> {
             sentence![
                 "without load a pair of teeth is in contact for ", number ratio, " pitches only: edges touch in between"
             ],
-            sentence!["give the teeth more depth or a larger face width"],
+            help,
         )
     })
 }

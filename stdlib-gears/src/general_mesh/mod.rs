@@ -52,6 +52,9 @@ const IMPOSSIBLE: f64 = 0.1;
 pub struct GeneralMesh {
     /// Surface pair of the drive flanks.
     pub pair: PairId,
+    /// Rotation of the second body between its flanks with the first one fixed at time 0, rad;
+    /// `None` if its coast flanks do not come into contact.
+    pub backlash: Option<f64>,
     /// Warnings about the pair.
     pub warnings: Vec<GeometryError>,
 }
@@ -247,7 +250,7 @@ pub fn general_mesh(
     }
     let cycle = Cycle { bodies: &bodies, teeth, speeds, sign, phases, left };
     let (mesh, contact_ratio) = cycle.mesh(surfaces, sense, &touching);
-    warnings.extend(contact_ratio.and_then(checks::low_contact_ratio));
+    warnings.extend(contact_ratio.and_then(|ratio| checks::low_contact_ratio(ratio, tabulated)));
     if contact_ratio.is_none() {
         warnings.push(checks::edge_contact(tabulated));
     }
@@ -289,7 +292,7 @@ pub fn general_mesh(
     if let Some(back) = back {
         scene.add_pair(pair(back, coast_surfaces, Some(front)));
     }
-    Ok(GeneralMesh { pair: front, warnings })
+    Ok(GeneralMesh { pair: front, backlash, warnings })
 }
 
 /// Returns the flanks that a first body driving in a sense presses together.

@@ -148,7 +148,7 @@ impl CallSites {
     /// program are at fault in them, the error moves to the call.
     pub fn blame(&self, error: &mut RuntimeError) {
         let mut chains = match (error.place, error.details.calls.is_empty()) {
-            (Some(at), true) if self.library.contains(&at.0) => self.chains(at),
+            (Some(at), true) if self.library.contains(&at.0) => self.chains(at, error.details.library_call),
             _ => Vec::new(),
         };
         if chains.is_empty() {
@@ -184,9 +184,9 @@ impl CallSites {
     }
 
     /// Returns the chains of calls that lead to a location in the library, innermost call first, if
-    /// all of them begin at the same location of the program. Findings that are not errors carry no
-    /// call chain.
-    fn chains(&self, at: Place) -> Vec<Vec<Call>> {
+    /// all of them begin at the same location of the program, or those that begin at `start`.
+    /// Findings that are not errors carry no call chain.
+    fn chains(&self, at: Place, start: Option<Place>) -> Vec<Vec<Call>> {
         let Some(first) = self.inside.get(&at) else { return Vec::new() };
         let mut waiting: Vec<(Place, Vec<Call>)> = vec![(*first, Vec::new())];
         let mut found: Vec<Vec<Call>> = Vec::new();
@@ -208,8 +208,11 @@ impl CallSites {
                 return Vec::new();
             }
         }
-        let start = |chain: &Vec<Call>| chain.last().map(|call| call.place);
-        if found.windows(2).any(|pair| start(&pair[0]) != start(&pair[1])) {
+        let outermost = |chain: &Vec<Call>| chain.last().map(|call| call.place);
+        if start.is_some() && found.iter().any(|chain| outermost(chain) == start) {
+            found.retain(|chain| outermost(chain) == start);
+        }
+        if found.windows(2).any(|pair| outermost(&pair[0]) != outermost(&pair[1])) {
             return Vec::new();
         }
         found

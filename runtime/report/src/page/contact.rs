@@ -163,7 +163,7 @@ fn over_flank(
         let x = ends.map(|end| units.length.of(end));
         pieces.extend(steps_of(&points(&rows)).into_iter().map(|(y, value)| MapCell { x, y, value }));
     }
-    let across = Axis { what: "from mid-face", unit: units.length.name };
+    let across = Axis { what: "axial position", unit: units.length.name };
     map(&across, &along.axis(&what), axis, &pieces)
 }
 
@@ -264,7 +264,7 @@ fn along_face(rows: &[&Loaded], units: Units) -> Plot {
         let name = format!("teeth {first} and {second} at the maximum");
         all.push(Curve { name, colour: index + 1, points: points.clone(), off: None });
     }
-    let across = Axis { what: "from mid-face", unit: units.length.name };
+    let across = Axis { what: "axial position", unit: units.length.name };
     curves(TALL, &across, &Axis { what: "load", unit: units.line_load.name }, &all, &[])
 }
 

@@ -66,7 +66,7 @@ fn along_profile(seen: &[&StressExtremes], units: Units) -> Plot {
 }
 
 fn along_face(seen: &[&StressExtremes], units: Units) -> Plot {
-    let x = Axis { what: "from mid-face", unit: units.length.name };
+    let x = Axis { what: "axial position", unit: units.length.name };
     extremes(seen, &x, units, |seen| Some((seen.section, units.length.of(seen.axial?))))
 }
 
@@ -127,7 +127,7 @@ fn over_face(seen: &[&StressExtremes], units: Units) -> Plot {
             pieces.push(MapCell { x, y, value: units.stress.of(seen.largest).max(0.0) });
         }
     }
-    let x = Axis { what: "from mid-face", unit: units.length.name };
+    let x = Axis { what: "axial position", unit: units.length.name };
     let y = Axis { what: "along the fillet", unit: units.length.name };
     map(&x, &y, &Axis { what: "stress", unit: units.stress.name }, &pieces)
 }

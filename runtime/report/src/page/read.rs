@@ -380,10 +380,10 @@ fn place(at: &Value, units: Units, clock: Unit) -> String {
     }
     let length = |si: f64| format!("{} {}", super::number(units.length.of(si)), units.length.name);
     words.extend(at["location"]["radius"].as_f64().map(|radius| format!("radius {}", length(radius))));
-    // A rounding error from mid-face is mid-face.
+    // A rounding error from the middle of a cylindrical gear is the middle.
     let axial =
         at["location"]["axial"].as_f64().map(|axial| if axial.abs() < ROUNDING { 0.0 } else { axial });
-    words.extend(axial.map(|axial| format!("{} from mid-face", length(axial))));
+    words.extend(axial.map(|axial| format!("axial position {}", length(axial))));
     words.join(", ")
 }
 
