@@ -16,7 +16,8 @@ fn run_rigid(example: &str, steps: usize, given: &[(&str, &str)]) -> tempfile::T
     let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
     let directory = tempfile::tempdir().expect("a directory");
     let steps = steps.to_string();
-    let given = [("fidelity", "rigid"), ("steps", &steps)].iter().chain(given);
+    let own = [("fidelity", "rigid"), ("steps", &*steps)];
+    let given = own.iter().chain(given);
     let options = RunOptions {
         directory: directory.path().join("run"),
         given: given.map(|(name, value)| ParamAssignment::text(*name, *value)).collect(),
