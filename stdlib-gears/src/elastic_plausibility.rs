@@ -1,12 +1,13 @@
 //! Warnings about imported elastic bodies that are valid but probably not meant: materials in other
-//! units, and parts that are not connected.
+//! units, parts that are not connected, and solids that lock.
 
 use crate::error::Severity;
 use crate::host::Finding;
 use calyx_abi::RuntimeError;
 use calyx_runtime::elastic::connectivity::parts_with_elements;
 use calyx_runtime::elastic::import::Units;
-use calyx_runtime::elastic::{ElasticModel, Material};
+use calyx_runtime::elastic::model::SolidShape;
+use calyx_runtime::elastic::{ElasticModel, ElementKind, Material};
 use std::ops::RangeInclusive;
 
 /// Young's moduli of structural materials, Pa: from rubber-like plastics to ceramics.
@@ -51,7 +52,32 @@ pub(crate) fn of_elastic_body(
         let help = "merge coincident nodes, or connect the parts by a rigid element or by attachments";
         warn("path", message, help.into());
     }
+    let [locking, solids] = count_solids(model);
+    if 2 * locking > solids {
+        let message = format!(
+            "{locking} of the {solids} solids of the elastic body \"{name}\" are linear and too stiff in bending: walls of a single layer by half or more"
+        );
+        let help = "use solids with midside nodes, shells, or hexahedra with incompatible modes (IN = BUBBLE on PSOLID, C3D8I)";
+        warn("path", message, help.into());
+    }
     found
+}
+
+/// Returns the number of solids that lock in bending, and of all solids.
+fn count_solids(model: &ElasticModel) -> [usize; 2] {
+    let mut counts = [0, 0];
+    for element in &model.elements {
+        let ElementKind::Solid(shape) = element.kind else { continue };
+        counts[1] += 1;
+        counts[0] += match shape {
+            SolidShape::Hexahedron8 | SolidShape::Wedge6 | SolidShape::Tetrahedron4 => 1,
+            SolidShape::IncompatibleHexahedron8
+            | SolidShape::Hexahedron20
+            | SolidShape::Wedge15
+            | SolidShape::Tetrahedron10 => 0,
+        };
+    }
+    counts
 }
 
 /// Returns the materials of the elements of a model.

@@ -69,7 +69,8 @@ const UNDER_LOAD: &str =
     "use `pairs_in_contact`, whose mean over a mesh cycle is the contact ratio under load";
 const ROTATION: &str = "use `angular_backlash`, the rotation of the second gear while the first is fixed";
 const FROM_FORCES: &str = "the direction of the force follows from the mesh forces and the flanks in contact";
-const CLEARANCE: &str = "compare the face cones and root cones of the blanks; `calyx check` reports interference";
+const CLEARANCE: &str =
+    "compare the face cones and root cones of the blanks; `calyx check` reports interference";
 const AXES: &str = "the positions of the axes are those of the frames of both bodies";
 const COAST_FLANKS: &str = "check the frames of the bodies and the tooth thicknesses";
 

@@ -101,7 +101,8 @@ calyx_abi::externs! {
         let result = shafts[index].mount(scene, mounted, toothed, |metres| shown(metres, unit));
         let mounted = result.map_err(|refused| host.rejected(refused, place))?;
         if let Some(gear) = gear.cylindrical() {
-            let added = host.shafts[index].add_face(&name, (at, gear.face_width), |metres| shown(metres, unit));
+            let face = (at, gear.face_width);
+            let added = host.shafts[index].add_face((&name, &gear.form()), face, |metres| shown(metres, unit));
             added.map_err(|error| host.rejected(error.into(), place))?;
         }
         complete_bodies(host, index, place);

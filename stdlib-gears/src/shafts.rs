@@ -11,6 +11,7 @@
 
 use crate::assembly::add_body;
 use crate::error::Refusal;
+use crate::gear::ToothForm;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::connection::{Attachment, CondensedShaft, ElasticConnection};
 use calyx_runtime::error::EngineError;
@@ -206,16 +207,29 @@ impl ModelShaft {
         Ok(own)
     }
 
-    /// Adds the face of a gear at a position, m; `shown` formats lengths.
+    /// Adds the face of a gear of a form at a position, m; `shown` formats lengths.
     ///
     /// # Errors
-    /// E0859: it overlaps that of another gear.
+    /// E0859: it overlaps that of another gear, or the shaft is thicker than the gear.
     pub fn add_face(
         &mut self,
-        name: &str,
+        (name, form): (&str, &ToothForm),
         (at, width): (f64, f64),
         shown: impl Fn(f64) -> String,
     ) -> Result<(), EngineError> {
+        let diameter = self.shaft.outside_diameter(at);
+        let tip_diameter = 2.0 * form.tip_radius;
+        if !form.internal && diameter > tip_diameter {
+            let message = format!(
+                "the shaft \"{}\" has a diameter of {} where it carries \"{name}\", whose tip diameter is {}",
+                self.name,
+                shown(diameter),
+                shown(tip_diameter)
+            );
+            let help =
+                "compare the diameters of the segments and their units with the drawing, or correct `at`";
+            return Err(EngineError::new("E0859", message, help).blame("at"));
+        }
         let [from, to] = [at - 0.5 * width, at + 0.5 * width];
         let slack = SAME_POSITION * self.shaft.length();
         let other = self.faces.iter().find(|(_, [start, end])| from < end - slack && *start < to - slack);

@@ -1,9 +1,11 @@
 //! Attachment nodes: node sets by name or geometry, connected rigidly, by weighted average or as a
 //! Fourier surface.
 
+use crate::connectivity::nodes_of;
 use crate::error::ElementError;
 use crate::model::{Components, Constraint, ElasticModel, ElementKind, Node};
 use nalgebra::Vector3;
+use std::collections::HashSet;
 use std::f64::consts::PI;
 
 /// Region of nodes.
@@ -95,7 +97,17 @@ impl Region {
     /// # Errors
     /// The region contains no node, or a set or label does not exist.
     pub fn nodes(&self, model: &ElasticModel) -> Result<Vec<usize>, ElementError> {
-        let spatial = || model.nodes.iter().enumerate().filter(|(_, node)| is_spatial(node));
+        // Nodes without elements, such as construction points of a mesher, are no part of a surface.
+        // Those of constraints may be meant one by one.
+        let elements = model.elements.iter().flat_map(|element| &element.nodes).copied();
+        let constraints = model.constraints.iter().flat_map(nodes_of);
+        let constraints = constraints.filter(|_| matches!(self, Self::Nearest(_)));
+        let used: HashSet<usize> = elements.chain(constraints).collect();
+        let is_used = |index: usize| used.contains(&index) || model.elements.is_empty();
+        let spatial = || {
+            let nodes = model.nodes.iter().enumerate();
+            nodes.filter(|&(index, node)| is_spatial(node) && is_used(index))
+        };
         let nodes = match self {
             Self::Set(name) => model.sets.get(name).cloned().ok_or_else(|| {
                 let names: Vec<&str> = model.sets.keys().map(String::as_str).collect();

@@ -80,6 +80,9 @@ pub struct Element {
 pub enum SolidShape {
     /// Hexahedron of 8 nodes.
     Hexahedron8,
+    /// Hexahedron of 8 nodes with incompatible modes, which make it exact in bending where it is a
+    /// parallelepiped.
+    IncompatibleHexahedron8,
     /// Hexahedron of 20 nodes.
     Hexahedron20,
     /// Wedge of 6 nodes.

@@ -7,8 +7,9 @@ use std::collections::BTreeMap;
 /// Basic axes.
 pub const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// All shapes of solids.
-pub const SHAPES: [SolidShape; 6] = [
+pub const SHAPES: [SolidShape; 7] = [
     SolidShape::Hexahedron8,
+    SolidShape::IncompatibleHexahedron8,
     SolidShape::Hexahedron20,
     SolidShape::Wedge6,
     SolidShape::Wedge15,
@@ -106,9 +107,9 @@ pub fn block(shape: SolidShape, counts: [usize; 3], place: impl Fn([f64; 3]) -> 
                 };
                 let of = |corners: &[usize]| corners.iter().map(|&n| corner(n)).collect::<Vec<_>>();
                 match shape {
-                    SolidShape::Hexahedron8 | SolidShape::Hexahedron20 => {
-                        cells.push(of(&[0, 1, 2, 3, 4, 5, 6, 7]))
-                    }
+                    SolidShape::Hexahedron8
+                    | SolidShape::IncompatibleHexahedron8
+                    | SolidShape::Hexahedron20 => cells.push(of(&[0, 1, 2, 3, 4, 5, 6, 7])),
                     SolidShape::Wedge6 | SolidShape::Wedge15 => {
                         cells.extend([of(&[0, 1, 2, 4, 5, 6]), of(&[0, 2, 3, 4, 6, 7])]);
                     }

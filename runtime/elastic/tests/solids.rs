@@ -2,8 +2,11 @@
 
 use crate::meshes::{SHAPES, assert_close, block, rotated, steel};
 use calyx_elastic::assembly::System;
+use calyx_elastic::model::SolidShape;
 use calyx_elastic::solid::{SolidElement, mass, stiffness};
+use calyx_elastic::stress::nodal_stresses_of;
 use calyx_elastic::{ElasticModel, FixedComponents, Resources, statics};
+use nalgebra::DVector;
 
 /// Moves the inner nodes of a block of 3 by 3 by 3 cells.
 fn distorted(at: [f64; 3]) -> [f64; 3] {
@@ -113,4 +116,46 @@ fn inverted_elements_are_rejected() {
     let material = steel();
     let error = stiffness(&SolidElement { shape: SHAPES[0], positions: &positions, material: &material });
     assert!(error.expect_err("inverted").message.contains("inverted or degenerate"));
+}
+
+/// Pure bending of a bar of one layer of cells: displacements of beam theory with Poisson's
+/// contraction have its stresses and energy. Without incompatible modes the energy is larger by
+/// half, because the cells cannot curve.
+#[test]
+fn incompatible_modes_bend_without_locking() {
+    let (curvature, [length, height, width]) = (1e-3, [4.0, 0.5, 1.0]);
+    let bent = |[x, y, z]: [f64; 3]| {
+        let contraction = 0.3 * (y * y - z * z);
+        [curvature * x * y, -0.5 * curvature * (x * x + contraction), -0.3 * curvature * y * z]
+    };
+    let energy = |shape| {
+        let place = |[x, y, z]: [f64; 3]| [x, height * (y - 0.5), width * (z - 0.5)];
+        let model = block(shape, [4, 1, 1], place);
+        let mut displacements = Vec::new();
+        for node in &model.nodes {
+            let [x, y, z] = bent(node.position);
+            displacements.push([x, y, z, 0.0, 0.0, 0.0]);
+        }
+        let mut energy = 0.0;
+        for element in &model.elements {
+            let positions: Vec<_> = element.nodes.iter().map(|&node| model.nodes[node].position).collect();
+            let moved = element.nodes.iter().flat_map(|&node| displacements[node][..3].to_vec());
+            let moved = DVector::from_iterator(3 * positions.len(), moved);
+            let solid = SolidElement { shape, positions: &positions, material: &model.materials[0] };
+            energy += 0.5 * moved.dot(&(stiffness(&solid).expect("valid") * &moved));
+        }
+        let stresses = nodal_stresses_of(&model, &displacements).expect("valid");
+        (energy, model, stresses)
+    };
+    let (found, model, stresses) = energy(SolidShape::IncompatibleHexahedron8);
+    let second_moment = width * height.powi(3) / 12.0;
+    let exact = 0.5 * 206e9 * second_moment * curvature * curvature * length;
+    assert_close(found, exact, 1e-12);
+    for (node, stress) in model.nodes.iter().zip(stresses) {
+        let stress = stress.expect("a node of solids");
+        let expected = 206e9 * curvature * node.position[1];
+        assert_close(stress[0], expected, 1e-10);
+        assert!(stress[1..].iter().all(|other| other.abs() < 1e-10 * expected.abs()), "{stress:?}");
+    }
+    assert!(energy(SolidShape::Hexahedron8).0 > 1.4 * exact);
 }

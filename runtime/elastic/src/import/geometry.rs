@@ -101,7 +101,7 @@ fn tetrahedron_shapes(count: usize, [r, s, t]: Vector) -> Vec<f64> {
 
 fn solid_shapes(shape: SolidShape, at: Vector) -> Vec<f64> {
     match shape {
-        SolidShape::Hexahedron8 => hexahedron_shapes(8, at),
+        SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8 => hexahedron_shapes(8, at),
         SolidShape::Hexahedron20 => hexahedron_shapes(20, at),
         SolidShape::Wedge6 => wedge_shapes(6, at),
         SolidShape::Wedge15 => wedge_shapes(15, at),
@@ -154,7 +154,7 @@ const TRIANGLE: [([f64; 2], f64); 3] = [
 fn solid_points(shape: SolidShape) -> Vec<(Vector, f64)> {
     let mut points = Vec::new();
     match shape {
-        SolidShape::Hexahedron8 | SolidShape::Hexahedron20 => {
+        SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8 | SolidShape::Hexahedron20 => {
             for (t, c) in line() {
                 points.extend(square_points().into_iter().map(|([r, s, _], w)| ([r, s, t], w * c)));
             }
@@ -224,7 +224,7 @@ fn tabulated(
 
 /// Quadrature points of a solid element.
 pub(super) fn solid_table(shape: SolidShape) -> &'static [Point] {
-    static TABLES: [OnceLock<Vec<Point>>; 6] = [const { OnceLock::new() }; 6];
+    static TABLES: [OnceLock<Vec<Point>>; 7] = [const { OnceLock::new() }; 7];
     TABLES[shape as usize].get_or_init(|| tabulated(solid_points(shape), 3, |at| solid_shapes(shape, at)))
 }
 

@@ -20,7 +20,7 @@ pub enum Integrand {
 pub fn rule(shape: SolidShape, integrand: Integrand) -> Vec<QuadraturePoint> {
     let mass = integrand == Integrand::Mass;
     match shape {
-        SolidShape::Hexahedron8 => hexahedron(if mass { 3 } else { 2 }),
+        SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8 => hexahedron(if mass { 3 } else { 2 }),
         SolidShape::Hexahedron20 => hexahedron(if mass { 4 } else { 3 }),
         SolidShape::Wedge6 if mass => wedge(&triangle5(), 3),
         SolidShape::Wedge6 => wedge(&triangle2(), 2),

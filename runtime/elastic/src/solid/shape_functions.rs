@@ -42,7 +42,7 @@ impl SolidShape {
     /// Returns the number of nodes.
     pub fn node_count(self) -> usize {
         match self {
-            Self::Hexahedron8 => 8,
+            Self::Hexahedron8 | Self::IncompatibleHexahedron8 => 8,
             Self::Hexahedron20 => 20,
             Self::Wedge6 => 6,
             Self::Wedge15 => 15,
@@ -55,7 +55,7 @@ impl SolidShape {
     pub fn corners(self) -> Vec<[f64; 3]> {
         let triangle = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
         match self {
-            Self::Hexahedron8 | Self::Hexahedron20 => HEXAHEDRON.to_vec(),
+            Self::Hexahedron8 | Self::IncompatibleHexahedron8 | Self::Hexahedron20 => HEXAHEDRON.to_vec(),
             Self::Wedge6 | Self::Wedge15 => wedge_corners()
                 .map(|(corner, side)| [triangle[corner][0], triangle[corner][1], side])
                 .collect(),
@@ -71,14 +71,16 @@ impl SolidShape {
             Self::Hexahedron20 => &HEXAHEDRON_EDGES,
             Self::Wedge15 => &WEDGE_EDGES,
             Self::Tetrahedron10 => &TETRAHEDRON_EDGES,
-            Self::Hexahedron8 | Self::Wedge6 | Self::Tetrahedron4 => &[],
+            Self::Hexahedron8 | Self::IncompatibleHexahedron8 | Self::Wedge6 | Self::Tetrahedron4 => &[],
         }
     }
 
     /// Returns the shape functions at a point, in the order of the nodes.
     pub fn shape_functions(self, point: [f64; 3]) -> Vec<ShapeFunction> {
         match self {
-            Self::Hexahedron8 => HEXAHEDRON.iter().map(|&corner| trilinear(point, corner)).collect(),
+            Self::Hexahedron8 | Self::IncompatibleHexahedron8 => {
+                HEXAHEDRON.iter().map(|&corner| trilinear(point, corner)).collect()
+            }
             Self::Hexahedron20 => hexahedron20(point),
             Self::Wedge6 => {
                 wedge_corners().map(|(corner, side)| wedge6_corner(point, corner, side)).collect()

@@ -1,12 +1,13 @@
 //! Stresses of solid elements at their nodes.
 
-use super::SolidElement;
+use super::{SolidElement, mode_coefficients, with_incompatible_modes};
 use crate::error::ElementError;
 use crate::model::SolidShape;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DVector, Matrix3, Vector3};
 
 /// Returns the stresses xx, yy, zz, yz, zx, xy at each node, Pa, from the displacements of the
-/// nodes, m, along the basic axes. Linear elements have those of their centre at all nodes.
+/// nodes, m, along the basic axes. Linear elements without incompatible modes have those of their
+/// centre at all nodes.
 ///
 /// # Errors
 /// The element is degenerate.
@@ -15,7 +16,11 @@ pub fn nodal_stresses(
     displacements: &[[f64; 3]],
 ) -> Result<Vec<[f64; 6]>, ElementError> {
     let points = sampling_points(element.shape);
-    let stresses = points.iter().map(|&point| stress_at(element, displacements, point));
+    let mut moved = displacements.to_vec();
+    if element.shape == SolidShape::IncompatibleHexahedron8 {
+        moved.extend(mode_amplitudes(element, displacements)?);
+    }
+    let stresses = points.iter().map(|&point| stress_at(element, &moved, point));
     let stresses = stresses.collect::<Result<Vec<_>, _>>()?;
     Ok(match stresses[..] {
         [single] => vec![single; element.positions.len()],
@@ -23,11 +28,23 @@ pub fn nodal_stresses(
     })
 }
 
-/// Returns the nodes of quadratic elements and the centre of linear ones, whose strains at the
-/// nodes include those of a parasitic shear.
+/// Returns the amplitudes of the incompatible modes, m.
+fn mode_amplitudes(
+    element: &SolidElement<'_>,
+    displacements: &[[f64; 3]],
+) -> Result<Vec<[f64; 3]>, ElementError> {
+    let components = DVector::from_iterator(3 * displacements.len(), displacements.iter().flatten().copied());
+    let coefficients = mode_coefficients(&with_incompatible_modes(element)?, components.len())?;
+    let amplitudes = coefficients * components;
+    Ok(amplitudes.as_slice().chunks_exact(3).map(|mode| [mode[0], mode[1], mode[2]]).collect())
+}
+
+/// Returns the nodes of quadratic elements and of those with incompatible modes, and the centre of
+/// other linear ones, whose strains at the nodes include those of a parasitic shear.
 fn sampling_points(shape: SolidShape) -> Vec<[f64; 3]> {
     match shape {
         SolidShape::Hexahedron8 => vec![[0.0; 3]],
+        SolidShape::IncompatibleHexahedron8 => shape.corners(),
         SolidShape::Wedge6 => vec![[1.0 / 3.0, 1.0 / 3.0, 0.0]],
         SolidShape::Tetrahedron4 => vec![[0.25; 3]],
         SolidShape::Hexahedron20 | SolidShape::Wedge15 | SolidShape::Tetrahedron10 => {

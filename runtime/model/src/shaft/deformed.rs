@@ -78,6 +78,11 @@ impl Shaft {
         self.section(z, after).diameters()
     }
 
+    /// Returns the outside diameter at a position, m; the smaller one at a step.
+    pub fn outside_diameter(&self, at: f64) -> f64 {
+        [false, true].map(|after| self.diameters_on((at, after))[0]).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
     /// Returns the nominal stress at a point of a section, xx, yy, zz, yz, zx, xy in Pa: of
     /// bending, axial force and torsion. The part outside of the diameter that carries load has the
     /// stress of that diameter. Stresses of transverse forces are not included.

@@ -130,7 +130,9 @@ fn of_elastic_body(body: &ElasticBodyField) -> Surface {
             CellShape::Solid(SolidShape::Wedge6 | SolidShape::Wedge15) => {
                 cells.push((&WEDGE, nodes[..6].to_vec()));
             }
-            CellShape::Solid(SolidShape::Hexahedron8 | SolidShape::Hexahedron20) => {
+            CellShape::Solid(
+                SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8 | SolidShape::Hexahedron20,
+            ) => {
                 cells.push((&HEXAHEDRON, nodes[..8].to_vec()));
             }
         }

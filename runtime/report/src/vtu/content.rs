@@ -140,7 +140,7 @@ fn cell_of(shape: CellShape) -> (u8, &'static [usize]) {
         CellShape::Shell(ShellShape::Quadrilateral9) => (BIQUADRATIC_QUADRILATERAL, &[]),
         CellShape::Solid(SolidShape::Tetrahedron4) => (TETRAHEDRON, &[]),
         CellShape::Solid(SolidShape::Tetrahedron10) => (QUADRATIC_TETRAHEDRON, &[]),
-        CellShape::Solid(SolidShape::Hexahedron8) => (HEXAHEDRON, &[]),
+        CellShape::Solid(SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8) => (HEXAHEDRON, &[]),
         CellShape::Solid(SolidShape::Hexahedron20) => {
             (QUADRATIC_HEXAHEDRON, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15])
         }

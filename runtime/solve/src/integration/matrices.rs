@@ -444,6 +444,11 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
         };
         let restrained = resists.is_finite() && resists > 0.0;
         if !restrained && !connection_resists(scene, dof) {
+            if scene.connections_of(BodyId(dof.body)).any(|connection| connection.body.is_some()) {
+                let message = format!("the elastic body of the attachment \"{}\" has no mass", body.name);
+                let help = "state the density of its materials, or fix the attachment";
+                return Err(EngineError::new("E0762", message, help).about(Subject::Body(dof.body)));
+            }
             return Err(EngineError::new(
                 "E0762",
                 format!("body \"{}\" is free to move and has no {what}", body.name),

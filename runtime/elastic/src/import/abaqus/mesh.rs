@@ -40,7 +40,7 @@ const TYPES: &[ElementType] = &[
     element_type("C3D6", Kind::Solid(SolidShape::Wedge6), 6),
     element_type("C3D8", Kind::Solid(SolidShape::Hexahedron8), 8),
     element_type("C3D8R", Kind::Solid(SolidShape::Hexahedron8), 8),
-    element_type("C3D8I", Kind::Solid(SolidShape::Hexahedron8), 8),
+    element_type("C3D8I", Kind::Solid(SolidShape::IncompatibleHexahedron8), 8),
     element_type("C3D10", Kind::Solid(SolidShape::Tetrahedron10), 10),
     element_type("C3D10M", Kind::Solid(SolidShape::Tetrahedron10), 10),
     element_type("C3D15", Kind::Solid(SolidShape::Wedge15), 15),
@@ -411,7 +411,7 @@ impl Mesh {
 /// Corners of the faces, and ends of the edges in the order of the midside nodes.
 fn topology(shape: SolidShape) -> (&'static [&'static [usize]], &'static [[usize; 2]]) {
     match shape {
-        SolidShape::Hexahedron8 | SolidShape::Hexahedron20 => (
+        SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8 | SolidShape::Hexahedron20 => (
             &[&[0, 1, 2, 3], &[4, 7, 6, 5], &[0, 4, 5, 1], &[1, 5, 6, 2], &[2, 6, 7, 3], &[3, 7, 4, 0]],
             &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 5], [2, 6], [3, 7], [4, 5], [5, 6], [6, 7], [7, 4]],
         ),

@@ -332,6 +332,8 @@ fn build(mesh: &Mesh, options: &GmshOptions) -> ReadResult<Builder> {
     let mut builder = Builder::new(nodes, "node");
     builder.model.materials = options.parts.iter().map(|part| part.material.clone()).collect();
     let has_solids = mesh.elements.iter().any(|element| element.kind.2 == 3);
+    // Without any thickness, the mesh as a whole is at fault.
+    let is_shell_mesh = has_solids || options.parts.iter().any(|part| part.thickness.is_some());
     let mut sets: BTreeMap<String, BTreeSet<usize>> = BTreeMap::new();
     for element in &mesh.elements {
         let (_, name, dimension, _, kind) = element.kind;
@@ -351,6 +353,14 @@ fn build(mesh: &Mesh, options: &GmshOptions) -> ReadResult<Builder> {
             let part = &options.parts[part];
             part.thickness.filter(|_| named(part) || !has_solids)
         });
+        // Surfaces of a mesh with solids are sets of nodes, unless their group is a part.
+        let is_part = part.is_some_and(|part| named(&options.parts[part])) || !has_solids;
+        if matches!(kind, Kind::Shell(_)) && thickness.is_none() && is_part && is_shell_mesh {
+            return problem(
+                "needs a thickness to be a shell".into(),
+                "state the thickness of its part (`thickness`), or leave the part out",
+            );
+        }
         let kind = match (kind, thickness) {
             (Kind::Solid(shape), _) => ElementKind::Solid(shape),
             (Kind::Shell(shape), Some(thickness)) => ElementKind::Shell {

@@ -85,8 +85,12 @@ impl Tables<'_> {
             let message = format!("element {} has more than {all} grid points", card.subject());
             return Err(card.problem(message, "check the continuation lines of the card and their columns"));
         }
-        let Property::Solid { material } = self.properties.of(card, 2, Family::Solid)? else {
+        let Property::Solid { material, bubble } = self.properties.of(card, 2, Family::Solid)? else {
             return Err(card.problem("the property is not solid", "refer to a PSOLID"));
+        };
+        let linear = match linear {
+            SolidShape::Hexahedron8 if *bubble => SolidShape::IncompatibleHexahedron8,
+            other => other,
         };
         Ok(Element {
             label: card.id(1, "EID")?,

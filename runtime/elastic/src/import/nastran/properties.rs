@@ -49,11 +49,29 @@ impl Family {
 /// Property of elements, with the index of its material.
 #[derive(Clone, Debug)]
 pub(super) enum Property {
-    Shell { material: usize, thickness: Option<f64>, added_mass: f64 },
-    Solid { material: usize },
-    Beam { material: usize, sections: Box<[BeamSection; 2]> },
-    Rod { material: usize, area: f64, torsion_constant: f64, added_mass: f64 },
-    Spring { stiffness: f64 },
+    Shell {
+        material: usize,
+        thickness: Option<f64>,
+        added_mass: f64,
+    },
+    /// `bubble` is true if hexahedra of 8 nodes have incompatible modes (bubble functions).
+    Solid {
+        material: usize,
+        bubble: bool,
+    },
+    Beam {
+        material: usize,
+        sections: Box<[BeamSection; 2]>,
+    },
+    Rod {
+        material: usize,
+        area: f64,
+        torsion_constant: f64,
+        added_mass: f64,
+    },
+    Spring {
+        stiffness: f64,
+    },
 }
 
 /// Materials and properties of a deck.
@@ -181,7 +199,15 @@ impl Properties {
             let message = format!("{} is a fluid (FCTN = {})", card.subject(), card.text(7));
             return Err(card.problem(message, "export the structure only"));
         }
-        Ok(Property::Solid { material: self.material(card, 2, "MID")? })
+        let bubble = match card.text(4) {
+            "" | "0" | "1" | "2" | "3" | "TWO" | "THREE" | "FULL" => false,
+            "BUBBLE" => true,
+            other => {
+                let message = format!("{} has the integration network {other}", card.subject());
+                return Err(card.problem(message, "leave IN blank, or state BUBBLE, TWO or THREE"));
+            }
+        };
+        Ok(Property::Solid { material: self.material(card, 2, "MID")?, bubble })
     }
 
     fn rod(&self, card: &Card) -> Result<Property> {
