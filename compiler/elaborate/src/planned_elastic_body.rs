@@ -6,9 +6,9 @@ use calyx_gears::elastic_bodies::{BodySource, ModelElasticBody};
 use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_runtime::elastic::attachment::Connection;
 use calyx_runtime::elastic::import::ImportReport;
-use calyx_runtime::elastic_body::{ElasticBody, ElasticBodySize};
+use calyx_runtime::elastic_body::{ElasticBody, ElasticBodySize, SharedElasticBody};
 use calyx_runtime::plan::Plan;
-use calyx_runtime::scene::BodyId;
+use calyx_runtime::scene::{BodyId, ConnectionId};
 
 /// An elastic body of any shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +44,22 @@ impl PlannedElasticBody {
                 reason: planned.map_or("left out: it has no attachments", |planned| planned.reason),
             }
         };
-        host.elastic_bodies.iter().map(of).collect()
+        let of_carrier = |(connection, body): (ConnectionId, &dyn ElasticBody)| {
+            let planned = plan.connections.get(connection.0);
+            let size = body.size().unwrap_or_default();
+            PlannedElasticBody {
+                name: host.scene.connections[connection.0].name.clone(),
+                import: None,
+                size,
+                centre: position(size.centre, host.length_unit),
+                attachments: attachments_of_carrier(host, connection, body),
+                condensed: plan.fidelity.name() != "rigid",
+                left_out: planned.is_none_or(|planned| planned.left_out),
+                reason: planned.map_or("", |planned| planned.reason),
+            }
+        };
+        let imported = host.elastic_bodies.iter().map(of);
+        imported.chain(carriers(host).map(of_carrier)).collect()
     }
 
     pub(crate) fn lines(&self) -> Vec<String> {
@@ -112,6 +127,26 @@ fn attachments(host: &ModelHost, body: &ModelElasticBody) -> Vec<String> {
         format!("\"{}\": {part}{fixed}, at {}", attached.name, position(at, host.length_unit))
     };
     body.attached.iter().zip(parts).zip(body.source.body().positions()).map(of).collect()
+}
+
+/// Returns the bodies that the program generates, with their connections.
+fn carriers(host: &ModelHost) -> impl Iterator<Item = (ConnectionId, &dyn ElasticBody)> {
+    let is_imported = |id: ConnectionId| host.elastic_bodies.iter().any(|body| body.connection == Some(id));
+    host.scene.connections.iter().enumerate().filter_map(move |(index, connection)| {
+        let SharedElasticBody(body) = connection.body.as_ref()?;
+        let id = ConnectionId(index);
+        (!is_imported(id)).then_some((id, body.as_ref()))
+    })
+}
+
+fn attachments_of_carrier(host: &ModelHost, id: ConnectionId, body: &dyn ElasticBody) -> Vec<String> {
+    let bodies = host.scene.connections[id.0].bodies();
+    let of = |(id, at): (BodyId, [f64; 3])| {
+        let attached = host.scene.bodies.get(id.0)?;
+        let fixed = if attached.free.contains(&true) { "" } else { ", fixed" };
+        Some(format!("\"{}\": rigid{fixed}, at {}", attached.name, position(at, host.length_unit)))
+    };
+    bodies.zip(body.positions()).filter_map(of).collect()
 }
 
 /// Formats a position in the unit of the model.
