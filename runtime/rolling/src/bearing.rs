@@ -135,6 +135,15 @@ impl Row {
         }
     }
 
+    /// Returns the orbital speed of the elements, rad/s: that of rolling without slip at the
+    /// nominal contact angle.
+    pub fn cage_speed(&self, motion: &Motion) -> f64 {
+        motion.orbital_speed(match &self.elements {
+            Elements::Balls(row) => row.cage_ratio(),
+            Elements::Rollers(row) => row.cage_ratio,
+        })
+    }
+
     /// Returns the derivative of the displacement in the plane of an element with respect to that
     /// of the bearing.
     fn projection(&self, [cosine, sine]: [f64; 2]) -> [[f64; 5]; 3] {

@@ -65,7 +65,7 @@ impl Equilibrium<'_> {
         let width = system.width(own.body.0);
         let walls: Vec<f64> = self.step.stops.iter().skip(skipped).map(|force| width * force).collect();
         let walls = if system.bearings.contains(&bearing.0) { &walls[..] } else { &[] };
-        let (sprung, damped) = (own.push(&deflection, walls), own.damping_at(&rate));
+        let (sprung, damped) = (own.push(&deflection, walls, self.step.time), own.damping_at(&rate));
         let push = std::array::from_fn(|k| sprung[k] - damped[k]);
         Some(BearingLoad { deflection, push, placed })
     }
@@ -129,6 +129,7 @@ impl Observable for BearingStiffness {
         observed(at, self.bearing, |load| {
             let linear = own.stiffness[self.row][self.column];
             let Some(nonlinear) = &own.nonlinear else { return linear };
+            let nonlinear = nonlinear.at_time(at.step.time);
             let state = nonlinear.state(None, five(&load.deflection));
             let tangent = |state| nonlinear.tangent(&state, 0.0).stiffness[self.row][self.column];
             state.map_or(f64::NAN, |state| linear + tangent(state))

@@ -32,6 +32,8 @@ impl Equilibrium<'_> {
     /// no such rolling bearing, or its races have separated.
     pub fn rolling_elements(self, bearing: BearingId) -> Option<Vec<ElementState>> {
         let elements = self.system.scene.bearings.get(bearing.0)?.rolling().cloned()?;
+        let moved = elements.at_time(self.step.time);
+        let elements = moved.as_ref().unwrap_or(&elements);
         elements.elements(&self.bearing(bearing)?.deflection).ok()
     }
 }

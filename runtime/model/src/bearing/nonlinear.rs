@@ -27,6 +27,17 @@ pub struct Tangent {
 }
 
 impl NonlinearLoad {
+    /// Returns the load at a time, s, at which rolling elements have orbited with their cage.
+    pub fn at_time(&self, time: f64) -> Self {
+        match self {
+            NonlinearLoad::Rolling(elements) => match elements.at_time(time) {
+                Some(moved) => NonlinearLoad::Rolling(Arc::new(moved)),
+                None => self.clone(),
+            },
+            NonlinearLoad::Curves(_) => self.clone(),
+        }
+    }
+
     /// Returns a mean stiffness, which restrains the bearing in the directions that it supports.
     pub fn typical_stiffness(&self) -> BearingMatrix {
         match self {

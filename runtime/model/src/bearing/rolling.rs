@@ -53,6 +53,14 @@ impl RollingElements {
         &self.typical
     }
 
+    /// Returns the elements at a time, s: they have orbited with their cage since time 0. `None` if
+    /// the rings stand still. Rows of a bearing orbit alike.
+    pub fn at_time(&self, time: f64) -> Option<Self> {
+        let speed = self.bearing.rows().first()?.cage_speed(&self.motion);
+        let azimuth = self.motion.azimuth + speed * time;
+        (speed != 0.0).then(|| Self { motion: Motion { azimuth, ..self.motion }, ..self.clone() })
+    }
+
     /// Moves the inner ring to the second race.
     pub fn inverted(self) -> Self {
         Self { is_inverted: !self.is_inverted, ..self }

@@ -232,8 +232,8 @@ impl Bearing {
     }
 
     /// Returns the force of springs, stops and nonlinear load on the first race at a deflection
-    /// and at forces on the walls (N), along the bearing's axes, N and N m.
-    pub fn push(&self, deflection: &[f64; 6], walls: &[f64]) -> [f64; 6] {
+    /// and at forces on the walls (N) at a time (s), along the bearing's axes, N and N m.
+    pub fn push(&self, deflection: &[f64; 6], walls: &[f64], time: f64) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
         let mut push: [f64; 6] = std::array::from_fn(|k| own[k] - sprung[k]);
         let rows = self.stops.iter().flat_map(|stop| stop.walls().rows);
@@ -243,7 +243,7 @@ impl Bearing {
             }
         }
         if let Some(nonlinear) = &self.nonlinear {
-            for (sum, part) in push.iter_mut().zip(nonlinear.push(deflection)) {
+            for (sum, part) in push.iter_mut().zip(nonlinear.at_time(time).push(deflection)) {
                 *sum += part;
             }
         }

@@ -155,6 +155,12 @@ impl BallRow {
         Ok(Self { geometry, grooves, modulus, free_angle })
     }
 
+    /// Returns the ratio of the orbital speed to the speed of the inner ring at a fixed outer ring,
+    /// for rolling at the nominal contact angle.
+    pub(crate) fn cage_ratio(&self) -> f64 {
+        0.5 * (1.0 - self.geometry.ball_diameter / self.geometry.pitch_diameter * cos(self.free_angle))
+    }
+
     /// Rejects an interference whose pressure in the centred bearing exceeds the limit of ISO 76.
     fn check_interference(&self, clearance: f64) -> Result<(), RollingError> {
         if clearance >= 0.0 {

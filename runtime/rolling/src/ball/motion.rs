@@ -137,7 +137,7 @@ impl BallRow {
         let outer = ByAngles { value: outer, by: [0.0, 1.0] };
         let g = constant(self.geometry.ball_diameter / self.geometry.pitch_diameter);
         let ratio = match motion.cage {
-            CageSpeed::Nominal => constant(0.5 * (1.0 - g.value * cos(self.free_angle))),
+            CageSpeed::Nominal => constant(self.cage_ratio()),
             CageSpeed::InnerRaceControl => {
                 let between = (inner - outer).cos();
                 (between - g * outer.cos()) / (one + between)

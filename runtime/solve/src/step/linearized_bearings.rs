@@ -47,7 +47,7 @@ impl System<'_> {
                 let parts = placed.deflection(dof);
                 deflection.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part * motion);
             }
-            let [x, y, z, ..] = own.push(&deflection, &[]);
+            let [x, y, z, ..] = own.push(&deflection, &[], time);
             if !linearization.covers([-x, -y, -z]) {
                 step.warnings.push(format!(
                     "bearing \"{}\" carries a force out of the range of its linearization, which `calyx explain` states; \

@@ -151,7 +151,7 @@ impl<'a> NonlinearBearings<'a> {
             let placed = BearingState::at(&system.scene.bodies, own, time)?;
             let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
             let (radius, width) = (nonlinear.radius(), system.width(own.body.0));
-            members.push(Member { bearing, nonlinear: nonlinear.clone(), arms, radius, width });
+            members.push(Member { bearing, nonlinear: nonlinear.at_time(time), arms, radius, width });
         }
         let none = vec![Some(Tangent::default()); system.scene.bearings.len()];
         let base = system.springs_with(time, &none)?;
