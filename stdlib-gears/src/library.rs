@@ -45,6 +45,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "micropitting",
     "agma908",
     "agma2101",
+    "bearing_fits",
     "envelope",
     "bevel",
     "bevel_checks",

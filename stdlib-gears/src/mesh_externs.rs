@@ -31,7 +31,7 @@ calyx_abi::externs! {
     Pure fn calyx_gears_angular_backlash(context, mesh: Handle) -> f64 {
         let host = host(context)?;
         let pair = entry(&host.scene.pairs, mesh)?;
-        if pair.mesh.as_ref().is_some_and(|mesh| mesh.first_contact.is_some()) {
+        if pair.mesh.as_ref().is_none_or(|mesh| mesh.first_contact.is_none()) {
             let geometry = geometry(context, mesh, ROTATION)?;
             return Ok(geometry.backlash * geometry.operating_pressure_angle.cos() / geometry.base_radius[1]);
         }

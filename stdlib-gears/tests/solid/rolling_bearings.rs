@@ -9,9 +9,9 @@ use calyx_gears::helix::Hand;
 use calyx_runtime::bearing::{Bearing, NonlinearLoad, RollingElements};
 use calyx_runtime::contact::active_set::solve;
 use calyx_runtime::contact::problem::ContactProblem;
-use calyx_runtime::observables::{Equilibrium, Observe};
+use calyx_runtime::observables::{BearingStiffness, Equilibrium, Observable, Observe};
 use calyx_runtime::rolling::{BallKind, Conditions, Elements, Motion, RollingBearing, Row};
-use calyx_runtime::scene::{Fidelity, GearMesh, Scene, StructureOptions};
+use calyx_runtime::scene::{BearingId, Fidelity, GearMesh, Scene, StructureOptions};
 use calyx_runtime::step::StepResult;
 use calyx_runtime::system::System;
 use std::sync::Arc;
@@ -91,6 +91,38 @@ fn displacement_is_that_of_the_bearings_under_the_contact_forces() {
             for (k, force) in support[..5].iter().enumerate() {
                 let unit = if k < 3 { 1.0 } else { 30e-3 };
                 assert!((force / unit).abs() < 1e-6 * fx.hypot(fy), "{index} {k}: {force}");
+            }
+        });
+    }
+}
+
+/// The stiffness that outputs state is the derivative of the force of the rings, in translation,
+/// tilting and coupling, up to its symmetric part, which differs for tilted rings.
+#[test]
+fn observed_stiffness_is_the_derivative_of_the_force() {
+    for (index, rows) in arrangements().iter().enumerate() {
+        let scene = scene(rows, 100.0);
+        solved(Fidelity::Analytic, &scene, |system, step| {
+            let at = Equilibrium::new(system, step);
+            for (number, own) in scene.0.bearings.iter().enumerate() {
+                let bearing = BearingId(number);
+                let deflection = at.bearing(bearing).expect("a bearing").deflection;
+                let scale = own.nonlinear.as_ref().expect("elements").typical_stiffness()[0][0];
+                let unit = |component: usize| if component < 3 { 1.0 } else { 30e-3 };
+                for column in 0..5 {
+                    let pushed = |sense: f64| {
+                        let mut moved = deflection;
+                        moved[column] += sense * 1e-9 / unit(column);
+                        own.push(&moved, &[], step.time)
+                    };
+                    let (ahead, behind) = (pushed(1.0), pushed(-1.0));
+                    for row in 0..5 {
+                        let expected = (behind[row] - ahead[row]) * unit(column) / 2e-9;
+                        let found = BearingStiffness { bearing, row, column }.value(&at).value;
+                        let error = (found - expected) / (unit(row) * unit(column) * scale);
+                        assert!(error.abs() < 1e-3, "{index} {number} {row} {column}: {found} {expected}");
+                    }
+                }
             }
         });
     }

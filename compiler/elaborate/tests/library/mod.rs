@@ -54,7 +54,7 @@ const OF_FILES: [&str; 7] =
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 23] = [
+const OF_FORMULAS: [&str; 25] = [
     "iso1328",
     "deviations",
     "inspection",
@@ -68,6 +68,7 @@ const OF_FORMULAS: [&str; 23] = [
     "micropitting",
     "agma908",
     "agma2101",
+    "bearing_fits",
     "envelope",
     "bevel",
     "bevel_checks",
@@ -75,6 +76,7 @@ const OF_FORMULAS: [&str; 23] = [
     "bevel_curve",
     "bevel_form",
     "bevel_gear",
+    "bevel_pair_checks",
     "bevel_pattern",
     "bevel_section",
     "bevel_tooth",
