@@ -55,9 +55,9 @@ pub(crate) fn of_elastic_body(
     let [locking, solids] = count_solids(model);
     if 2 * locking > solids {
         let message = format!(
-            "{locking} of the {solids} solids of the elastic body \"{name}\" are linear and too stiff in bending: walls of a single layer by half or more"
+            "{locking} of the {solids} solids of the elastic body \"{name}\" are linear: a wall with one layer of them is at least 40 % too stiff in bending"
         );
-        let help = "use solids with midside nodes, shells, or hexahedra with incompatible modes (IN = BUBBLE on PSOLID, C3D8I)";
+        let help = "use solids with midside nodes, shells, or hexahedra with incompatible modes: IN = BUBBLE in a PSOLID of NASTRAN, type C3D8I of Abaqus";
         warn("path", message, help.into());
     }
     found
@@ -87,10 +87,16 @@ fn used_materials(model: &ElasticModel) -> impl Iterator<Item = &Material> {
     model.materials.iter().zip(used).filter(|(_, used)| *used).map(|(material, _)| material)
 }
 
+/// Densities of metals, kg/m^3, of which none is softer than [`SOFTEST_METAL`].
+const METAL_DENSITIES: RangeInclusive<f64> = 2500.0..=12_000.0;
+/// Smallest Young's modulus of a structural metal, Pa: lead has 16 GPa.
+const SOFTEST_METAL: f64 = 10e9;
+
 /// Returns what is implausible about a material, in words. A density of zero means no mass.
 fn implausible(material: &Material) -> Option<String> {
     let Material { youngs_modulus, density, .. } = *material;
-    if !YOUNGS_MODULI.contains(&youngs_modulus) {
+    let is_soft_metal = METAL_DENSITIES.contains(&density) && youngs_modulus < SOFTEST_METAL;
+    if !YOUNGS_MODULI.contains(&youngs_modulus) || is_soft_metal {
         return Some(format!("a Young's modulus of {} GPa", shown(1e-9 * youngs_modulus)));
     }
     let has_mass = density != 0.0;

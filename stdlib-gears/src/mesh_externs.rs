@@ -36,7 +36,7 @@ calyx_abi::externs! {
             return Ok(geometry.backlash * geometry.operating_pressure_angle.cos() / geometry.base_radius[1]);
         }
         host.general_backlash.get(&(mesh.0 as usize)).copied().ok_or_else(|| {
-            refusal("E0888", "mesh", "this mesh has no backlash: the coast flanks do not come into contact", COAST_FLANKS)
+            refusal("E0888", "mesh", "the backlash of this mesh is unknown: its coast flanks do not come into contact", COAST_FLANKS)
         })
     }
 
@@ -69,8 +69,7 @@ const UNDER_LOAD: &str =
     "use `pairs_in_contact`, whose mean over a mesh cycle is the contact ratio under load";
 const ROTATION: &str = "use `angular_backlash`, the rotation of the second gear while the first is fixed";
 const FROM_FORCES: &str = "the direction of the force follows from the mesh forces and the flanks in contact";
-const CLEARANCE: &str =
-    "compare the face cones and root cones of the blanks; `calyx check` reports interference";
+const CLEARANCE: &str = "compare the tips of one gear with the root of the other on the drawing";
 const AXES: &str = "the positions of the axes are those of the frames of both bodies";
 const COAST_FLANKS: &str = "check the frames of the bodies and the tooth thicknesses";
 

@@ -293,14 +293,14 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         if enters_library {
             self.store_place(span, LIBRARY_CALL);
         }
+        let restored = around.into_iter().flatten().zip(LIBRARY_CALL);
         let results = self.call_slots(target, arguments, types, |f| {
+            restored.clone().for_each(|(value, offset)| f.store_context(value, offset));
             let [name, length] = f.constant(callee.name.as_bytes())?;
             let place = [span.file.0, span.start, span.end].map(|word| f.word(word as usize));
             f.helper_status("calyx_passed", &[&[name, length], &place[..]].concat())
         })?;
-        for (value, offset) in around.into_iter().flatten().zip(LIBRARY_CALL) {
-            self.store_context(value, offset);
-        }
+        restored.for_each(|(value, offset)| self.store_context(value, offset));
         Ok(results)
     }
 

@@ -209,7 +209,7 @@ impl<'s> Steps<'s> {
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
         let (modes, campbell) = self.first_modes()?;
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
-        let mut summaries = summarize(&rows, self.outputs, &self.scene.observables);
+        let mut summaries = summarize(&rows, self.outputs, self.scene);
         self.timing.add("positions", self.solving);
         if self.error_estimates != Estimates::None {
             let started = Instant::now();
@@ -225,7 +225,7 @@ impl<'s> Steps<'s> {
                 rows: &rows,
             };
             let evidence = quasi_static_perturbed_solves(&judged, self.error_estimates)?;
-            estimate::attach(&mut summaries, &rows, self.outputs, &self.scene.observables, &evidence);
+            estimate::attach(&mut summaries, &rows, self.outputs, self.scene, &evidence);
             self.timing.add(ERRORS, started.elapsed());
         }
         self.timing.memory = self.resources.interrupt.largest_request();

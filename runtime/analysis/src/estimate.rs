@@ -34,6 +34,7 @@ pub use crate::results::{ErrorEstimate, Part, Statistics};
 use crate::observables::Observable;
 use crate::results::{DirectedErrors, OutputSummary};
 use crate::rows::StepRow;
+use crate::scene::Scene;
 use crate::summary;
 use calyx_model::observed::OutputRequest;
 use sampling::SamplingContext;
@@ -95,14 +96,14 @@ pub(crate) fn attach(
     summaries: &mut [OutputSummary],
     rows: &[StepRow],
     outputs: &[OutputRequest],
-    observables: &[Arc<dyn Observable>],
+    scene: &Scene,
     evidence: &Evidence,
 ) {
     let Evidence { found, rows: more, rounding } = evidence;
     // A closed curve continues after the last row, an open one does not.
     let known = [false, true].map(|closed| within(if more.is_empty() { rows } else { more }, rows, closed));
     for (index, (summary, request)) in summaries.iter_mut().zip(outputs).enumerate() {
-        let closed = summary::is_closed(rows, request, observables);
+        let closed = summary::is_closed(rows, request, scene);
         let known = known[usize::from(closed)];
         let between = match (SamplingContext::of(rows, Some(index)), SamplingContext::of(known, Some(index)))
         {
@@ -112,7 +113,7 @@ pub(crate) fn attach(
             (Some(course), Some(finer)) => {
                 let own = ends(rows, index);
                 let errors = course.errors(&own, (&finer, &ends(known, index)), closed);
-                let size = bounds::within(errors.size, &own, bounds::of(request, observables));
+                let size = bounds::within(errors.size, &own, bounds::of(request, &scene.observables));
                 Ok(DirectedErrors { size, ..errors })
             }
             _ => Err("the positions do not go anywhere".to_owned()),

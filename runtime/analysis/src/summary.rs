@@ -1,15 +1,14 @@
 //! Statistics of outputs over the positions: extremes, mean, and harmonics of quantities that
 //! repeat in every mesh cycle.
 
-use crate::observables::Observable;
 use crate::observables::Periodicity;
 pub use crate::results::Harmonic;
 use crate::results::OutputSummary;
 use crate::rows::StepRow;
+use crate::scene::Scene;
 use calyx_model::observed::OutputRequest;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
 /// Number of reported harmonics of the tooth mesh frequency.
 const HARMONICS: usize = 5;
@@ -22,18 +21,14 @@ const TOGETHER: f64 = 1e-4;
 const DISTINCT: f64 = 0.05;
 
 /// Summarizes every output over the rows.
-pub fn summarize(
-    rows: &[StepRow],
-    outputs: &[OutputRequest],
-    observables: &[Arc<dyn Observable>],
-) -> Vec<OutputSummary> {
+pub fn summarize(rows: &[StepRow], outputs: &[OutputRequest], scene: &Scene) -> Vec<OutputSummary> {
     let cycle = Cycle::of(rows);
     let summary = |(output, request): (usize, &OutputRequest)| {
         let values: Vec<f64> = rows.iter().map(|row| row.outputs[output].value).collect();
         if values.iter().any(|value| value.is_nan()) {
             return OutputSummary::none();
         }
-        let closed = cycle.as_ref().filter(|cycle| repeats(request, observables, [0.0, cycle.period]));
+        let closed = cycle.as_ref().filter(|cycle| repeats(request, scene, [0.0, cycle.period]));
         let mut summary = OutputSummary {
             min: f64::INFINITY,
             max: f64::NEG_INFINITY,
@@ -61,17 +56,18 @@ pub fn summarize(
 }
 
 /// Returns whether the rows cover a mesh cycle at whose end an output has its initial value.
-pub(crate) fn is_closed(
-    rows: &[StepRow],
-    request: &OutputRequest,
-    observables: &[Arc<dyn Observable>],
-) -> bool {
-    Cycle::of(rows).is_some_and(|cycle| repeats(request, observables, [0.0, cycle.period]))
+pub(crate) fn is_closed(rows: &[StepRow], request: &OutputRequest, scene: &Scene) -> bool {
+    Cycle::of(rows).is_some_and(|cycle| repeats(request, scene, [0.0, cycle.period]))
 }
 
 /// Returns whether an output repeats in every mesh cycle if all teeth are equal: it depends on an
-/// observable, on none that follows a single tooth, and not on time itself.
-fn repeats(request: &OutputRequest, observables: &[Arc<dyn Observable>], times: [f64; 2]) -> bool {
+/// observable, on none that follows a single tooth, and not on time itself. Nothing repeats if
+/// rolling elements orbit, whose positions differ in the next cycle.
+fn repeats(request: &OutputRequest, scene: &Scene, times: [f64; 2]) -> bool {
+    let observables = &scene.observables;
+    if scene.bearings.iter().any(|bearing| bearing.rolling().is_some_and(|elements| elements.orbit())) {
+        return false;
+    }
     let passes = |index: usize| {
         observables.get(index).is_none_or(|seen| seen.quantity().course == Periodicity::Passes)
     };

@@ -97,12 +97,12 @@ impl Region {
     /// # Errors
     /// The region contains no node, or a set or label does not exist.
     pub fn nodes(&self, model: &ElasticModel) -> Result<Vec<usize>, ElementError> {
-        // Nodes without elements, such as construction points of a mesher, are no part of a surface.
-        // Those of constraints may be meant one by one.
+        // Nodes that nothing refers to, such as construction points of a mesher, are no part of a
+        // region.
+        let is_geometric = !matches!(self, Self::Set(_) | Self::Labels(_) | Self::Nodes(_));
         let elements = model.elements.iter().flat_map(|element| &element.nodes).copied();
         let constraints = model.constraints.iter().flat_map(nodes_of);
-        let constraints = constraints.filter(|_| matches!(self, Self::Nearest(_)));
-        let used: HashSet<usize> = elements.chain(constraints).collect();
+        let used: HashSet<usize> = elements.chain(constraints).filter(|_| is_geometric).collect();
         let is_used = |index: usize| used.contains(&index) || model.elements.is_empty();
         let spatial = || {
             let nodes = model.nodes.iter().enumerate();

@@ -258,8 +258,9 @@ pub fn general_mesh(
     let coast = bodies.first_contact(coast_surfaces, phases[0]);
     let backlash = coast.map(|coast| {
         let driven = phases[1] + left;
-        let play = nearest(coast.contact.rotation - driven, 0.0, pitch);
-        Mate::new(bodies.flanks[1].surfaces[surfaces[1]].as_ref()).pushed * play
+        let pushed = Mate::new(bodies.flanks[1].surfaces[surfaces[1]].as_ref()).pushed;
+        // Backlash may exceed half a pitch, an overlap is a small part of it.
+        nearest(pushed * (coast.contact.rotation - driven), 0.25 * pitch, pitch)
     });
     if !options.coast_side_contact
         && let Some(overlap) = backlash.filter(|backlash| *backlash < -ROUNDING_OF_DATA * pitch)

@@ -398,13 +398,12 @@ impl<'s> History<'s> {
         let (modes, campbell) = self.first_modes();
         let solved = std::mem::take(&mut self.solved);
         let rows: Vec<StepRow> = solved.into_iter().map(|solved| solved.row).collect();
-        let mut summaries = summarize(&rows, self.outputs, &self.scene.observables);
+        let mut summaries = summarize(&rows, self.outputs, self.scene);
         self.timing.add("positions", self.solving);
         if self.analysis.error_estimates != Estimates::None {
             let started = Instant::now();
             let evidence = self.evidence(&rows)?;
-            let observables = &self.scene.observables;
-            estimate::attach(&mut summaries, &rows, self.outputs, observables, &evidence);
+            estimate::attach(&mut summaries, &rows, self.outputs, self.scene, &evidence);
             self.timing.add(ERRORS, started.elapsed());
         }
         self.timing.memory = self.resources.interrupt.largest_request();

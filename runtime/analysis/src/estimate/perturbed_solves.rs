@@ -297,7 +297,7 @@ impl BaseAnalysis<'_, '_> {
         let Some(average) = SamplingContext::of(self.rows, None).map(|course| course.average()) else {
             return Ok(self.rows.to_vec());
         };
-        let is_closed = |output| is_closed(self.rows, output, &self.scene.observables);
+        let is_closed = |output| is_closed(self.rows, output, self.scene);
         let closed: Vec<bool> = self.outputs.iter().map(is_closed).collect();
         let bounds = |output| bounds::of(output, &self.scene.observables);
         let bounds: Vec<[f64; 2]> = self.outputs.iter().map(bounds).collect();
@@ -344,7 +344,7 @@ impl BaseAnalysis<'_, '_> {
     ) -> Result<(), EngineError> {
         let is_added = |row: usize| self.rows.iter().all(|own| own.position != rows[row].position);
         let extremes = |output: usize| {
-            let closed = is_closed(self.rows, &self.outputs[output], &self.scene.observables);
+            let closed = is_closed(self.rows, &self.outputs[output], self.scene);
             let ends = ends(within(rows, self.rows, closed), output);
             let least = (0..ends.len()).min_by(|&a, &b| ends[a].low.total_cmp(&ends[b].low));
             let most = (0..ends.len()).max_by(|&a, &b| ends[a].high.total_cmp(&ends[b].high));

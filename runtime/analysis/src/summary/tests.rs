@@ -39,7 +39,7 @@ fn summary(quantity: Quantity, at: &[f64], signal: impl Fn(f64) -> Observed) -> 
         warnings: Vec::new(),
     };
     let rows: Vec<StepRow> = at.iter().map(row).collect();
-    summarize(&rows, &[request], &scene.observables).remove(0)
+    summarize(&rows, &[request], &scene).remove(0)
 }
 
 #[test]

@@ -22,6 +22,9 @@ pub fn nodal_stresses(
     }
     let stresses = points.iter().map(|&point| stress_at(element, &moved, point));
     let stresses = stresses.collect::<Result<Vec<_>, _>>()?;
+    if element.shape == SolidShape::IncompatibleHexahedron8 {
+        return Ok(extrapolated(&stresses));
+    }
     Ok(match stresses[..] {
         [single] => vec![single; element.positions.len()],
         _ => stresses,
@@ -39,12 +42,30 @@ fn mode_amplitudes(
     Ok(amplitudes.as_slice().chunks_exact(3).map(|mode| [mode[0], mode[1], mode[2]]).collect())
 }
 
-/// Returns the nodes of quadratic elements and of those with incompatible modes, and the centre of
-/// other linear ones, whose strains at the nodes include those of a parasitic shear.
+/// Returns the stresses at the corners of a hexahedron, from those at the Gauss points next to them.
+/// The Jacobian of a distorted element may be singular at a corner.
+fn extrapolated(at_points: &[[f64; 6]]) -> Vec<[f64; 6]> {
+    let corners = SolidShape::IncompatibleHexahedron8.corners();
+    let at = |corner: &[f64; 3]| {
+        let mut stress = [0.0; 6];
+        for (point, own) in corners.iter().zip(at_points) {
+            let weight: f64 = (0..3).map(|k| 0.5 * (1.0 + 3.0_f64.sqrt() * corner[k] * point[k])).product();
+            (0..6).for_each(|k| stress[k] += weight * own[k]);
+        }
+        stress
+    };
+    corners.iter().map(at).collect()
+}
+
+/// Returns the nodes of quadratic elements, the Gauss points next to the corners of those with
+/// incompatible modes, and the centre of other linear ones, whose strains at the nodes include
+/// those of a parasitic shear.
 fn sampling_points(shape: SolidShape) -> Vec<[f64; 3]> {
     match shape {
         SolidShape::Hexahedron8 => vec![[0.0; 3]],
-        SolidShape::IncompatibleHexahedron8 => shape.corners(),
+        SolidShape::IncompatibleHexahedron8 => {
+            shape.corners().iter().map(|corner| corner.map(|x| x / 3.0_f64.sqrt())).collect()
+        }
         SolidShape::Wedge6 => vec![[1.0 / 3.0, 1.0 / 3.0, 0.0]],
         SolidShape::Tetrahedron4 => vec![[0.25; 3]],
         SolidShape::Hexahedron20 | SolidShape::Wedge15 | SolidShape::Tetrahedron10 => {

@@ -53,12 +53,21 @@ impl RollingElements {
         &self.typical
     }
 
+    /// Returns whether the elements orbit.
+    pub fn orbit(&self) -> bool {
+        self.cage_speed() != 0.0
+    }
+
     /// Returns the elements at a time, s: they have orbited with their cage since time 0. `None` if
-    /// the rings stand still. Rows of a bearing orbit alike.
+    /// they do not orbit.
     pub fn at_time(&self, time: f64) -> Option<Self> {
-        let speed = self.bearing.rows().first()?.cage_speed(&self.motion);
-        let azimuth = self.motion.azimuth + speed * time;
-        (speed != 0.0).then(|| Self { motion: Motion { azimuth, ..self.motion }, ..self.clone() })
+        let azimuth = self.motion.azimuth + self.cage_speed() * time;
+        self.orbit().then(|| Self { motion: Motion { azimuth, ..self.motion }, ..self.clone() })
+    }
+
+    /// Returns the orbital speed of the elements, rad/s. Rows of a bearing orbit alike.
+    fn cage_speed(&self) -> f64 {
+        self.bearing.rows().first().map_or(0.0, |row| row.cage_speed(&self.motion))
     }
 
     /// Moves the inner ring to the second race.

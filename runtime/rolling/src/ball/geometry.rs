@@ -156,9 +156,18 @@ impl BallRow {
     }
 
     /// Returns the ratio of the orbital speed to the speed of the inner ring at a fixed outer ring,
-    /// for rolling at the nominal contact angle.
+    /// for rolling at the contact angle without load.
     pub(crate) fn cage_ratio(&self) -> f64 {
-        0.5 * (1.0 - self.geometry.ball_diameter / self.geometry.pitch_diameter * cos(self.free_angle))
+        self.cage_ratio_at(self.free_angle)
+    }
+
+    /// Returns the same ratio for rolling at the contact angle of the drawing: 0 for deep grooves.
+    pub(crate) fn orbit_ratio(&self) -> f64 {
+        self.cage_ratio_at(self.geometry.kind.angle_and_clearance().0)
+    }
+
+    fn cage_ratio_at(&self, angle: f64) -> f64 {
+        0.5 * (1.0 - self.geometry.ball_diameter / self.geometry.pitch_diameter * cos(angle))
     }
 
     /// Rejects an interference whose pressure in the centred bearing exceeds the limit of ISO 76.

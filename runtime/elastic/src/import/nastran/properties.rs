@@ -200,8 +200,8 @@ impl Properties {
             return Err(card.problem(message, "export the structure only"));
         }
         let bubble = match card.text(4) {
-            "" | "0" | "1" | "2" | "3" | "TWO" | "THREE" | "FULL" => false,
-            "BUBBLE" => true,
+            "" | "1" | "2" | "3" | "GAUSS" | "TWO" | "THREE" | "REDUCED" | "FULL" => false,
+            "0" | "BUBBLE" => true,
             other => {
                 let message = format!("{} has the integration network {other}", card.subject());
                 return Err(card.problem(message, "leave IN blank, or state BUBBLE, TWO or THREE"));
