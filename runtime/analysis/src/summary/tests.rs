@@ -1,7 +1,7 @@
 //! Tests of summaries of known signals.
 
 use super::*;
-use crate::observables::{Equilibrium, Quantity};
+use crate::observables::{Equilibrium, Observable, Quantity};
 use crate::scene::Scene;
 use calyx_model::observed::Observed;
 use calyx_model::position::Position;
