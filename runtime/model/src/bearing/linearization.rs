@@ -40,13 +40,25 @@ impl Linearization {
     /// component along the force of the operating point is in the range, and the rest is small
     /// against it. Axial reactions count only if the operating point has an axial force.
     pub fn covers(&self, force: [f64; 3]) -> bool {
+        let [along, sideways] = self.components(force);
+        let [least, most] = self.range;
+        (least..=most).contains(&along) && sideways <= SIDEWAYS * along
+    }
+
+    /// Returns whether an external force on the first race, N, is opposite to that of the operating
+    /// point.
+    pub fn opposes(&self, force: [f64; 3]) -> bool {
+        let [along, sideways] = self.components(force);
+        along < 0.0 && sideways <= SIDEWAYS * -along
+    }
+
+    /// Returns the component of a force along that of the operating point, and the rest, N.
+    fn components(&self, force: [f64; 3]) -> [f64; 2] {
         let [x, y, z] = force;
         let force = [x, y, if self.force[2] == 0.0 { 0.0 } else { z }];
         let direction = self.force.map(|part| part / magnitude(self.force));
         let along: f64 = (0..3).map(|k| force[k] * direction[k]).sum();
-        let sideways = magnitude(std::array::from_fn(|k| force[k] - along * direction[k]));
-        let [least, most] = self.range;
-        (least..=most).contains(&along) && sideways <= SIDEWAYS * along
+        [along, magnitude(std::array::from_fn(|k| force[k] - along * direction[k]))]
     }
 }
 

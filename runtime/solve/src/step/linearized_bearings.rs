@@ -48,7 +48,14 @@ impl System<'_> {
                 deflection.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part * motion);
             }
             let [x, y, z, ..] = own.push(&deflection, &[], time);
-            if !linearization.covers([-x, -y, -z]) {
+            let force = [-x, -y, -z];
+            if linearization.opposes(force) {
+                step.warnings.push(format!(
+                    "bearing \"{}\" carries a force opposite to the one at which it is linearized; reverse the sign of \
+                     `linearized_at`, which is the external force on the body: `bearing_force` has the opposite sign",
+                    own.name
+                ));
+            } else if !linearization.covers(force) {
                 step.warnings.push(format!(
                     "bearing \"{}\" carries a force out of the range of its linearization, which `calyx explain` states; \
                      linearize it at the force of this position",
