@@ -35,7 +35,7 @@ fn regions_select_nodes() {
         heights: [0.2, 1.0],
         tolerance: 1e-9,
     };
-    // Of merged nodes, which still exist, those without elements are no part of a surface.
+    // Merged nodes still exist, but have no elements and belong to no surface.
     assert_eq!(cylinder.nodes(&bore).expect("nodes").len(), 2 * 8);
     let cases = [
         (Region::Set("first".into()), vec![1, 3]),

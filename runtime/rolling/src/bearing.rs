@@ -135,8 +135,8 @@ impl Row {
         }
     }
 
-    /// Returns the orbital speed of the elements, rad/s: that of rolling without slip at the contact
-    /// angle of the drawing, which is 0 for deep grooves.
+    /// Returns the orbital speed of the elements, rad/s: that of rolling without slip at the
+    /// contact angle of the drawing, which is 0 for deep grooves.
     pub fn cage_speed(&self, motion: &Motion) -> f64 {
         motion.orbital_speed(match &self.elements {
             Elements::Balls(row) => row.orbit_ratio(),

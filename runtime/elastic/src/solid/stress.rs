@@ -42,8 +42,8 @@ fn mode_amplitudes(
     Ok(amplitudes.as_slice().chunks_exact(3).map(|mode| [mode[0], mode[1], mode[2]]).collect())
 }
 
-/// Returns the stresses at the corners of a hexahedron, from those at the Gauss points next to them.
-/// The Jacobian of a distorted element may be singular at a corner.
+/// Returns the stresses at the corners of a hexahedron, from those at the Gauss points next to
+/// them. The Jacobian of a distorted element may be singular at a corner.
 fn extrapolated(at_points: &[[f64; 6]]) -> Vec<[f64; 6]> {
     let corners = SolidShape::IncompatibleHexahedron8.corners();
     let at = |corner: &[f64; 3]| {
