@@ -118,8 +118,8 @@ pub fn stiffness(element: &SolidElement<'_>) -> Result<DMatrix<f64>, ElementErro
     Ok(stiffness)
 }
 
-/// Returns the amplitudes of the incompatible modes per displacement of the nodes, from the
-/// stiffness over `size` displacements of nodes and the modes: without loads on the modes.
+/// Returns the amplitudes of the incompatible modes per displacement of the nodes, by static
+/// condensation: the modes carry no load. The first `size` rows are displacements of nodes.
 fn mode_coefficients(matrix: &DMatrix<f64>, size: usize) -> Result<DMatrix<f64>, ElementError> {
     let modes = matrix.ncols() - size;
     let own = matrix.view((size, size), (modes, modes)).into_owned();
