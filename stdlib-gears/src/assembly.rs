@@ -13,7 +13,7 @@ use crate::prototype::GearPrototype;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::lubrication::Lubrication;
-use calyx_runtime::motion::{PlanePose, axle, rotation_speed, spatial_pose};
+use calyx_runtime::motion::{PlanePose, angular_velocity, axle, rotation_speed, spatial_pose};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
 use calyx_runtime::vec3::dot;
 use std::any::Any;
@@ -513,6 +513,9 @@ fn same_way(scene: &Scene, id: BodyId, other: BodyId) -> f64 {
 
 /// Direction in which loads and earlier meshes drive a freely rotating gear with its shaft and all
 /// gears on it, as a sum of signs. An idler or a planet transmits it to the next gear.
+///
+/// Meshes that supply power to the shaft decide before those that take power from it, whose number
+/// does not matter: a sun that a bevel stage drives loads all its planets in the same direction.
 fn driven(scene: &Scene, id: BodyId) -> f64 {
     let free = |id: &BodyId| scene.bodies[id.0].free[Component::ThetaZ as usize];
     let on_shaft: Vec<BodyId> = on_shaft(scene, id).into_iter().filter(free).collect();
@@ -526,17 +529,28 @@ fn driven(scene: &Scene, id: BodyId) -> f64 {
     let driving = scene.pairs.iter().filter(|pair| pair.front.is_none());
     // Without any load, the first gear of each mesh drives, and the reaction does not drive it.
     let unloaded = (0..scene.bodies.len()).all(|body| own_moment(scene, BodyId(body)) == Ok(0.0));
+    // Sign of the torque on the shaft, and whether it supplies power.
     let torque = |pair: &SurfacePair| {
         let mesh = pair.mesh.as_ref()?;
         let side = pair.bodies.iter().position(|body| on_shaft.contains(body))?;
-        let way = same_way(scene, id, pair.bodies[side]);
-        match side {
-            0 if unloaded => None,
-            0 => Some(-way * mesh.drive_sense),
-            _ => Some(-way * mesh.drive_sense * mesh.sign),
-        }
+        let on_body = match side {
+            0 if unloaded => return None,
+            0 => -mesh.drive_sense,
+            _ => -mesh.drive_sense * mesh.sign,
+        };
+        let body = pair.bodies[side];
+        let orbit = mesh.orbit * same_way(scene, pair.bodies[0], body);
+        Some((same_way(scene, id, body) * on_body, on_body * (own_speed(scene, body) - orbit) > 0.0))
     };
-    driving.filter_map(torque).sum()
+    let torques: Vec<(f64, bool)> = driving.filter_map(torque).collect();
+    let supplied: f64 = torques.iter().filter(|(_, supplies)| *supplies).map(|(torque, _)| torque).sum();
+    if supplied != 0.0 { supplied } else { torques.iter().map(|(torque, _)| torque).sum() }
+}
+
+/// Angular velocity of a body about its own axis at time 0, rad/s; 0 for an invalid frame.
+fn own_speed(scene: &Scene, id: BodyId) -> f64 {
+    let motion = scene.bodies[id.0].motion.as_ref();
+    spatial_pose(motion, 0.0).map_or(0.0, |pose| dot(pose.axis(), angular_velocity(motion, 0.0)))
 }
 
 /// A body and those that torsionally stiff bearings or shafts join to it: all bodies on one shaft.

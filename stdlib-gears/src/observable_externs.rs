@@ -6,6 +6,7 @@ use crate::mesh_externs::on_parallel_axes;
 use crate::shaft_externs::{observe_reaction, observe_shaft};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
+use calyx_runtime::forced_response::ForcedResponseRequest;
 use calyx_runtime::motion::angular_velocity;
 use calyx_runtime::observables::{
     CampbellRequest, Coordinate, Displacement, DynamicFactor, FaceLoadFactor, HighestContact, LoadShare,
@@ -96,6 +97,37 @@ calyx_abi::externs! {
         }
         scene.campbell_diagram =
             Some(CampbellRequest { body: id, highest_speed, speeds: speeds as usize, modes });
+        Ok(())
+    }
+
+    Scene fn calyx_gears_forced_response(
+        context, mesh: Handle, highest_speed: f64, lowest_speed: f64, speeds: f64, harmonics: f64, damping_ratio: f64,
+    ) -> () {
+        externs::before_analysis(context, "the forced response")?;
+        let mesh = pair(mesh);
+        for (argument, number, least) in [("speeds", speeds, 2.0), ("harmonics", harmonics, 1.0)] {
+            if number.fract() != 0.0 || number < least {
+                let message = format!("a forced response cannot have {number} {argument}");
+                let help = format!("give a whole number of at least {least}");
+                return Err(refusal("E0774", argument, &message, &help));
+            }
+        }
+        if highest_speed <= lowest_speed {
+            return Err(refusal("E0774", "highest_speed", "the highest speed of the forced response is not above the lowest one",
+                "give a range of speeds, such as `highest_speed = 12000 rpm`"));
+        }
+        let scene = &mut host(context)?.scene;
+        if scene.forced_response.is_some() {
+            return Err(RuntimeError::new("E0774", "the model has a second forced response, and a run writes one",
+                "keep one; it has the motions of all bodies"));
+        }
+        scene.forced_response = Some(ForcedResponseRequest {
+            mesh,
+            speeds: [lowest_speed, highest_speed],
+            count: speeds as usize,
+            harmonics: harmonics as usize,
+            damping_ratio,
+        });
         Ok(())
     }
 

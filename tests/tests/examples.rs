@@ -24,7 +24,13 @@ const PICTURED: [&str; 3] = ["helical_pair", "internal_pair", "planetary"];
 
 /// Examples whose only diagnostic is a warning about unloaded contact, which is a property of the
 /// pair: flanks with the mismatch of the published settings, or strongly crowned ones.
-const WARNED: [(&str, &str); 3] = [("face_hobbed", "W0861"), ("hypoid", "W0861"), ("spiral_bevel", "W0861")];
+const WARNED: [(&str, &str); 5] = [
+    ("bevel_planetary", "W0861"),
+    ("face_hobbed", "W0861"),
+    ("hypoid", "W0861"),
+    ("rear_axle", "W0861"),
+    ("spiral_bevel", "W0861"),
+];
 
 fn warnings(name: &str) -> impl Iterator<Item = &'static str> {
     WARNED.iter().filter(move |(example, _)| *example == name).map(|(_, code)| *code)
@@ -79,9 +85,12 @@ fn every_example_checks_without_a_diagnostic_and_has_sound_pictures() {
 }
 
 /// Analyses that a fidelity level does not support: rigid teeth have neither dynamics nor modes of
-/// their bodies.
-const REFUSED: [(&str, &str, &str); 2] =
-    [("planetary_modes", "rigid", "E0782"), ("spur_dynamics", "rigid", "E0781")];
+/// their bodies, and no torque can be locked in a loop of rigid bodies.
+const REFUSED: [(&str, &str, &str); 3] = [
+    ("planetary_modes", "rigid", "E0782"),
+    ("recirculating", "rigid", "E0717"),
+    ("spur_dynamics", "rigid", "E0781"),
+];
 
 /// At the fidelity levels without meshes, every example runs and has values of all outputs except
 /// those that are rejected by name, each with its location. An unsupported analysis is rejected as

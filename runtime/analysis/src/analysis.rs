@@ -4,6 +4,7 @@
 //! observer.
 
 use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
+use crate::forced_response::{self, ForcedResponse};
 use crate::method::QuasiStatic;
 use crate::observables::Observe;
 use crate::observables::{CampbellDiagram, Equilibrium, Fields, MeshedBodies, ModesTable};
@@ -208,6 +209,7 @@ impl<'s> Steps<'s> {
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
         let (modes, campbell) = self.first_modes()?;
+        let forced_response = self.forced_response()?;
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
         let mut summaries = summarize(&rows, self.outputs, self.scene);
         self.timing.add("positions", self.solving);
@@ -236,9 +238,19 @@ impl<'s> Steps<'s> {
             certificate,
             modes,
             campbell,
+            forced_response,
             timing: self.timing,
             tolerance_search: None,
         })
+    }
+
+    /// Computes the forced response that the scene requests.
+    fn forced_response(&mut self) -> Result<Option<ForcedResponse>, EngineError> {
+        let Some(request) = &self.scene.forced_response else { return Ok(None) };
+        let started = Instant::now();
+        let found = forced_response::forced_response(&self.system, self.scene, request, &self.resources)?;
+        self.timing.add(FORCED_RESPONSE, started.elapsed());
+        Ok(found)
     }
 
     /// Computes the table of modes and the Campbell diagram about the first position. It solves
@@ -317,6 +329,8 @@ impl Iterator for Steps<'_> {
 
 impl FusedIterator for Steps<'_> {}
 
+/// Name of the stage in which the forced response is computed.
+const FORCED_RESPONSE: &str = "forced response";
 /// Name of the stage in which errors are estimated.
 pub(crate) const ERRORS: &str = "errors";
 

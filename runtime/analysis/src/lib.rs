@@ -8,6 +8,7 @@ pub mod cost;
 pub mod dynamic_options;
 pub mod dynamics;
 pub mod estimate;
+pub mod forced_response;
 pub mod method;
 pub mod observables;
 pub mod options;

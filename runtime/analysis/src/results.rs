@@ -11,6 +11,7 @@ pub use error_estimate::{ErrorEstimate, Part, Statistics};
 pub use tolerance_outcome::{Attempt, SearchProgress, Setting, ToleranceOutcome};
 pub(crate) use tolerance_outcome::{EXHAUSTED, LARGER, percent};
 
+use crate::forced_response::ForcedResponse;
 use crate::observables::{CampbellDiagram, ModesTable};
 use calyx_contact::problem::Certificate;
 use calyx_model::plan::Plan;
@@ -84,6 +85,8 @@ pub struct AnalysisResult {
     pub modes: Option<ModesTable>,
     /// Campbell diagram about the first position, if the scene requests it.
     pub campbell: Option<CampbellDiagram>,
+    /// Forced response over the speed, if the scene requests it.
+    pub forced_response: Option<ForcedResponse>,
     /// Timings.
     pub timing: Timing,
     /// Outcome of the tolerance search, if a tolerance was given.

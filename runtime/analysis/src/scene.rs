@@ -8,6 +8,7 @@ pub use calyx_model::mechanism::Mechanism;
 pub use calyx_model::pairs::{CharacteristicPoint, FirstContact, GearMesh, GridOptions, SurfacePair};
 pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks, ToothMeridian};
 
+use crate::forced_response::ForcedResponseRequest;
 use crate::observables::{CampbellRequest, ModesRequest, Observable};
 use calyx_model::target::{Examined, Target};
 use std::ops::{Deref, DerefMut};
@@ -26,6 +27,8 @@ pub struct Scene {
     pub modes_table: Option<ModesRequest>,
     /// Request for a Campbell diagram about the first position.
     pub campbell_diagram: Option<CampbellRequest>,
+    /// Request for a forced response over the speed.
+    pub forced_response: Option<ForcedResponseRequest>,
 }
 
 impl Scene {
@@ -64,7 +67,7 @@ impl Examined for Scene {
     }
 
     fn examines_modes(&self) -> bool {
-        self.modes_table.is_some() || self.campbell_diagram.is_some()
+        self.modes_table.is_some() || self.campbell_diagram.is_some() || self.forced_response.is_some()
     }
 
     fn tabulated_modes(&self) -> Option<usize> {

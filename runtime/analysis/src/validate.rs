@@ -159,6 +159,12 @@ impl<'a> Request<'a> {
         let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
         refuse_idle_bearings(scene, &plan)?;
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
+        if method.has_inertia() && scene.forced_response.is_some() {
+            let message =
+                "a forced response belongs to a quasi-static analysis, and this one integrates in time";
+            let help = "remove `gears.forced_response`, or use `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24))`";
+            return Err(EngineError::new("E0774", message, help));
+        }
         if method.has_inertia() {
             check_in_section(&plan)?;
             refuse_nonlinear_bearings(scene, &plan)?;

@@ -10,6 +10,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{
     ComputeEigenvectors, SelfAdjointEvdParams, self_adjoint_evd, self_adjoint_evd_scratch,
 };
+use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, MatMut, MatRef, Par, Spec, c64};
 use std::convert::Infallible;
 
@@ -278,6 +279,15 @@ pub fn skew_symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<c6
         .ok()?;
     let values: Vec<f64> = values.column_vector().iter().map(|value| value.re).collect();
     values.iter().all(|value| value.is_finite()).then_some((values, vectors))
+}
+
+/// Solves `A x = b` with a complex matrix by LU decomposition with partial pivoting. `None` if the
+/// solution is not finite.
+pub fn solve_complex(matrix: MatRef<'_, c64>, right: MatRef<'_, c64>) -> Option<Mat<c64>> {
+    let found = PartialPivLu::new(matrix).solve(right);
+    let finite =
+        |k: usize| (0..found.nrows()).all(|i| found[(i, k)].re.is_finite() && found[(i, k)].im.is_finite());
+    (0..found.ncols()).all(finite).then_some(found)
 }
 
 /// Copies the lower triangle of a matrix that is symmetric up to rounding onto the upper one.

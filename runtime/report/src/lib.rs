@@ -12,6 +12,7 @@ pub mod contact_pattern;
 pub mod directory;
 pub mod field_tables;
 pub mod flank_tables;
+pub mod forced_response;
 pub mod former_keys;
 pub mod journal;
 pub mod modes_table;

@@ -12,6 +12,7 @@ use calyx_gears::data_block::DataBlock;
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_report::flank_tables::FlankTables;
 use calyx_runtime::contact::problem::Certificate;
+use calyx_runtime::forced_response::ForcedResponse;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, Observed, OutputSummary, Solved, StepRow, Timing};
 use calyx_runtime::signal::Signal;
@@ -220,6 +221,8 @@ impl Results {
                 all.push(warning.clone());
             }
         }
+        let response = self.analysis.as_ref().and_then(|result| result.forced_response.as_ref());
+        all.extend(response.map_or(Vec::new(), ForcedResponse::warnings));
         all
     }
 }

@@ -19,8 +19,8 @@ use calyx_report::directory::{
 };
 use calyx_report::journal::FoundJournal;
 use calyx_report::{
-    bearing_loads, body_pictures, campbell, contact_pattern, field_tables, flank_tables, journal,
-    modes_table, page, signals, stress_range, summary_table, vtu,
+    bearing_loads, body_pictures, campbell, contact_pattern, field_tables, flank_tables, forced_response,
+    journal, modes_table, page, signals, stress_range, summary_table, vtu,
 };
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
@@ -240,6 +240,10 @@ fn write_results(
     if let Some(diagram) = result.and_then(|result| result.campbell.as_ref()) {
         directory.claim(campbell::NAME)?;
         campbell::write(path, diagram)?;
+    }
+    if let Some(response) = result.and_then(|result| result.forced_response.as_ref()) {
+        directory.claim(forced_response::NAME)?;
+        forced_response::write(path, response)?;
     }
     results.flank_tables().write(path)?;
     directory.claim_all(signals::files(results.signals()))?;

@@ -121,7 +121,7 @@ impl Kind {
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-const FILES_OF_A_RUN: [&str; 31] = [
+const FILES_OF_A_RUN: [&str; 32] = [
     "run.json",
     "journal.jsonl",
     "run.json.part",
@@ -150,6 +150,7 @@ const FILES_OF_A_RUN: [&str; 31] = [
     "ease_off.csv",
     "ease_off.csv.part",
     "campbell.csv",
+    "forced_response.csv",
     "modes.csv",
     REPORT,
     "report.html.part",

@@ -4,6 +4,7 @@
 #![warn(missing_docs)]
 
 pub mod derived;
+pub mod forced_response;
 pub mod gyroscopic;
 pub mod integration;
 pub mod modal;

@@ -159,22 +159,37 @@ impl System<'_> {
         step.vibrations.get_or_init(|| self.find_vibrations(step).map(Arc::new)).clone()
     }
 
-    /// Returns the stiffness matrix, per width of the model.
-    fn stiffness_about(&self, step: &StepResult) -> Option<Mat<f64>> {
-        let (problem, modes) = (&step.problem, &self.modes);
-        let (m, of_gears, count) = (self.dofs.len(), modes.count(), self.mode_count());
+    /// Returns the part of the stiffness matrix of [`System::vibrations`] that is not due to contact:
+    /// bearings, elastic connections and modes, N/m, N and N m for DOFs. `None` in a rigid-body limit.
+    pub fn spring_stiffness(&self, step: &StepResult) -> Option<DMatrix<f64>> {
+        let springs = self.springs_about(step)?;
+        let widths = self.coordinate_widths();
+        Some(DMatrix::from_fn(widths.len(), widths.len(), |i, j| widths[i] * springs[(i, j)]))
+    }
+
+    /// Returns the stiffness matrix without contact, per width of the model.
+    fn springs_about(&self, step: &StepResult) -> Option<Mat<f64>> {
+        let (problem, m) = (&step.problem, self.dofs.len());
         let connections = self.connection_modes();
         let of_bodies = connections.iter().flat_map(|(connection, _)| &connection.modes.eigenvalues);
-        let squares: Vec<f64> = modes.squares.iter().chain(of_bodies).copied().collect();
+        let squares: Vec<f64> = self.modes.squares.iter().chain(of_bodies).copied().collect();
         if problem.stiffness.len() != m * m {
             return None;
         }
         let bearings = |i: usize, j: usize| problem.stiffness[i * m + j];
-        let mut stiffness = Mat::from_fn(m + count, m + count, |i, j| match (i.max(j) < m, i == j) {
+        let all = m + self.mode_count();
+        Some(Mat::from_fn(all, all, |i, j| match (i.max(j) < m, i == j) {
             (true, _) => 0.5 * (bearings(i, j) + bearings(j, i)),
             (false, true) => squares[i - m],
             (false, false) => 0.0,
-        });
+        }))
+    }
+
+    /// Returns the stiffness matrix, per width of the model.
+    fn stiffness_about(&self, step: &StepResult) -> Option<Mat<f64>> {
+        let (problem, modes) = (&step.problem, &self.modes);
+        let (m, of_gears, count) = (self.dofs.len(), modes.count(), self.mode_count());
+        let mut stiffness = self.springs_about(step)?;
         let Participating { cells: active, participations } = step.participating(|_| true);
         if active.is_empty() {
             return Some(stiffness);
@@ -186,7 +201,8 @@ impl System<'_> {
             false => 0.0,
         };
         let mut residual = step.compliance_of(&active);
-        let answered = Mat::from_fn(active.len(), of_gears, |i, k| modal(active[i], k) / squares[k].sqrt());
+        let answered =
+            Mat::from_fn(active.len(), of_gears, |i, k| modal(active[i], k) / modes.squares[k].sqrt());
         let checkpoint = || self.interrupt.check();
         let dense = Interruptible(&checkpoint);
         // Static compliance with and without modes is the same.

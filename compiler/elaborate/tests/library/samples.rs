@@ -320,6 +320,7 @@ pub const SAMPLES: &[(&str, &str, &str)] = &[
     ("whirl_frequency", "mode", "1"),
     ("whirl_sense", "mode", "1"),
     ("campbell_diagram", "highest_speed", "3000 rpm"),
+    ("forced_response", "highest_speed", "3000 rpm"),
     ("modal_energy_share", "mode", "1"),
     ("mode_type", "mode", "1"),
     ("mode_type", "planets", "[wheel]"),

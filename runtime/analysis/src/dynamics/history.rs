@@ -414,6 +414,7 @@ impl<'s> History<'s> {
             certificate,
             modes,
             campbell,
+            forced_response: None,
             timing: self.timing,
             tolerance_search: None,
         })

@@ -19,6 +19,7 @@ mod k_chart;
 mod projection;
 mod read;
 mod units;
+mod vibration;
 
 use crate::directory::REPORT;
 use crate::summary_table::{variation, without_rounding};
@@ -94,6 +95,7 @@ fn page(run: &Run) -> Markup {
         ("bearings", "Rolling bearings", bearings::section(run, units)),
         ("bodies", "Deformed bodies", bodies::section(run, units)),
         ("signals", "Spectra", signals(run)),
+        ("vibration", "Forced vibration", vibration::section(run, units)),
         ("modes", "Modes", modes(run)),
         ("plan", "Model", about::plan(run)),
         ("params", "Params", about::params(run)),

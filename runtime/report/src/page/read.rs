@@ -9,6 +9,7 @@ use crate::contact_pattern::{self, PathPoint, PressurePoint};
 use crate::directory::{CHOICES, SIGNALS, read_run};
 use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
 use crate::flank_tables::FlankTables;
+use crate::forced_response::{self, ResponseRow};
 use crate::former_keys::{self, ResultFile};
 use crate::stress_range::{self, StressExtremes};
 use crate::{journal, modes_table};
@@ -57,6 +58,8 @@ pub struct Run {
     pub pictures: Vec<Picture>,
     /// Pictures of bodies, with the content of their files in base 64.
     pub bodies: Vec<(BodyPicture, String)>,
+    /// Forced response over the speed.
+    pub forced_response: Vec<ResponseRow>,
     /// Table of modes with its header.
     pub modes: Vec<Vec<String>>,
     /// Results of the trade-off command for this model.
@@ -289,6 +292,7 @@ impl Run {
             laminae: bearing_loads::read_rollers(directory)?,
             pictures: pictures(directory, &head)?,
             bodies: bodies(directory),
+            forced_response: forced_response::read(directory)?,
             modes: table(&directory.join(modes_table::NAME))?,
             tradeoff: tradeoff(directory),
             files: files(directory)?,

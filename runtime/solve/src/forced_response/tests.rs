@@ -1,0 +1,201 @@
+//! Forced vibration against the closed form of one degree of freedom, against integration in time
+//! of a parametrically excited system, and in its limits.
+
+use super::*;
+
+/// One oscillator with constant stiffness, excited by harmonic static displacement.
+fn oscillator(damping_ratio: f64, harmonics: usize) -> PeriodicSystem {
+    let samples = sample_count(harmonics);
+    let statics = |k: usize| 2e-6 + 3e-6 * (TAU * k as f64 / samples as f64).cos();
+    PeriodicSystem {
+        mass: DMatrix::from_element(1, 1, 2.0),
+        gyroscopic: DMatrix::zeros(1, 1),
+        damping: DMatrix::zeros(1, 1),
+        stiffness: vec![DMatrix::from_element(1, 1, 8e4); samples],
+        statics: (0..samples).map(|k| DVector::from_element(1, statics(k))).collect(),
+        frequency: 100.0,
+        damping_ratio,
+    }
+}
+
+/// The coordinates themselves.
+fn coordinates(system: &PeriodicSystem) -> Vec<LinearQuantity> {
+    let size = system.mass.nrows();
+    let coordinate = |at: usize| LinearQuantity {
+        statics: system.statics.iter().map(|statics| statics[at]).collect(),
+        rows: vec![DVector::from_fn(size, |k, _| f64::from(u8::from(k == at)))],
+        rate: None,
+    };
+    (0..size).map(coordinate).collect()
+}
+
+#[test]
+fn one_oscillator_has_the_closed_form() {
+    let system = oscillator(0.03, 3);
+    let forced = ForcedVibration::new(&system, &coordinates(&system), 3, 4.0).expect("a finite system");
+    for speed in [0.0, 0.5, 1.7, 2.0, 2.4, 4.0] {
+        let omega = 100.0 * speed;
+        let rest = Complex::new(200.0f64.powi(2) - omega * omega, 2.0 * 0.03 * 200.0 * omega);
+        let expected = Complex::from(3e-6 * 200.0f64.powi(2)) / rest;
+        let found = &forced.at(speed).expect("a finite response")[0];
+        assert!((found[0] - 2e-6).norm() < 1e-18);
+        assert!((found[1] - expected).norm() < 1e-12 * expected.norm(), "{speed}: {} {expected}", found[1]);
+        assert!(found[2].norm() < 1e-18);
+    }
+}
+
+/// Two coupled rotors with gyroscopic terms and a stiffness that varies by a third.
+fn parametric(harmonics: usize) -> PeriodicSystem {
+    let samples = sample_count(harmonics);
+    let phase = |k: usize| TAU * k as f64 / samples as f64;
+    let (stiffness, statics): (Vec<_>, Vec<_>) = (0..samples).map(|k| coefficients(phase(k))).unzip();
+    PeriodicSystem {
+        mass: DMatrix::from_row_slice(2, 2, &[2.0, 0.3, 0.3, 1.0]),
+        gyroscopic: DMatrix::from_row_slice(2, 2, &[0.0, 20.0, -20.0, 0.0]),
+        damping: DMatrix::from_row_slice(2, 2, &[3.0, -1.0, -1.0, 2.0]),
+        stiffness,
+        statics,
+        frequency: 150.0,
+        damping_ratio: 0.05,
+    }
+}
+
+fn coefficients(phase: f64) -> (DMatrix<f64>, DVector<f64>) {
+    let tooth = 6e4 * (1.0 + 0.35 * phase.cos() + 0.1 * (2.0 * phase).sin());
+    let stiffness = DMatrix::from_row_slice(2, 2, &[4e4 + tooth, -tooth, -tooth, 9e4 + tooth]);
+    (stiffness, DVector::from_row_slice(&[1e-5 * phase.cos(), 4e-6 * (phase.sin() - 0.5 * phase.cos())]))
+}
+
+/// Integrates to the periodic state with the classical Runge-Kutta method, and returns the samples of
+/// the last period.
+fn integrated(system: &PeriodicSystem, speed: f64, steps: usize) -> Vec<DVector<f64>> {
+    let mean = system.stiffness.iter().sum::<DMatrix<f64>>() / system.stiffness.len() as f64;
+    let (frequencies, shapes) = modes(&system.mass, &mean).expect("a finite system");
+    let damping = DMatrix::from_diagonal(&DVector::from_fn(2, |k, _| 0.1 * frequencies[k]));
+    let onto = &system.mass * &shapes;
+    let damping = &onto * damping * onto.transpose() + &system.damping + speed * &system.gyroscopic;
+    let inverse = system.mass.clone().try_inverse().expect("a positive definite mass");
+    let omega = speed * system.frequency;
+    let rate = |t: f64, x: &DVector<f64>, v: &DVector<f64>| {
+        let (stiffness, statics) = coefficients(omega * t);
+        -(&inverse * (&damping * v + stiffness * (x - statics)))
+    };
+    let h = TAU / omega / steps as f64;
+    let (mut x, mut v) = (DVector::zeros(2), DVector::zeros(2));
+    let mut last = Vec::new();
+    let periods = 200;
+    for step in 0..periods * steps {
+        let t = step as f64 * h;
+        if step >= (periods - 1) * steps {
+            last.push(x.clone());
+        }
+        let (k1, l1) = (v.clone(), rate(t, &x, &v));
+        let (k2, l2) =
+            (&v + &l1 * (h / 2.0), rate(t + h / 2.0, &(&x + &k1 * (h / 2.0)), &(&v + &l1 * (h / 2.0))));
+        let (k3, l3) =
+            (&v + &l2 * (h / 2.0), rate(t + h / 2.0, &(&x + &k2 * (h / 2.0)), &(&v + &l2 * (h / 2.0))));
+        let (k4, l4) = (&v + &l3 * h, rate(t + h, &(&x + &k3 * h), &(&v + &l3 * h)));
+        x += (k1 + 2.0 * k2 + 2.0 * k3 + k4) * (h / 6.0);
+        v += (l1 + 2.0 * l2 + 2.0 * l3 + l4) * (h / 6.0);
+    }
+    last
+}
+
+#[test]
+fn a_parametrically_excited_system_agrees_with_integration_in_time() {
+    let system = parametric(10);
+    let forced = ForcedVibration::new(&system, &coordinates(&system), 10, 2.0).expect("a finite system");
+    for speed in [0.3, 0.8, 1.3, 2.0] {
+        let found = forced.at(speed).expect("a finite response");
+        let expected = integrated(&system, speed, 400);
+        for coordinate in 0..2 {
+            let samples: Vec<f64> = expected.iter().map(|x| x[coordinate]).collect();
+            let expected = series(&samples, 10);
+            let largest = expected.iter().map(|c| c.norm()).fold(0.0, f64::max);
+            for harmonic in 0..=10 {
+                let error = (found[coordinate][harmonic] - expected[harmonic]).norm();
+                assert!(
+                    error < 1e-6 * largest,
+                    "{speed}, {coordinate}, {harmonic}: {error:e} of {largest:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn slow_rotation_is_static() {
+    let system = parametric(6);
+    let forced = ForcedVibration::new(&system, &coordinates(&system), 6, 1.0).expect("a finite system");
+    let found = forced.at(1e-6).expect("a finite response");
+    for (found, statics) in found.iter().zip(forced.static_values()) {
+        for (found, statics) in found.iter().zip(statics) {
+            assert!((found - statics).norm() < 1e-12, "{found} {statics}");
+        }
+    }
+}
+
+#[test]
+fn a_row_that_varies_multiplies_the_deviation() {
+    // The force of the spring between the coordinates, against the same product sampled in time.
+    let system = parametric(8);
+    let samples = system.stiffness.len();
+    let rows: Vec<_> =
+        system.stiffness.iter().map(|k| DVector::from_row_slice(&[-k[(0, 1)], k[(0, 1)]])).collect();
+    let force = LinearQuantity { statics: vec![0.0; samples], rows: rows.clone(), rate: None };
+    let mut quantities = coordinates(&system);
+    quantities.push(force);
+    let forced = ForcedVibration::new(&system, &quantities, 8, 1.0).expect("a finite system");
+    let found = forced.at(0.9).expect("a finite response");
+    let at = |harmonics: &Harmonics, k: usize| {
+        let turned = |h: usize| Complex::from_polar(1.0, TAU * (h * k) as f64 / samples as f64);
+        harmonics.iter().enumerate().map(|(h, c)| (c * turned(h)).re).sum::<f64>()
+    };
+    let product: Vec<f64> = (0..samples)
+        .map(|k| (0..2).map(|c| rows[k][c] * (at(&found[c], k) - system.statics[k][c])).sum())
+        .collect();
+    let expected = series(&product, 8);
+    for harmonic in 0..5 {
+        let error = (found[2][harmonic] - expected[harmonic]).norm();
+        assert!(error < 1e-5 * expected[1].norm(), "{harmonic}: {error:e}");
+    }
+}
+
+#[test]
+fn a_rate_multiplies_the_velocity() {
+    let system = oscillator(0.03, 3);
+    let mut quantities = coordinates(&system);
+    quantities.push(LinearQuantity {
+        statics: vec![0.0; sample_count(3)],
+        rows: vec![DVector::zeros(1)],
+        rate: Some(DVector::from_element(1, 5.0)),
+    });
+    let forced = ForcedVibration::new(&system, &quantities, 3, 4.0).expect("a finite system");
+    let found = forced.at(1.5).expect("a finite response");
+    let expected = found[0][1] * Complex::new(0.0, 5.0 * 150.0);
+    assert!((found[1][1] - expected).norm() < 1e-12 * expected.norm());
+}
+
+/// Mathieu's equation: at twice the natural frequency a variation of the stiffness by `2 a` grows at
+/// the rate `a omega / 2` per time, less the damping, and at other speeds the damping remains.
+#[test]
+fn disturbances_grow_at_the_principal_parametric_resonance() {
+    let samples = sample_count(2);
+    let mathieu = |damping_ratio: f64| PeriodicSystem {
+        stiffness: (0..samples)
+            .map(|k| DMatrix::from_element(1, 1, 8e4 * (1.0 + 0.1 * (TAU * k as f64 / samples as f64).cos())))
+            .collect(),
+        frequency: 400.0,
+        ..oscillator(damping_ratio, 2)
+    };
+    for damping_ratio in [0.0, 0.01, 0.05] {
+        let forced = ForcedVibration::new(&mathieu(damping_ratio), &[], 2, 1.0).expect("a finite system");
+        let period = TAU / 400.0;
+        let expected = ((0.1 / 4.0 - damping_ratio) * 200.0 * period).exp();
+        let found = forced.growth(1.0);
+        assert!((found / expected - 1.0).abs() < 3e-3, "{damping_ratio}: {found} {expected}");
+        let elsewhere = forced.growth(0.7);
+        let expected = (-damping_ratio * 200.0 * period / 0.7).exp();
+        assert!((elsewhere / expected - 1.0).abs() < 2e-3, "{damping_ratio}: {elsewhere} {expected}");
+    }
+}

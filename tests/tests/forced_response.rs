@@ -1,0 +1,155 @@
+//! Forced response over the speed: against time integration of the same model, against the closed
+//! form of a pair on stiff teeth, in the limit of slow rotation, and refusals.
+
+use crate::models::codes;
+use calyx::{Engine, Module};
+use calyx_runtime::forced_response::ForcedResponse;
+use std::f64::consts::TAU;
+use std::fs;
+
+/// A spur pair whose gear carries a brake torque and rotates freely, at a speed of the pinion, rpm.
+fn pair(speed: f64, end: &str) -> String {
+    format!(
+        "import gears;
+units mm_N_s;
+var rack = gears.rack(module = 2.54 mm, tip_radius = 0.5 mm);
+function blank(in teeth, in bore) {{
+    var diameter = teeth * 2.54 mm;
+    return gears.external(
+        teeth = teeth, rack = rack, tooth_thickness = 3.96 mm, face_width = 25 mm,
+        outer_diameter = diameter + 4.6 mm, root_diameter = diameter - 6.1 mm,
+        material = gears.material(206 GPa, 0.3, density = 7850 kg/m^3),
+        rim = gears.simple_rim(diameter - 14 mm, bore));
+}}
+var pinion = gears.body(\"pinion\", blank(20, 30 mm), frame := Rotate({speed} rpm * Time, e3));
+var gear = gears.body(
+    \"gear\", blank(40, 60 mm), free = [\"theta_z\"], moment = 200 N*m * e3, inertia = 0.002 kg*m^2,
+    frame := Rotate(-{speed} rpm / 2 * Time, e3) * Translate(76.2 mm * e1));
+var mesh = gears.mesh(pinion, gear, coast_side_contact = TRUE, contact_cells = 8);
+output error := gears.transmission_error(mesh);
+output force := gears.mesh_force(mesh);
+output frequency := gears.natural_frequency(1);
+{end}"
+    )
+}
+
+/// Values of the outputs by position and output, SI, and the forced response.
+fn solved(text: &str) -> (Vec<Vec<f64>>, Option<ForcedResponse>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("model.cx");
+    fs::write(&path, text).expect("written");
+    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
+    let rows = results.analysis().map_or(Vec::new(), |result| {
+        let values =
+            |row: &calyx_runtime::rows::StepRow| row.outputs.iter().map(|output| output.value).collect();
+        result.rows.iter().map(values).collect()
+    });
+    (rows, results.analysis().and_then(|result| result.forced_response.clone()))
+}
+
+/// The statement that requests the response at two speeds close to each other.
+fn request(speed: f64, harmonics: usize, damping: f64) -> String {
+    format!(
+        "gears.forced_response(mesh, highest_speed = {} rpm, lowest_speed = {speed} rpm, speeds = 2, harmonics = {harmonics}, damping_ratio = {damping});
+analyze(\"quasi_static\", over = gears.times(0 s, 60 s / {speed} / 20, 65), fidelity = \"analytic\", error_estimates = \"none\");
+",
+        speed + 1.0
+    )
+}
+
+/// Root mean square of the variation about the mean.
+fn rms(values: &[f64]) -> f64 {
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
+}
+
+/// Frequency of the mean stiffness, rad/s, from the natural frequencies over a mesh cycle.
+fn mean_frequency(rows: &[Vec<f64>]) -> f64 {
+    let squares: Vec<f64> = rows.iter().skip(1).map(|row| (TAU * row[2]).powi(2)).collect();
+    (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+}
+
+/// Below, between and above the resonances, where teeth do not separate, the response agrees with the
+/// last of 60 mesh cycles of a time integration with the same damping.
+#[test]
+fn the_response_agrees_with_time_integration() {
+    const DAMPING: f64 = 2000.0;
+    for speed in [1800.0, 5000.0, 13_500.0] {
+        let cycle = 60.0 / speed / 20.0;
+        let integrated = format!(
+            "analyze(\"dynamic\", over = gears.time_ranges([gears.time_range({} s, step = {} s)]), fidelity = \"analytic\", rayleigh_mass = {DAMPING} Hz, error_estimates = \"none\");\n",
+            60.0 * cycle,
+            cycle / 256.0
+        );
+        let (rows, _) = solved(&pair(speed, &integrated));
+        let last = &rows[rows.len() - 256..];
+        let column = |k: usize| last.iter().map(|row| row[k]).collect::<Vec<f64>>();
+        assert!(column(1).iter().all(|force| *force > 0.0), "teeth separate at {speed} rpm");
+        let frequency = mean_frequency(&solved(&pair(speed, &request(speed, 1, 0.0))).0);
+        let (_, response) = solved(&pair(speed, &request(speed, 10, 0.5 * DAMPING / frequency)));
+        let response = response.expect("a response");
+        let at =
+            |kind: &str| response.quantities.iter().position(|(name, _)| name.starts_with(kind)).expect("it");
+        let [error, torque] =
+            ["transmission_error", "tooth_torque"].map(|kind| response.points[0].rms(at(kind)));
+        let force = column(1);
+        let mean = force.iter().sum::<f64>() / force.len() as f64;
+        for (what, found, expected) in
+            [("error", error, rms(&column(0))), ("torque", torque / 200.0, rms(&force) / mean)]
+        {
+            assert!(
+                (found / expected - 1.0).abs() < 0.02,
+                "{what} at {speed} rpm: {found:e} instead of {expected:e}"
+            );
+        }
+    }
+}
+
+/// Near twice the natural frequency the varying stiffness makes the vibration unstable.
+#[test]
+fn parametric_resonance_is_reported() {
+    let growth = |speed: f64, damping: f64| {
+        let (rows, response) = solved(&pair(speed, &request(speed, 8, damping)));
+        let response = response.expect("a response");
+        (mean_frequency(&rows), response.points[0].growth, response.warnings())
+    };
+    let (frequency, stable, _) = growth(11_000.0, 0.03);
+    assert!(stable < 1.0, "{stable}");
+    let speed = 2.0 * frequency / TAU * 60.0 / 20.0;
+    let (_, grows, warnings) = growth(speed, 0.01);
+    assert!(grows > 1.05 && warnings.len() == 1, "{grows} {warnings:?}");
+    let (_, damped, warnings) = growth(speed, 0.2);
+    assert!(damped < 1.0 && warnings.is_empty(), "{damped} {warnings:?}");
+}
+
+/// At low speed the response is the static transmission error, and the mean torque is the load.
+#[test]
+fn slow_rotation_gives_the_static_transmission_error() {
+    let (rows, response) = solved(&pair(1.0, &request(1.0, 16, 0.03)));
+    let response = response.expect("a response");
+    let values: Vec<f64> = rows.iter().skip(1).map(|row| row[0]).collect();
+    let found = response.points[0].rms(0);
+    assert!((found / rms(&values) - 1.0).abs() < 5e-3, "{found:e} instead of {:e}", rms(&values));
+    let torque = response.points[0].amplitudes[1][0].re;
+    assert!((torque.abs() - 200.0).abs() < 1e-6, "{torque}");
+}
+
+/// A response belongs to a periodic quasi-static analysis of elastic teeth.
+#[test]
+fn impossible_responses_are_rejected() {
+    let with = |arguments: &str| {
+        let request = format!("gears.forced_response(mesh, {arguments});\n");
+        codes(&pair(
+            1000.0,
+            &format!("{request}analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 8));\n"),
+        ))
+    };
+    assert_eq!(with("highest_speed = 9000 rpm"), Vec::<String>::new());
+    assert_eq!(with("highest_speed = 100 rpm, lowest_speed = 100 rpm"), ["E0774"]);
+    assert_eq!(with("highest_speed = 100 rpm, speeds = 2.5"), ["E0774"]);
+    let dynamic = "gears.forced_response(mesh, highest_speed = 9000 rpm);
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(1 ms, step = 5 us)]), fidelity = \"analytic\");
+";
+    assert_eq!(codes(&pair(1000.0, dynamic)), ["E0774"]);
+}
