@@ -36,29 +36,37 @@ fn plot(run: &Run, name: &str, units: Units) -> Markup {
     let Some(first) = rows.first() else { return PreEscaped(String::new()) };
     let unit = unit(&first.unit, units);
     let highest = rows.iter().map(|row| row.harmonic).max().unwrap_or_default();
-    let of = |harmonic: usize| rows.iter().filter(move |row| row.harmonic == harmonic);
-    let square = |speed: usize| {
-        let sum: f64 = (1..=highest)
-            .filter_map(|h| of(h).nth(speed))
-            .map(|row| 0.5 * row.amplitude * row.amplitude)
-            .sum();
-        sum.sqrt()
-    };
     let whole = Curve {
         name: "root mean square".into(),
         colour: 0,
-        points: of(1).enumerate().map(|(k, row)| (row.speed, unit.of(square(k)))).collect(),
+        // All harmonics of a speed are next to each other.
+        points: rows
+            .chunks(highest + 1)
+            .map(|speed| (speed[0].speed, unit.of(root_mean_square(speed))))
+            .collect(),
         ..Curve::default()
     };
     let mut all = vec![whole];
-    all.extend((1..=highest.min(SHOWN)).map(|harmonic| Curve {
-        name: format!("harmonic {harmonic}"),
-        colour: harmonic,
-        points: of(harmonic).map(|row| (row.speed, unit.of(row.amplitude))).collect(),
-        ..Curve::default()
+    all.extend((1..=highest.min(SHOWN)).map(|harmonic| {
+        Curve {
+            name: format!("harmonic {harmonic}"),
+            colour: harmonic,
+            points: rows
+                .iter()
+                .filter(|row| row.harmonic == harmonic)
+                .map(|row| (row.speed, unit.of(row.amplitude)))
+                .collect(),
+            ..Curve::default()
+        }
     }));
     let (x, y) = (Axis { what: "speed", unit: "rpm" }, Axis { what: "", unit: unit.name });
     figure(&curves(WIDE, &x, &y, &all, &[]), name)
+}
+
+/// Returns the root mean square of the variation about the mean, from the harmonics of one speed.
+fn root_mean_square(rows: &[&ResponseRow]) -> f64 {
+    let variation = rows.iter().filter(|row| row.harmonic > 0);
+    variation.map(|row| 0.5 * row.amplitude * row.amplitude).sum::<f64>().sqrt()
 }
 
 /// Returns the unit in which a quantity is plotted, from its unit in the table.
@@ -67,5 +75,29 @@ fn unit(of_table: &str, units: Units) -> Unit {
         "rad" => Unit { name: "urad", size: 1e-6 },
         "N" => units.force,
         _ => Unit { name: "N*m", size: 1.0 },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The root mean square is that of all harmonics but the mean value.
+    #[test]
+    fn the_root_mean_square_leaves_out_the_mean() {
+        let row = |harmonic: usize, amplitude: f64| ResponseRow {
+            speed: 100.0,
+            quantity: "tooth_torque(gear)".into(),
+            unit: "N*m".into(),
+            harmonic,
+            frequency: 0.0,
+            amplitude,
+            error: 0.0,
+            phase: 0.0,
+            growth: 0.5,
+        };
+        let rows = [row(0, 50.0), row(1, 3.0), row(2, 4.0)];
+        let found = root_mean_square(&rows.iter().collect::<Vec<_>>());
+        assert!((found - 12.5_f64.sqrt()).abs() < 1e-14, "{found}");
     }
 }

@@ -151,6 +151,7 @@ fn run(left: bool) -> Run {
         laminae: Vec::new(),
         pictures: Vec::new(),
         bodies: Vec::new(),
+        forced_response: Vec::new(),
         modes: Vec::new(),
         tradeoff: None,
         files: Vec::new(),
