@@ -89,8 +89,9 @@ fn the_response_agrees_with_time_integration() {
         let frequency = mean_frequency(&solved(&pair(speed, &request(speed, 1, 0.0))).0);
         let (_, response) = solved(&pair(speed, &request(speed, 10, 0.5 * DAMPING / frequency)));
         let response = response.expect("a response");
-        let at =
-            |kind: &str| response.quantities.iter().position(|(name, _)| name.starts_with(kind)).expect("it");
+        let at = |kind: &str| {
+            response.quantities.iter().position(|quantity| quantity.name.starts_with(kind)).expect("it")
+        };
         let [error, torque] =
             ["transmission_error", "tooth_torque"].map(|kind| response.points[0].rms(at(kind)));
         let force = column(1);
@@ -148,8 +149,75 @@ fn impossible_responses_are_rejected() {
     assert_eq!(with("highest_speed = 9000 rpm"), Vec::<String>::new());
     assert_eq!(with("highest_speed = 100 rpm, lowest_speed = 100 rpm"), ["E0774"]);
     assert_eq!(with("highest_speed = 100 rpm, speeds = 2.5"), ["E0774"]);
+    let rigid = "gears.forced_response(mesh, highest_speed = 9000 rpm);
+analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 8), fidelity = \"rigid\");
+";
+    assert!(codes(&pair(1000.0, rigid)).contains(&"E0774".to_owned()));
     let dynamic = "gears.forced_response(mesh, highest_speed = 9000 rpm);
 analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(1 ms, step = 5 us)]), fidelity = \"analytic\");
 ";
     assert_eq!(codes(&pair(1000.0, dynamic)), ["E0774"]);
+}
+
+/// A helical pair on bearings in three dimensions, with the axes of both gears along a direction.
+fn helical(orientation: &str, end: &str) -> String {
+    format!(
+        "import gears;
+units mm_N_s;
+function blank(in teeth, in hand) {{
+    return gears.external(
+        teeth, normal_module = 2 mm, helix_angle = 15 deg, hand = hand, face_width = 16 mm,
+        modifications = [gears.lead_crown(4 um)]);
+}}
+function mounted(in name: String, in gear, in frame: Symbolic(Transform) :=, in moment, in turns) {{
+    var free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\"];
+    if (turns) push(free, \"theta_z\");
+    var body = gears.body(name, gear, free = free, moment = moment, frame := frame);
+    gears.bearing(name, body, radial_stiffness = 2e8 N/m, axial_stiffness = 1e8 N/m, tilting_stiffness = 1e5 N*m/rad);
+    return body;
+}}
+var place := {orientation};
+var axis = direction(place at Time = 0 s, e3);
+var pinion = mounted(\"pinion\", blank(23, \"right\"), frame := Rotate(600 rpm * Time, e3) * place, moment = 60 N*m * axis, turns = TRUE);
+var gear = mounted(
+    \"gear\", blank(38, \"left\"), frame := Rotate(-600 rpm * 23 / 38 * Time, e3) * Translate(63.2 mm * e1) * place,
+    moment = 0 N*m * axis, turns = FALSE);
+var mesh = gears.mesh(pinion, gear, contact_cells = 4, contact_slices = 3);
+output force := gears.mesh_force(mesh);
+{end}analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 4), fidelity = \"analytic\", error_estimates = \"none\");
+"
+    )
+}
+
+/// In three dimensions, the response does not depend on the orientation of the axes or on the range of
+/// speeds.
+#[test]
+fn the_response_is_invariant() {
+    let request = |highest: f64| {
+        format!(
+            "gears.forced_response(mesh, highest_speed = {highest} rpm, lowest_speed = 3000 rpm, speeds = 2, harmonics = 3);\n"
+        )
+    };
+    let of = |orientation: &str, highest: f64| {
+        solved(&helical(orientation, &request(highest))).1.expect("a response")
+    };
+    let upright = of("Rotate(0 rad/s * Time, e3)", 9000.0);
+    let value = |response: &ForcedResponse, kind: &str, harmonic: usize| {
+        let index = response.quantities.iter().position(|quantity| quantity.name.starts_with(kind));
+        response.points[0].amplitudes[index.expect("the quantity")][harmonic].norm()
+    };
+    for (other, tolerance) in [
+        (of("Rotate(0 rad/s * Time, e3) * Rotate(90 deg, e2) * Translate(30 mm * e3)", 9000.0), 1e-6),
+        (of("Rotate(0 rad/s * Time, e3)", 30_000.0), 2e-2),
+    ] {
+        for kind in ["transmission_error", "tooth_torque", "bearing_force_z(pinion)"] {
+            for harmonic in 1..=2 {
+                let (found, expected) = (value(&other, kind, harmonic), value(&upright, kind, harmonic));
+                assert!(
+                    (found / expected - 1.0).abs() < tolerance,
+                    "{kind} {harmonic}: {found:e} {expected:e}"
+                );
+            }
+        }
+    }
 }

@@ -250,7 +250,7 @@ impl<'s> Steps<'s> {
         let started = Instant::now();
         let found = forced_response::forced_response(&self.system, self.scene, request, &self.resources)?;
         self.timing.add(FORCED_RESPONSE, started.elapsed());
-        Ok(found)
+        Ok(Some(found))
     }
 
     /// Computes the table of modes and the Campbell diagram about the first position. It solves
@@ -338,7 +338,8 @@ pub(crate) const ERRORS: &str = "errors";
 pub enum Event<'a> {
     /// The scene is planned and has passed the restraint check.
     Planned(&'a Plan),
-    /// A stage begins: `structures`, `positions` or, if errors are estimated, `errors`.
+    /// A stage begins: `structures`, `positions`, `forced response` if the scene requests it, or, if
+    /// errors are estimated, `errors`.
     Stage(&'static str),
     /// The tolerance search tries a setting.
     SearchProgress(&'a SearchProgress),
@@ -397,6 +398,9 @@ pub fn quasi_static(
         let equilibrium = steps.equilibrium().filter(|_| requested);
         let fields = equilibrium.map(|at| at.fields_with(meshed.as_ref())).transpose()?;
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
+    }
+    if scene.forced_response.is_some() {
+        observer.observe(Event::Stage(FORCED_RESPONSE))?;
     }
     if options.error_estimates != Estimates::None {
         observer.observe(Event::Stage(ERRORS))?;

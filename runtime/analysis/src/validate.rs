@@ -5,6 +5,7 @@
 //! same messages. Where a message suggests another fidelity or method, this function has accepted
 //! the scene with it, so that no advice leads to a refusal that advises back.
 
+use crate::forced_response;
 use crate::method::{Method, QuasiStatic};
 use crate::options::AnalysisOptions;
 use crate::scene::Scene;
@@ -158,13 +159,17 @@ impl<'a> Request<'a> {
         check_modes(scene, &plan, highest_frequency)?;
         let plan = plan.for_outputs(scene, self.outputs)?.with_modes(scene, highest_frequency);
         refuse_idle_bearings(scene, &plan)?;
-        let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() && scene.forced_response.is_some() {
             let message =
                 "a forced response belongs to a quasi-static analysis, and this one integrates in time";
             let help = "remove `gears.forced_response`, or use `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24))`";
             return Err(EngineError::new("E0774", message, help));
         }
+        if let Some(request) = &scene.forced_response {
+            let dofs = number_dofs(scene, &plan).len();
+            forced_response::check(scene, request, (plan.fidelity, highest_frequency), dofs)?;
+        }
+        let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             check_in_section(&plan)?;
             refuse_nonlinear_bearings(scene, &plan)?;

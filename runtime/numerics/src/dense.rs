@@ -10,7 +10,8 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{
     ComputeEigenvectors, SelfAdjointEvdParams, self_adjoint_evd, self_adjoint_evd_scratch,
 };
-use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
+use faer::linalg::lu::partial_pivoting::solve::{solve_in_place, solve_in_place_scratch};
 use faer::{Mat, MatMut, MatRef, Par, Spec, c64};
 use std::convert::Infallible;
 
@@ -281,13 +282,20 @@ pub fn skew_symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<c6
     values.iter().all(|value| value.is_finite()).then_some((values, vectors))
 }
 
-/// Solves `A x = b` with a complex matrix by LU decomposition with partial pivoting. `None` if the
-/// solution is not finite.
-pub fn solve_complex(matrix: MatRef<'_, c64>, right: MatRef<'_, c64>) -> Option<Mat<c64>> {
-    let found = PartialPivLu::new(matrix).solve(right);
-    let finite =
-        |k: usize| (0..found.nrows()).all(|i| found[(i, k)].re.is_finite() && found[(i, k)].im.is_finite());
-    (0..found.ncols()).all(finite).then_some(found)
+/// Solves `A x = b` with a complex matrix by LU decomposition with partial pivoting, in the memory
+/// of both, on one thread. `None` if the solution is not finite.
+pub fn solve_complex(mut matrix: Mat<c64>, mut right: Mat<c64>) -> Option<Mat<c64>> {
+    let (size, columns) = (matrix.nrows(), right.ncols());
+    let (mut rows, mut inverse) = (vec![0_usize; size], vec![0_usize; size]);
+    let params = Spec::default();
+    let factor = lu_in_place_scratch::<usize, c64>(size, size, Par::Seq, params);
+    let solve = solve_in_place_scratch::<usize, c64>(size, columns, Par::Seq);
+    let mut memory = MemBuffer::new(factor.or(solve));
+    let stack = MemStack::new(&mut memory);
+    let (_, rows) = lu_in_place(matrix.as_mut(), &mut rows, &mut inverse, Par::Seq, stack, params);
+    solve_in_place(matrix.as_ref(), matrix.as_ref(), rows, right.as_mut(), Par::Seq, stack);
+    let finite = |k: usize| (0..size).all(|i| right[(i, k)].re.is_finite() && right[(i, k)].im.is_finite());
+    (0..columns).all(finite).then_some(right)
 }
 
 /// Copies the lower triangle of a matrix that is symmetric up to rounding onto the upper one.

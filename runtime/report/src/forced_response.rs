@@ -36,15 +36,16 @@ pub struct ResponseRow {
 pub fn write(directory: &Path, response: &ForcedResponse) -> io::Result<()> {
     let mut writer = csv::Writer::from_path(directory.join(NAME))?;
     for point in &response.points {
-        let speed = point.speed * 60.0 / TAU;
+        // Rounded, so that a speed can be found by its number.
+        let speed = (point.speed * 60.0 / TAU * 1e9).round() / 1e9;
         let values = point.amplitudes.iter().zip(&point.errors);
-        for ((name, unit), (amplitudes, errors)) in response.quantities.iter().zip(values) {
+        for (quantity, (amplitudes, errors)) in response.quantities.iter().zip(values) {
             for (harmonic, (amplitude, &error)) in amplitudes.iter().zip(errors).enumerate() {
                 let mean = harmonic == 0;
                 writer.serialize(ResponseRow {
                     speed,
-                    quantity: name.clone(),
-                    unit: (*unit).to_owned(),
+                    quantity: quantity.name.clone(),
+                    unit: quantity.unit.to_owned(),
                     harmonic,
                     frequency: harmonic as f64 * response.order * point.speed / TAU,
                     amplitude: if mean { amplitude.re } else { amplitude.norm() },

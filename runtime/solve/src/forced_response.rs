@@ -16,7 +16,7 @@
 //! C contains the dampers of bearings, and modal damping `D = 2 zeta omega` is added to `X' C X`.
 //! `H = X' G X` and `kappa = X' K X`. A Fourier series turns it into
 //! one complex linear system for all harmonics: the Toeplitz blocks of kappa couple them. Modes far
-//! above all harmonics follow statically, `eta = 0`.
+//! above all harmonics have no inertia: they are condensed at each sample.
 //!
 //! See `docs/theory/forced-response.md`.
 
@@ -25,13 +25,16 @@ use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// A mode is dynamic if its frequency is at most this multiple of the highest harmonic's.
-const DYNAMIC: f64 = 4.0;
+/// A mode has inertia if its frequency is at most this multiple of the highest harmonic's.
+const DYNAMIC: f64 = 6.0;
 /// Frequency relative to the highest one below which a mode is a rigid-body motion.
 const RIGID: f64 = 1e-7;
 
-/// Steps of a period in which the growth of disturbances is integrated.
-const STEPS: usize = 128;
+/// Largest ratio of the frequencies of a mode and of the period up to which the mode can become
+/// unstable: the growth of higher orders is below any damping.
+const ORDERS: f64 = 12.0;
+/// Steps of a period in which the growth of disturbances is integrated: 25 in the shortest period.
+const STEPS: usize = 300;
 /// Number of squarings of the matrix of a period, whose norm then gives its spectral radius.
 const SQUARINGS: i32 = 14;
 
@@ -74,18 +77,31 @@ pub struct LinearQuantity {
 pub struct ForcedVibration {
     harmonics: usize,
     frequency: f64,
+    /// Frequencies of the modes with inertia, rad/s.
+    frequencies: Vec<f64>,
+    /// Modes without stiffness.
+    rigid: Vec<bool>,
+    damping_ratio: f64,
     damping: DMatrix<f64>,
     gyroscopic: DMatrix<f64>,
     /// Fourier coefficients of the stiffness, from 0 to twice the number of harmonics.
     stiffness: Vec<DMatrix<Complex<f64>>>,
     /// Fourier coefficients of the static equilibrium by harmonic.
     statics: Vec<DVector<Complex<f64>>>,
+    /// Fourier coefficients of the products of static equilibrium and damping or gyroscopic matrix.
+    static_rates: [Vec<DVector<Complex<f64>>>; 2],
+    quantities: Vec<ModalQuantity>,
     /// Fourier coefficients of the static values by quantity, from 0 to the number of harmonics.
     static_values: Vec<Harmonics>,
-    /// Fourier coefficients of the rows by quantity in modal coordinates, from 0 to twice the number
-    /// of harmonics; one if the row is constant.
-    rows: Vec<Vec<DVector<Complex<f64>>>>,
-    rates: Vec<Option<DVector<Complex<f64>>>>,
+}
+
+/// A quantity in modal coordinates.
+struct ModalQuantity {
+    /// Fourier coefficients of the row, from 0 to twice the number of harmonics.
+    rows: Vec<DVector<Complex<f64>>>,
+    /// Derivatives by the rates of the modes, and Fourier coefficients of the product of the
+    /// derivatives by all rates and the static equilibrium.
+    rate: Option<(DVector<Complex<f64>>, Harmonics)>,
 }
 
 /// Returns the Fourier coefficient of equally spaced samples at a harmonic.
@@ -119,6 +135,49 @@ pub fn sample_count(harmonics: usize) -> usize {
     4 * harmonics + 2
 }
 
+/// Modes of the mean stiffness, those with inertia first.
+struct Basis {
+    frequencies: Vec<f64>,
+    shapes: DMatrix<f64>,
+    /// Number of modes with inertia.
+    dynamic: usize,
+}
+
+impl Basis {
+    fn of(system: &PeriodicSystem, harmonics: usize, highest: f64) -> Option<Basis> {
+        let mean = system.stiffness.iter().sum::<DMatrix<f64>>() / system.stiffness.len().max(1) as f64;
+        let (frequencies, shapes) = modes(&system.mass, &mean)?;
+        let limit = DYNAMIC * harmonics as f64 * highest * system.frequency;
+        let dynamic = frequencies.partition_point(|frequency| *frequency <= limit);
+        Some(Basis { frequencies, shapes, dynamic })
+    }
+
+    fn with_inertia(&self) -> DMatrix<f64> {
+        self.shapes.columns(0, self.dynamic).clone_owned()
+    }
+
+    /// Returns the stiffness of the modes with inertia at a sample, and the deflection of the others
+    /// for each of them. `None` if the others have no stiffness.
+    fn condensed(&self, stiffness: &DMatrix<f64>) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
+        let modal = self.shapes.transpose() * stiffness * &self.shapes;
+        let (dynamic, others) = (self.dynamic, modal.nrows() - self.dynamic);
+        let own = modal.view((0, 0), (dynamic, dynamic)).clone_owned();
+        if others == 0 {
+            return Some((own, DMatrix::zeros(0, dynamic)));
+        }
+        let between = modal.view((dynamic, 0), (others, dynamic)).clone_owned();
+        let factor = modal.view((dynamic, dynamic), (others, others)).clone_owned().cholesky()?;
+        let followed = -factor.solve(&between);
+        Some((own + between.tr_mul(&followed), followed))
+    }
+}
+
+/// Returns the number of unknowns of a system at a speed, see [`ForcedVibration::unknowns`]; `None` if
+/// a matrix is invalid.
+pub fn unknowns(system: &PeriodicSystem, harmonics: usize, highest: f64) -> Option<usize> {
+    Basis::of(system, harmonics, highest).map(|basis| basis.dynamic * (2 * harmonics + 1))
+}
+
 impl ForcedVibration {
     /// Prepares the response up to a number of harmonics and a highest speed relative to the
     /// reference speed. `None` if a matrix is not finite or not positive definite.
@@ -128,41 +187,49 @@ impl ForcedVibration {
         harmonics: usize,
         highest: f64,
     ) -> Option<ForcedVibration> {
-        let samples = system.stiffness.len();
-        let mean = system.stiffness.iter().sum::<DMatrix<f64>>() / samples.max(1) as f64;
-        let (frequencies, shapes) = modes(&system.mass, &mean)?;
-        let limit = DYNAMIC * harmonics as f64 * highest * system.frequency;
-        let largest = frequencies.last().copied().unwrap_or_default();
-        let dynamic: Vec<usize> = (0..frequencies.len())
-            .filter(|&mode| frequencies[mode] <= limit && frequencies[mode] > RIGID * largest)
-            .collect();
-        let basis = shapes.select_columns(&dynamic);
-        let modal: Vec<DMatrix<f64>> =
-            system.stiffness.iter().map(|stiffness| basis.transpose() * stiffness * &basis).collect();
-        let onto_modes = basis.transpose() * &system.mass;
-        let statics: Vec<DVector<f64>> = system.statics.iter().map(|at| &onto_modes * at).collect();
-        let row_harmonics = |quantity: &LinearQuantity| {
-            let rows: Vec<DVector<f64>> = quantity.rows.iter().map(|row| basis.tr_mul(row)).collect();
-            let highest = if rows.len() == 1 { 0 } else { 2 * harmonics };
-            (0..=highest).map(|harmonic| vector_coefficient(&rows, harmonic)).collect()
+        let all = Basis::of(system, harmonics, highest)?;
+        let basis = all.with_inertia();
+        let condensed: Vec<(DMatrix<f64>, DMatrix<f64>)> =
+            system.stiffness.iter().map(|stiffness| all.condensed(stiffness)).collect::<Option<_>>()?;
+        let (stiffness, followed): (Vec<_>, Vec<_>) = condensed.into_iter().unzip();
+        let others = all.shapes.columns(all.dynamic, all.shapes.ncols() - all.dynamic);
+        let projected = |matrix: &DMatrix<f64>| -> Vec<DVector<Complex<f64>>> {
+            let onto = basis.transpose() * matrix;
+            let samples: Vec<DVector<f64>> = system.statics.iter().map(|at| &onto * at).collect();
+            (0..=harmonics).map(|harmonic| vector_coefficient(&samples, harmonic)).collect()
         };
+        let quantity = |quantity: &LinearQuantity| {
+            let row = |(sample, followed): (usize, &DMatrix<f64>)| {
+                let row = &quantity.rows[sample.min(quantity.rows.len() - 1)];
+                basis.tr_mul(row) + followed.tr_mul(&others.tr_mul(row))
+            };
+            let rows: Vec<DVector<f64>> = followed.iter().enumerate().map(row).collect();
+            let rate = quantity.rate.as_ref().map(|rate| {
+                let statics: Vec<f64> = system.statics.iter().map(|at| rate.dot(at)).collect();
+                (basis.tr_mul(rate).map(Complex::from), series(&statics, harmonics))
+            });
+            ModalQuantity {
+                rows: (0..=2 * harmonics).map(|harmonic| vector_coefficient(&rows, harmonic)).collect(),
+                rate,
+            }
+        };
+        let frequencies = all.frequencies[..all.dynamic].to_vec();
+        let largest = all.frequencies.last().copied().unwrap_or_default();
+        let own = frequencies.iter().map(|frequency| 2.0 * system.damping_ratio * frequency);
         Some(ForcedVibration {
             harmonics,
             frequency: system.frequency,
+            damping_ratio: system.damping_ratio,
+            rigid: frequencies.iter().map(|frequency| *frequency <= RIGID * largest).collect(),
             damping: basis.transpose() * &system.damping * &basis
-                + DMatrix::from_diagonal(&DVector::from_iterator(
-                    dynamic.len(),
-                    dynamic.iter().map(|&mode| 2.0 * system.damping_ratio * frequencies[mode]),
-                )),
+                + DMatrix::from_diagonal(&DVector::from_iterator(all.dynamic, own)),
             gyroscopic: basis.transpose() * &system.gyroscopic * &basis,
-            stiffness: (0..=2 * harmonics).map(|harmonic| matrix_coefficient(&modal, harmonic)).collect(),
-            statics: (0..=harmonics).map(|harmonic| vector_coefficient(&statics, harmonic)).collect(),
+            stiffness: (0..=2 * harmonics).map(|harmonic| matrix_coefficient(&stiffness, harmonic)).collect(),
+            statics: projected(&system.mass),
+            static_rates: [projected(&system.damping), projected(&system.gyroscopic)],
+            quantities: quantities.iter().map(quantity).collect(),
             static_values: quantities.iter().map(|quantity| series(&quantity.statics, harmonics)).collect(),
-            rows: quantities.iter().map(row_harmonics).collect(),
-            rates: quantities
-                .iter()
-                .map(|quantity| quantity.rate.as_ref().map(|rate| basis.tr_mul(rate).map(Complex::from)))
-                .collect(),
+            frequencies,
         })
     }
 
@@ -180,26 +247,29 @@ impl ForcedVibration {
     /// the response is not finite: an undamped resonance.
     pub fn at(&self, speed: f64) -> Option<Vec<Harmonics>> {
         let deviation = self.deviation(speed)?;
-        Some((0..self.rows.len()).map(|quantity| self.value(quantity, speed, &deviation)).collect())
+        Some((0..self.quantities.len()).map(|quantity| self.value(quantity, speed, &deviation)).collect())
     }
 
     /// Returns the factor by which a disturbance grows within a period at a speed: the spectral radius
     /// of the monodromy matrix (Floquet). Above 1 the varying stiffness makes the vibration unstable,
     /// and it never becomes that of [`ForcedVibration::at`]. NaN if the matrix is not finite.
     ///
-    /// The implicit midpoint rule integrates over the period. It neither damps nor excites.
+    /// The implicit midpoint rule integrates over the period. It neither damps nor excites. Modes above
+    /// twelve times the frequency of the period are left out.
     pub fn growth(&self, speed: f64) -> f64 {
-        let modes = self.damping.nrows();
-        if speed == 0.0 || modes == 0 {
+        let limit = ORDERS * speed * self.frequency;
+        let modes = self.frequencies.partition_point(|frequency| *frequency <= limit);
+        if modes == 0 {
             return 0.0;
         }
-        let rates = &self.damping + speed * &self.gyroscopic;
+        let rates =
+            self.damping.view((0, 0), (modes, modes)) + speed * self.gyroscopic.view((0, 0), (modes, modes));
         let half = 0.5 * TAU / (speed * self.frequency * STEPS as f64);
         let mut positions = DMatrix::<f64>::identity(modes, 2 * modes);
         let mut velocities = DMatrix::<f64>::zeros(modes, 2 * modes);
         velocities.view_mut((0, modes), (modes, modes)).fill_with_identity();
         for step in 0..STEPS {
-            let stiffness = self.stiffness_at((step as f64 + 0.5) / STEPS as f64);
+            let stiffness = self.stiffness_at((step as f64 + 0.5) / STEPS as f64, modes);
             let matrix = DMatrix::identity(modes, modes) + half * &rates + half * half * &stiffness;
             let Some(middle) = matrix.lu().solve(&(&velocities - half * &stiffness * &positions)) else {
                 return f64::NAN;
@@ -213,14 +283,20 @@ impl ForcedVibration {
         }))
     }
 
-    /// Returns the modal stiffness at a phase of the period from 0 to 1.
-    fn stiffness_at(&self, phase: f64) -> DMatrix<f64> {
-        let mut found = self.stiffness[0].map(|value| value.re);
+    /// Returns the stiffness of the lowest modes at a phase of the period from 0 to 1.
+    fn stiffness_at(&self, phase: f64, modes: usize) -> DMatrix<f64> {
+        let of = |coefficient: &DMatrix<Complex<f64>>| coefficient.view((0, 0), (modes, modes)).clone_owned();
+        let mut found = of(&self.stiffness[0]).map(|value| value.re);
         for (harmonic, coefficient) in self.stiffness.iter().enumerate().skip(1) {
             let (sine, cosine) = (TAU * harmonic as f64 * phase).sin_cos();
-            found += coefficient.map(|value| 2.0 * (value.re * cosine - value.im * sine));
+            found += of(coefficient).map(|value| 2.0 * (value.re * cosine - value.im * sine));
         }
         found
+    }
+
+    /// Returns the damping of a mode by the damping ratio, rad/s.
+    fn modal_damping(&self, mode: usize) -> f64 {
+        2.0 * self.damping_ratio * self.frequencies[mode]
     }
 
     /// Returns the deviation from static equilibrium in modal coordinates, for harmonics -H to H.
@@ -236,9 +312,10 @@ impl ForcedVibration {
         for row in 0..blocks {
             let omega = order(row) as f64 * frequency;
             let statics = with_sign(&self.statics, order(row));
-            let rated = rates.map(Complex::from) * &statics;
+            let [damped, turned] = [0, 1].map(|kind| with_sign(&self.static_rates[kind], order(row)));
             for i in 0..modes {
-                let force = statics[i] * (omega * omega) - rated[i] * Complex::new(0.0, omega);
+                let rated = damped[i] + turned[i] * speed + statics[i] * self.modal_damping(i);
+                let force = statics[i] * (omega * omega) - rated * Complex::new(0.0, omega);
                 right[(row * modes + i, 0)] = c64::new(force.re, force.im);
                 for j in 0..modes {
                     matrix[(row * modes + i, row * modes + j)] += c64::new(0.0, omega * rates[(i, j)]);
@@ -256,7 +333,11 @@ impl ForcedVibration {
                 }
             }
         }
-        let found = solve_complex(matrix.as_ref(), right.as_ref())?;
+        // No spring determines the mean position of a rigid-body motion.
+        for mode in (0..modes).filter(|mode| self.rigid[*mode]) {
+            matrix[(self.harmonics * modes + mode, self.harmonics * modes + mode)] += c64::new(1.0, 0.0);
+        }
+        let found = solve_complex(matrix, right)?;
         let block = |row: usize| {
             DVector::from_fn(modes, |i, _| {
                 let value = found[(row * modes + i, 0)];
@@ -268,7 +349,8 @@ impl ForcedVibration {
 
     /// Returns the harmonics of a quantity, from the deviation by harmonics -H to H.
     fn value(&self, quantity: usize, speed: f64, deviation: &[DVector<Complex<f64>>]) -> Harmonics {
-        let (rows, count) = (&self.rows[quantity], self.harmonics as isize);
+        let ModalQuantity { rows, rate } = &self.quantities[quantity];
+        let count = self.harmonics as isize;
         (0..=count)
             .map(|harmonic| {
                 let mut sum = Complex::new(0.0, 0.0);
@@ -278,13 +360,14 @@ impl ForcedVibration {
                         sum += with_sign(rows, order).tr_mul(of_block)[0];
                     }
                 }
-                if let Some(rate) = &self.rates[quantity] {
-                    let whole = &deviation[(count + harmonic) as usize] + &self.statics[harmonic as usize];
-                    let omega = harmonic as f64 * speed * self.frequency;
-                    sum += rate.tr_mul(&whole)[0] * Complex::new(0.0, omega);
-                }
+                let omega = Complex::new(0.0, harmonic as f64 * speed * self.frequency);
                 let double = if harmonic == 0 { 1.0 } else { 2.0 };
-                self.static_values[quantity][harmonic as usize] + sum * double
+                let mut found = self.static_values[quantity][harmonic as usize] + sum * double;
+                if let Some((rate, statics)) = rate {
+                    let of_modes = rate.tr_mul(&deviation[(count + harmonic) as usize])[0] * double;
+                    found += omega * (of_modes + statics[harmonic as usize]);
+                }
+                found
             })
             .collect()
     }

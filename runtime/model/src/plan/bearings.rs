@@ -31,7 +31,7 @@ pub(super) fn ignored_bearing_inputs(bearing: &Bearing, three_dimensional: bool)
     if bearing.damping.iter().flatten().any(|&entry| entry != 0.0) {
         unseen.push(Ignored {
             input: DAMPING.into(),
-            reason: "a quasi-static analysis neglects velocities, so bearings have no damping".into(),
+            reason: "a quasi-static analysis neglects velocities, so bearings have no damping except in a forced response".into(),
         });
     }
     let typical = match &bearing.nonlinear {

@@ -19,14 +19,14 @@ pub fn section(run: &Run, units: Units) -> Markup {
         }
     }
     let is_plotted = |name: &&str| {
-        ["transmission_error", "tooth_torque", "bearing_force"].iter().any(|kind| name.starts_with(kind))
+        ["transmission_error", "tooth_torque", "bearing_"].iter().any(|kind| name.starts_with(kind))
     };
     let plotted: Vec<&str> = names.iter().copied().filter(is_plotted).collect();
     if plotted.is_empty() {
         return PreEscaped(String::new());
     }
     html! {
-        p.note { "Steady vibration that a mesh excites, over the speed of its first gear: root mean square of the variation about the mean, and the amplitudes of the first harmonics of the mesh frequency. Teeth remain in contact. The motions of all bodies are in forced_response.csv." }
+        p.note { "Steady vibration that a mesh excites, over the speed of its first gear: root mean square of the variation about the mean, and the amplitudes of the first harmonics of the mesh frequency. The computation assumes that teeth remain in contact; warnings of the run state the speeds at which they separate. The motions of all bodies are in forced_response.csv." }
         @for name in plotted { (plot(run, name, units)) }
     }
 }
@@ -59,7 +59,7 @@ fn plot(run: &Run, name: &str, units: Units) -> Markup {
             ..Curve::default()
         }
     }));
-    let (x, y) = (Axis { what: "speed", unit: "rpm" }, Axis { what: "", unit: unit.name });
+    let (x, y) = (Axis { what: "speed", unit: "rpm" }, Axis { what: "amplitude", unit: unit.name });
     figure(&curves(WIDE, &x, &y, &all, &[]), name)
 }
 

@@ -199,3 +199,63 @@ fn disturbances_grow_at_the_principal_parametric_resonance() {
         assert!((elsewhere / expected - 1.0).abs() < 2e-3, "{damping_ratio}: {elsewhere} {expected}");
     }
 }
+
+/// A stiff coordinate next to a soft one: the response does not depend on whether the stiff mode has
+/// inertia.
+#[test]
+fn modes_far_above_the_excitation_follow_statically() {
+    let harmonics = 3;
+    let samples = sample_count(harmonics);
+    let tooth = |k: usize| 5e6 * (1.0 + 0.3 * (TAU * k as f64 / samples as f64).cos());
+    let system = PeriodicSystem {
+        mass: DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.01]),
+        gyroscopic: DMatrix::zeros(2, 2),
+        damping: DMatrix::from_row_slice(2, 2, &[0.5, -0.5, -0.5, 0.5]),
+        stiffness: (0..samples)
+            .map(|k| DMatrix::from_row_slice(2, 2, &[1e4 + 2e6, -2e6, -2e6, 2e6 + tooth(k)]))
+            .collect(),
+        statics: (0..samples)
+            .map(|k| DVector::from_row_slice(&[1e-5 / tooth(k) * 5e6, 2e-5 / tooth(k) * 5e6]))
+            .collect(),
+        frequency: 20.0,
+        damping_ratio: 0.0,
+    };
+    let mut quantities = coordinates(&system);
+    quantities.push(LinearQuantity {
+        statics: vec![3.0; samples],
+        rows: (0..samples).map(|k| DVector::from_row_slice(&[0.0, tooth(k)])).collect(),
+        rate: Some(DVector::from_row_slice(&[0.5, -0.5])),
+    });
+    let all = ForcedVibration::new(&system, &quantities, harmonics, 1e4).expect("a finite system");
+    let soft = ForcedVibration::new(&system, &quantities, harmonics, 12.0).expect("a finite system");
+    assert_eq!((all.unknowns(), soft.unknowns()), (14, 7));
+    for speed in [0.1, 1.0, 5.0] {
+        let (all, soft) = (all.at(speed).expect("finite"), soft.at(speed).expect("finite"));
+        for (all, soft) in all.iter().zip(&soft) {
+            let largest = all.iter().map(|value| value.norm()).fold(0.0, f64::max);
+            for (all, soft) in all.iter().zip(soft) {
+                assert!((all - soft).norm() < 1e-3 * largest, "{speed}: {all} {soft}");
+            }
+        }
+    }
+}
+
+/// A rotor that no spring holds keeps its speed: its inertia resists the motion of the mesh.
+#[test]
+fn a_free_rotor_resists_with_its_inertia() {
+    let samples = sample_count(2);
+    let wave = |k: usize| (TAU * k as f64 / samples as f64).cos();
+    let system = PeriodicSystem {
+        mass: DMatrix::from_row_slice(2, 2, &[3.0, 0.0, 0.0, 1.0]),
+        gyroscopic: DMatrix::zeros(2, 2),
+        damping: DMatrix::zeros(2, 2),
+        stiffness: vec![DMatrix::from_row_slice(2, 2, &[1e4, -1e4, -1e4, 1e4]); samples],
+        statics: (0..samples).map(|k| DVector::from_row_slice(&[1e-3 * wave(k), 0.0])).collect(),
+        frequency: 1e4,
+        damping_ratio: 0.0,
+    };
+    let forced = ForcedVibration::new(&system, &coordinates(&system), 2, 1.0).expect("a finite system");
+    let found = forced.at(1.0).expect("a finite response");
+    // Far above the resonance, both masses rest.
+    assert!(found[0][1].norm() < 1e-6 && found[1][1].norm() < 1e-6, "{found:?}");
+}
