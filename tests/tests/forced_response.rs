@@ -70,8 +70,8 @@ fn mean_frequency(rows: &[Vec<f64>]) -> f64 {
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
 }
 
-/// Below, between and above the resonances, where teeth do not separate, the response agrees with the
-/// last of 60 mesh cycles of a time integration with the same damping.
+/// Below, between and above the resonances, where teeth do not separate, the response agrees with
+/// the last of 60 mesh cycles of a time integration with the same damping.
 #[test]
 fn the_response_agrees_with_time_integration() {
     const DAMPING: f64 = 2000.0;
@@ -189,8 +189,8 @@ output force := gears.mesh_force(mesh);
     )
 }
 
-/// In three dimensions, the response does not depend on the orientation of the axes or on the range of
-/// speeds.
+/// In three dimensions, the response does not depend on the orientation of the axes or on the range
+/// of speeds.
 #[test]
 fn the_response_is_invariant() {
     let request = |highest: f64| {

@@ -30,8 +30,8 @@ const SAME_PERIOD: f64 = 1e-9;
 const LARGEST: usize = 3000;
 /// Smallest number of positions of a mesh cycle.
 const POSITIONS: usize = 128;
-/// Multiple of the difference from half of the positions that is the estimated error. The difference
-/// varies with the phase of the positions to the jumps of the stiffness.
+/// Multiple of the difference from half of the positions that is the estimated error. The
+/// difference varies with the phase of the positions to the jumps of the stiffness.
 const CAUTION: f64 = 2.0;
 /// Growth of a disturbance within a mesh cycle above which a vibration is unstable: the spectral
 /// radius is known to a thousandth.
@@ -249,9 +249,8 @@ pub(crate) fn check(
 
 /// Computes the requested forced response.
 ///
-/// # Errors
-/// E0774: the equilibrium does not repeat after a mesh cycle, a matrix is not finite, or the problem
-/// is too large. Also those of a position.
+/// # Errors E0774: the equilibrium does not repeat after a mesh cycle, a matrix is not finite, or
+/// the problem is too large. Also those of a position.
 pub(crate) fn forced_response(
     system: &System<'_>,
     scene: &Scene,

@@ -129,8 +129,8 @@ fn matrix_coefficient(samples: &[DMatrix<f64>], harmonic: usize) -> DMatrix<Comp
     found
 }
 
-/// Returns the smallest number of samples for a number of harmonics: the stiffness couples harmonics up to twice
-/// their number, which more samples resolve without aliasing.
+/// Returns the smallest number of samples for a number of harmonics: the stiffness couples
+/// harmonics up to twice their number, which more samples resolve without aliasing.
 pub fn sample_count(harmonics: usize) -> usize {
     4 * harmonics + 2
 }
@@ -156,8 +156,8 @@ impl Basis {
         self.shapes.columns(0, self.dynamic).clone_owned()
     }
 
-    /// Returns the stiffness of the modes with inertia at a sample, and the deflection of the others
-    /// for each of them. `None` if the others have no stiffness.
+    /// Returns the stiffness of the modes with inertia at a sample, and the deflection of the
+    /// others for each of them. `None` if the others have no stiffness.
     fn condensed(&self, stiffness: &DMatrix<f64>) -> Option<(DMatrix<f64>, DMatrix<f64>)> {
         let modal = self.shapes.transpose() * stiffness * &self.shapes;
         let (dynamic, others) = (self.dynamic, modal.nrows() - self.dynamic);
@@ -172,8 +172,8 @@ impl Basis {
     }
 }
 
-/// Returns the number of unknowns of a system at a speed, see [`ForcedVibration::unknowns`]; `None` if
-/// a matrix is invalid.
+/// Returns the number of unknowns of a system at a speed, see [`ForcedVibration::unknowns`]; `None`
+/// if a matrix is invalid.
 pub fn unknowns(system: &PeriodicSystem, harmonics: usize, highest: f64) -> Option<usize> {
     Basis::of(system, harmonics, highest).map(|basis| basis.dynamic * (2 * harmonics + 1))
 }
@@ -243,19 +243,20 @@ impl ForcedVibration {
         &self.static_values
     }
 
-    /// Returns the harmonics of all quantities at a speed relative to the reference speed. `None` if
-    /// the response is not finite: an undamped resonance.
+    /// Returns the harmonics of all quantities at a speed relative to the reference speed. `None`
+    /// if the response is not finite: an undamped resonance.
     pub fn at(&self, speed: f64) -> Option<Vec<Harmonics>> {
         let deviation = self.deviation(speed)?;
         Some((0..self.quantities.len()).map(|quantity| self.value(quantity, speed, &deviation)).collect())
     }
 
-    /// Returns the factor by which a disturbance grows within a period at a speed: the spectral radius
-    /// of the monodromy matrix (Floquet). Above 1 the varying stiffness makes the vibration unstable,
-    /// and it never becomes that of [`ForcedVibration::at`]. NaN if the matrix is not finite.
+    /// Returns the factor by which a disturbance grows within a period at a speed: the spectral
+    /// radius of the monodromy matrix (Floquet). Above 1 the varying stiffness makes the vibration
+    /// unstable, and it never becomes that of [`ForcedVibration::at`]. NaN if the matrix is not
+    /// finite.
     ///
-    /// The implicit midpoint rule integrates over the period. It neither damps nor excites. Modes above
-    /// twelve times the frequency of the period are left out.
+    /// The implicit midpoint rule integrates over the period. It neither damps nor excites. Modes
+    /// above twelve times the frequency of the period are left out.
     pub fn growth(&self, speed: f64) -> f64 {
         let limit = ORDERS * speed * self.frequency;
         let modes = self.frequencies.partition_point(|frequency| *frequency <= limit);
@@ -406,8 +407,8 @@ fn series(samples: &[f64], harmonics: usize) -> Harmonics {
         .collect()
 }
 
-/// Returns the frequencies (rad/s, ascending) and mass-normalized mode shapes of a stiffness. `None`
-/// if the mass is not positive definite or an entry is not finite.
+/// Returns the frequencies (rad/s, ascending) and mass-normalized mode shapes of a stiffness.
+/// `None` if the mass is not positive definite or an entry is not finite.
 fn modes(mass: &DMatrix<f64>, stiffness: &DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let size = mass.nrows();
     // Unit inertia of each coordinate makes metres and radians comparable.

@@ -159,8 +159,9 @@ impl System<'_> {
         step.vibrations.get_or_init(|| self.find_vibrations(step).map(Arc::new)).clone()
     }
 
-    /// Returns the part of the stiffness matrix of [`System::vibrations`] that is not due to contact:
-    /// bearings, elastic connections and modes, N/m, N and N m for DOFs. `None` in a rigid-body limit.
+    /// Returns the part of the stiffness matrix of [`System::vibrations`] that is not due to
+    /// contact: bearings, elastic connections and modes, N/m, N and N m for DOFs. `None` in a
+    /// rigid-body limit.
     pub fn spring_stiffness(&self, step: &StepResult) -> Option<DMatrix<f64>> {
         let springs = self.springs_about(step)?;
         let widths = self.coordinate_widths();

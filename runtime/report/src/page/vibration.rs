@@ -1,4 +1,5 @@
-//! Section on forced vibration: root mean squares of the response over the speed, and its harmonics.
+//! Section on forced vibration: root mean squares of the response over the speed, and its
+//! harmonics.
 
 use super::chart::{Axis, Curve, WIDE, curves};
 use super::figure;

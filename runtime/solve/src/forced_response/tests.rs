@@ -66,8 +66,8 @@ fn coefficients(phase: f64) -> (DMatrix<f64>, DVector<f64>) {
     (stiffness, DVector::from_row_slice(&[1e-5 * phase.cos(), 4e-6 * (phase.sin() - 0.5 * phase.cos())]))
 }
 
-/// Integrates to the periodic state with the classical Runge-Kutta method, and returns the samples of
-/// the last period.
+/// Integrates to the periodic state with the classical Runge-Kutta method, and returns the samples
+/// of the last period.
 fn integrated(system: &PeriodicSystem, speed: f64, steps: usize) -> Vec<DVector<f64>> {
     let mean = system.stiffness.iter().sum::<DMatrix<f64>>() / system.stiffness.len() as f64;
     let (frequencies, shapes) = modes(&system.mass, &mean).expect("a finite system");
@@ -176,8 +176,8 @@ fn a_rate_multiplies_the_velocity() {
     assert!((found[1][1] - expected).norm() < 1e-12 * expected.norm());
 }
 
-/// Mathieu's equation: at twice the natural frequency a variation of the stiffness by `2 a` grows at
-/// the rate `a omega / 2` per time, less the damping, and at other speeds the damping remains.
+/// Mathieu's equation: at twice the natural frequency a variation of the stiffness by `2 a` grows
+/// at the rate `a omega / 2` per time, less the damping, and at other speeds the damping remains.
 #[test]
 fn disturbances_grow_at_the_principal_parametric_resonance() {
     let samples = sample_count(2);
@@ -200,8 +200,8 @@ fn disturbances_grow_at_the_principal_parametric_resonance() {
     }
 }
 
-/// A stiff coordinate next to a soft one: the response does not depend on whether the stiff mode has
-/// inertia.
+/// A stiff coordinate next to a soft one: the response does not depend on whether the stiff mode
+/// has inertia.
 #[test]
 fn modes_far_above_the_excitation_follow_statically() {
     let harmonics = 3;
