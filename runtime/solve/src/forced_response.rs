@@ -244,8 +244,11 @@ impl ForcedVibration {
     }
 
     /// Returns the harmonics of all quantities at a speed relative to the reference speed. `None`
-    /// if the response is not finite: an undamped resonance.
+    /// if the response is not finite: an undamped resonance. At rest it is static.
     pub fn at(&self, speed: f64) -> Option<Vec<Harmonics>> {
+        if speed == 0.0 {
+            return Some(self.static_values.clone());
+        }
         let deviation = self.deviation(speed)?;
         Some((0..self.quantities.len()).map(|quantity| self.value(quantity, speed, &deviation)).collect())
     }
@@ -260,7 +263,7 @@ impl ForcedVibration {
     pub fn growth(&self, speed: f64) -> f64 {
         let limit = ORDERS * speed * self.frequency;
         let modes = self.frequencies.partition_point(|frequency| *frequency <= limit);
-        if modes == 0 {
+        if modes == 0 || speed == 0.0 {
             return 0.0;
         }
         let rates =
