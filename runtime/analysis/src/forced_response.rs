@@ -4,11 +4,11 @@
 //! See `docs/theory/forced-response.md` and [`calyx_solve::forced_response`].
 
 use crate::observables::{BearingStiffness, Equilibrium, Observable, TransmissionError};
-use crate::scene::Scene;
 use calyx_model::bearing::{BearingState, damping as bearing_damping};
 use calyx_model::dof::{DOF_NAMES, Dof};
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::{BearingId, BodyId, PairId};
+use calyx_model::mechanism::Mechanism;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::dot;
@@ -205,7 +205,7 @@ enum Measure {
 /// # Errors
 /// E0774: nothing vibrates, or the equilibrium cannot repeat after a mesh cycle.
 pub(crate) fn check(
-    scene: &Scene,
+    scene: &Mechanism,
     request: &ForcedResponseRequest,
     (fidelity, highest_frequency): (Fidelity, f64),
     dofs: usize,
@@ -253,7 +253,7 @@ pub(crate) fn check(
 /// the problem is too large. Also those of a position.
 pub(crate) fn forced_response(
     system: &System<'_>,
-    scene: &Scene,
+    scene: &Mechanism,
     request: &ForcedResponseRequest,
     resources: &Resources,
 ) -> Result<ForcedResponse, EngineError> {
@@ -357,7 +357,7 @@ fn repeats(first: &Sample, again: &Sample) -> bool {
 
 /// Returns the quantities of a response: transmission errors of meshes, tooth torques of gears that
 /// rotate freely about their axes, and motions of all degrees of freedom.
-fn measures(system: &System<'_>, scene: &Scene) -> Vec<Measure> {
+fn measures(system: &System<'_>, scene: &Mechanism) -> Vec<Measure> {
     let meshes =
         scene.pairs.iter().enumerate().filter(|(_, pair)| pair.mesh.is_some() && pair.front.is_none());
     let mut found: Vec<Measure> =
@@ -388,7 +388,7 @@ fn measures(system: &System<'_>, scene: &Scene) -> Vec<Measure> {
 }
 
 /// Returns the name of a quantity.
-fn label(system: &System<'_>, scene: &Scene, measure: Measure) -> ResponseQuantity {
+fn label(system: &System<'_>, scene: &Mechanism, measure: Measure) -> ResponseQuantity {
     let name = |body: BodyId| &scene.bodies[body.0].name;
     let (name, unit) = match measure {
         Measure::TransmissionError(pair) => {
