@@ -117,6 +117,8 @@ calyx_abi::externs! {
                 "give a range of speeds, such as `highest_speed = 12000 rpm`"));
         }
         let scene = &mut host(context)?.scene;
+        // The coast flanks of a mesh belong to the same cycle.
+        let mesh = scene.pairs[mesh.0].front.unwrap_or(mesh);
         if scene.forced_response.is_some() {
             return Err(RuntimeError::new("E0774", "the model has a second forced response, and a run writes one",
                 "keep one; it has the motions of all bodies"));
