@@ -3,6 +3,7 @@
 
 mod discs;
 mod dynamics;
+mod dynamics_in_space;
 mod extensions;
 mod fidelities;
 mod helical;

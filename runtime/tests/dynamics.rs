@@ -14,7 +14,7 @@ use calyx_runtime::observables::{Displacement, Rotation, SupportForce};
 use calyx_runtime::resources::Resources;
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::rigid::RigidBody;
-use calyx_runtime::scene::{Body, BodyId, Component, Fidelity, Scene, SurfacePair, Template};
+use calyx_runtime::scene::{Body, BodyId, Component, Scene, SurfacePair};
 use nalgebra::Complex;
 use std::f64::consts::{PI, TAU};
 use std::sync::{Arc, LazyLock};
@@ -155,7 +155,7 @@ fn what_cannot_move_in_time_is_refused() {
     assert_eq!(refused(&scene, AnalysisOptions::default(), damped), Some("E0764"));
     let no_range = from_frames(Vec::new());
     assert_eq!(refused(&scene, AnalysisOptions::default(), no_range), Some("E0764"));
-    // Both are rejected before structures are built: a frame without mass, and 3-D bodies.
+    // A frame without mass is rejected before structures are built.
     let (mut massless, _) = cylinder(1e-3, 1.0);
     let frame = Body::new("frame", Arc::new(RigidBody), SteadyRotation::at_rest([0.5, 0.0]));
     let frame = massless.add_body(frame.free_in(&[Component::Ux]));
@@ -164,8 +164,6 @@ fn what_cannot_move_in_time_is_refused() {
     massless.add_bearing(Bearing::new("support", frame, 0.0, stiffness)).expect("a bearing");
     massless.add_observable(Displacement(frame, 0));
     assert_eq!(refused(&massless, AnalysisOptions::default(), plain()), Some("E0762"));
-    let solid = AnalysisOptions { fidelity: Fidelity::Solid(Template::Medium), ..AnalysisOptions::default() };
-    assert_eq!(refused(&scene, solid, plain()), Some("E0761"));
 }
 
 /// Creates a frame with a mass at x = 0.5 m that is free to translate, without bearings.

@@ -311,10 +311,6 @@ fn what_has_no_mass_cannot_move_in_time() {
     let refused =
         History::new(&scene, &outputs, &options(), &moving(vec![TimeRange::steady(1.0, 10)]), &mut ());
     assert_eq!(refused.err().map(|error| error.code), Some("E0762"));
-    let solid = AnalysisOptions { fidelity: Fidelity::Solid(Default::default()), ..options() };
-    let (scene, _) = at_speed(1.0, &PLAIN);
-    let refused = History::new(&scene, &[], &solid, &moving(vec![TimeRange::steady(1.0, 10)]), &mut ());
-    assert_eq!(refused.err().map(|error| error.code), Some("E0761"));
     let none = History::new(&scene, &outputs, &options(), &moving(Vec::new()), &mut ());
     assert_eq!(none.err().map(|error| error.code), Some("E0764"));
 }

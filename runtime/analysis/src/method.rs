@@ -5,7 +5,7 @@ use crate::dynamic_options::{DynamicOptions, Start};
 use calyx_model::fidelity::Fidelity;
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
-use calyx_solve::integration::check_section;
+use calyx_solve::integration::check_elastic;
 use std::borrow::Cow;
 
 /// Properties of an analysis method with its own options.
@@ -18,8 +18,8 @@ pub trait Method: Send + Sync {
         Ok(())
     }
 
-    /// Returns whether the analysis includes inertia and damping. Then it requires a
-    /// two-dimensional model, and free bodies with mass.
+    /// Returns whether the analysis includes inertia and damping. Then it requires free bodies with
+    /// mass, on axes that keep their directions.
     fn has_inertia(&self) -> bool {
         false
     }
@@ -44,7 +44,7 @@ impl Method for QuasiStatic<'_> {
 
 impl Method for DynamicOptions {
     fn check_options(&self, fidelity: Fidelity) -> Result<(), EngineError> {
-        check_section(fidelity)?;
+        check_elastic(fidelity)?;
         self.check()
     }
 

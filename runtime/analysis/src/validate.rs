@@ -19,7 +19,7 @@ use calyx_model::plan::{Plan, UnsupportedOutput};
 use calyx_model::target::Examined;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::interrupt::Interrupt;
-use calyx_solve::integration::{check_in_section, check_inertia};
+use calyx_solve::integration::{check_axis, check_inertia};
 use calyx_solve::modal::check_modes;
 use calyx_solve::restraint_check;
 use calyx_solve::vibration::check_mode_count;
@@ -171,7 +171,8 @@ impl<'a> Request<'a> {
         }
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
-            check_in_section(&plan)?;
+            let modelled = plan.bodies.iter().enumerate().filter(|(_, body)| !body.left_out);
+            modelled.map(|(body, _)| check_axis(scene, body, method.first_equilibrium().unwrap_or(0.0))).collect::<Result<(), _>>()?;
             refuse_nonlinear_bearings(scene, &plan)?;
         }
         if method.has_inertia() || modes || scene.examines_modes() {

@@ -10,6 +10,7 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::half_plane::HalfPlane;
 use calyx_structure::{Chart, Structure};
+use rayon::prelude::*;
 
 /// Body in a patch.
 #[derive(Clone, Copy)]
@@ -79,27 +80,25 @@ pub fn compliance(
 
 /// Assembles a symmetric matrix, row-major. `block(p, q)` returns the block, row-major, of the
 /// `sizes[p]` rows of patch `p` and the `sizes[q]` columns of patch `q`. It is called for `p <= q`
-/// unless both are unchanged since the `former` matrix.
+/// unless both are unchanged since the `former` matrix, by several threads at a time: a time step
+/// has no other position to solve meanwhile.
 pub(crate) fn symmetric_of_blocks(
     sizes: &[usize],
     former: Option<FormerCompliance>,
     interrupt: &Interrupt,
-    mut block: impl FnMut(usize, usize) -> Result<Vec<f64>, EngineError>,
+    block: impl Fn(usize, usize) -> Result<Vec<f64>, EngineError> + Sync,
 ) -> Result<Vec<f64>, EngineError> {
-    let n: usize = sizes.iter().sum();
+    let (n, patches): (usize, usize) = (sizes.iter().sum(), sizes.len());
+    let pairs: Vec<[usize; 2]> = (0..patches).flat_map(|p| (p..patches).map(move |q| [p, q])).collect();
+    let blocks = pairs.par_iter().map(|&[p, q]| match former.and_then(|former| former.block(p, q)) {
+        Some(known) => Ok(known),
+        None => block(p, q),
+    });
+    let blocks: Vec<Vec<f64>> = blocks.collect::<Result<_, EngineError>>()?;
     let mut matrix = vec![0.0; n * n];
-    let mut row = 0;
-    for (p, &rows) in sizes.iter().enumerate() {
-        let mut column = row;
-        for (q, &columns) in sizes.iter().enumerate().skip(p) {
-            let block = match former.and_then(|former| former.block(p, q)) {
-                Some(known) => known,
-                None => block(p, q)?,
-            };
-            insert(&mut matrix, n, &block, [rows, columns], [row, column], interrupt)?;
-            column += columns;
-        }
-        row += rows;
+    let first = |patch: usize| -> usize { sizes[..patch].iter().sum() };
+    for ([p, q], block) in pairs.into_iter().zip(blocks) {
+        insert(&mut matrix, n, &block, [sizes[p], sizes[q]], [first(p), first(q)], interrupt)?;
     }
     Ok(matrix)
 }

@@ -3,7 +3,7 @@
 //!
 //! A connection has *attachments*: points that are rigid parts of bodies or of ground. Each has
 //! three displacements and three rotations, along and about the axes of the reference, which is the
-//! body (or ground) of the first attachment. The connection is given by a symmetric positive
+//! body (or ground) of the first attachment. The axes of a shaft do not rotate with it. The connection is given by a symmetric positive
 //! semidefinite stiffness matrix between all these components, under which rigid-body motions of
 //! all attachments cause no forces, and by a mass matrix on the same components. It generalizes a
 //! bearing to several bodies, and enters the equilibrium in the same way.
@@ -22,7 +22,7 @@ mod gyroscopic;
 mod terms;
 
 pub use connection_state::ConnectionState;
-pub use gyroscopic::{add_connection_gyroscopic, add_connection_whirl_form};
+pub use gyroscopic::{GyroscopicShaft, add_connection_gyroscopic, add_connection_whirl_form};
 pub use terms::{add_connection_mass, add_connection_stiffness, add_mode_coupling};
 
 use crate::bearing::Support;

@@ -116,14 +116,23 @@ impl Plan {
         fidelity: Fidelity,
         options: StructureOptions,
     ) -> Result<Plan, EngineError> {
+        Plan::of_everything(scene, fidelity, options, scene.examines_modes())
+    }
+
+    fn of_everything(
+        scene: &dyn Examined,
+        fidelity: Fidelity,
+        options: StructureOptions,
+        vibrations: bool,
+    ) -> Result<Plan, EngineError> {
         let (mechanism, targets) = (scene.mechanism(), scene.targets());
         let everything =
             connected_bodies(mechanism, observed_bodies(mechanism, &targets).chain(loaded(mechanism)));
-        Plan::of((mechanism, &targets, scene.examines_modes()), everything, fidelity, options)
+        Plan::of((mechanism, &targets, vibrations), everything, fidelity, options)
     }
 
     fn of(
-        (scene, targets, modes_table): (&Mechanism, &[Target], bool),
+        (scene, targets, vibrations): (&Mechanism, &[Target], bool),
         wanted: Vec<bool>,
         fidelity: Fidelity,
         options: StructureOptions,
@@ -194,7 +203,7 @@ impl Plan {
             scene.bearings.iter().map(|bearing| plan_bearing(scene, &bodies, bearing)).collect();
         let modelled = scene.bearings.iter().zip(&bearings).filter(|(_, plan)| !plan.left_out);
         ignored.extend(modelled.flat_map(|(bearing, _)| ignored_bearing_inputs(bearing, three_dimensional)));
-        let vibrations = targets.iter().any(|target| target.mode.is_some()) || modes_table;
+        let vibrations = targets.iter().any(|target| target.mode.is_some()) || vibrations;
         let treatment = (fidelity, &options, vibrations);
         let connections = connections::plan_connections(scene, &bodies, treatment);
         connections::check_bodies(scene, &connections, fidelity)?;
@@ -229,7 +238,7 @@ impl Plan {
         fidelity: Fidelity,
         options: StructureOptions,
     ) -> Result<Plan, EngineError> {
-        let mut plan = Plan::whole(scene, fidelity, options)?;
+        let mut plan = Plan::of_everything(scene, fidelity, options, true)?;
         plan.ignored.retain(|unseen| unseen.input != DAMPING);
         Ok(plan)
     }

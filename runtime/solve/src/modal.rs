@@ -46,6 +46,13 @@ impl Modes {
         Modes { of, first, squares }
     }
 
+    /// Returns the modes with further coordinates that move no cell, by the squares of their natural
+    /// frequencies, (rad/s)².
+    pub fn followed_by<'s>(&'s self, squares: impl Iterator<Item = &'s f64>) -> Modes {
+        let squares = self.squares.iter().chain(squares).copied().collect();
+        Modes { squares, ..self.clone() }
+    }
+
     /// Computes the modes of all gears that support them, up to a natural frequency, Hz; none for 0
     /// and in three dimensions.
     ///
@@ -153,8 +160,8 @@ pub struct ModalElimination<'a> {
 }
 
 impl ModalElimination<'_> {
-    /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates. Bearing
-    /// stops are not coupled to them.
+    /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates, without rows if
+    /// no coordinate moves a cell. Bearing stops are not coupled to them.
     pub fn eliminate(&self, problem: &mut ContactProblem, arms: &Mat<f64>) {
         let (n, m, count) = (problem.cells(), problem.dofs(), self.modes.count());
         let given: Vec<f64> = self.load.iter().zip(&self.stiffness).map(|(g, d)| g / d).collect();
@@ -162,7 +169,10 @@ impl ModalElimination<'_> {
         let cells = arms.nrows();
         let weighted = Mat::from_fn(cells, count, |cell, k| arms[(cell, k)] * weight(k));
         let mut more = Mat::zeros(cells, cells);
-        product(more.as_mut(), weighted.as_ref(), arms.transpose());
+        // Modes of elastic connections move no cell.
+        if cells > 0 {
+            product(more.as_mut(), weighted.as_ref(), arms.transpose());
+        }
         for row in 0..cells {
             for column in 0..cells {
                 // Use the same of both entries, so that the matrix is exactly symmetric.

@@ -292,6 +292,14 @@ impl<'s> System<'s> {
         self.modes.count() + connections.iter().map(|(connection, _)| connection.modes.count()).sum::<usize>()
     }
 
+    /// Returns the modes of all modal coordinates of [`System::mode_count`]. Those of elastic
+    /// connections move no contact cell.
+    pub fn all_modes(&self) -> Modes {
+        let connections = self.connection_modes();
+        let of_connections = connections.iter().flat_map(|(connection, _)| &connection.modes.eigenvalues);
+        self.modes.followed_by(of_connections)
+    }
+
     /// Returns the mass between the DOFs (rows) and the component modes of all elastic connections
     /// at a time (s), row-major.
     ///

@@ -14,7 +14,6 @@ use crate::scene::Scene;
 use crate::summary::summarize;
 use crate::validate::Request;
 use calyx_contact::problem::Certificate;
-use calyx_fe::inertia::Inertia;
 use calyx_model::load::Wrench;
 use calyx_model::observed::OutputRequest;
 use calyx_model::plan::Plan;
@@ -44,8 +43,8 @@ pub struct History<'s> {
     plan: Plan,
     timing: Timing,
     system: System<'s>,
-    /// Inertias of the bodies about their axes of rotation.
-    inertias: Vec<Inertia>,
+    /// Modes of gears, or in three dimensions of elastic connections.
+    modes: Modes,
     positions: Vec<Position>,
     steps: Vec<Step>,
     /// Number of steps taken.
@@ -93,10 +92,10 @@ impl<'s> History<'s> {
         observer.observe(Event::Stage("structures"))?;
         let mut system = timing.stage("structures", || System::with(scene, &plan, &analysis.resources))?;
         timing.structures = system.structure_counts();
-        let inertias = system.inertias().to_vec();
         system.modes = timing.stage("modes", || Modes::find(scene, &plan, &options.resources, highest))?;
         check_vibrations(&system, scene)?;
-        let count = system.dofs.len() + system.modes.count();
+        let modes = system.all_modes();
+        let count = system.dofs.len() + modes.count();
         let sizing = system.load_at(dynamics.from)?;
         let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
         let mut history = History {
@@ -107,7 +106,7 @@ impl<'s> History<'s> {
             plan,
             timing,
             system,
-            inertias,
+            modes,
             positions,
             solving: Duration::ZERO,
             steps: all,
@@ -149,7 +148,7 @@ impl<'s> History<'s> {
 
     /// Returns the number of modal coordinates.
     pub fn modal_coordinates(&self) -> usize {
-        self.system.modes.count()
+        self.modes.count()
     }
 
     /// Returns the state at the end of the last step.
@@ -215,14 +214,14 @@ impl<'s> History<'s> {
         let part = self.options.ranges.first().map_or(1.0, |range| range.load_at(0.0));
         match self.options.start {
             Start::Equilibrium => {
-                let matrices = Matrices::at(system, &self.inertias, time)?;
+                let matrices = Matrices::at(system, time)?;
                 let springs = system.springs_at(time)?;
                 let mut load = system.scaled_load(time, part)?;
                 load.iter_mut().zip(&matrices.load).for_each(|(load, own)| *load += own);
-                let squares = system.modes.squares.clone();
+                let squares = self.modes.squares.clone();
                 let (m, count) = (load.len(), squares.len());
                 let elastic = ModalElimination {
-                    modes: &system.modes,
+                    modes: &self.modes,
                     coupling: vec![0.0; m * count],
                     load: matrices.modal_load.clone(),
                     start: vec![0.0; count],
@@ -267,8 +266,8 @@ impl<'s> History<'s> {
     /// Takes a step from a state; returns the result and the new state.
     fn step(&self, step: &Step, state: &State) -> Result<CompletedStep, EngineError> {
         let (h, scheme, system) = (step.length, self.options.scheme, &self.system);
-        let (m, count) = (system.dofs.len(), system.modes.count());
-        let matrices = Matrices::at(system, &self.inertias, step.time)?;
+        let (m, count) = (system.dofs.len(), self.modes.count());
+        let matrices = Matrices::at(system, step.time)?;
         let fast = matrices.speed_warnings(system)?;
         let springs = system.springs_at(step.time)?;
         let predicted = scheme.predicted(state, h);
@@ -295,7 +294,7 @@ impl<'s> History<'s> {
         let mut stiffness = vec![0.0; count];
         load.extend(&matrices.modal_load);
         for k in 0..count {
-            let square = system.modes.squares[k];
+            let square = self.modes.squares[k];
             let damping = by_mass + by_stiffness * square;
             stiffness[k] = of_mass + of_damping * damping + square;
             load[m + k] -= damping * v[m + k] + square * x[m + k];
@@ -311,9 +310,9 @@ impl<'s> History<'s> {
         let effective = EffectiveMatrix { matrix: &matrix, coupling: &coupling, stiffness: &stiffness };
         let following = |y: &[f64]| {
             let rates: Vec<f64> = y.iter().map(|y| of_damping * y).collect();
-            matrices.following(system, y, &rates).on_coordinates(system)
+            matrices.on_coordinates(system, &matrices.following(system, y, &rates))
         };
-        let known = matrices.following(system, x, v).on_coordinates(system);
+        let known = matrices.on_coordinates(system, &matrices.following(system, x, v));
         let meanwhile: Vec<f64> = (0..m + count).map(|i| load[i] + known[i] + self.contact[i]).collect();
         let untouched = effective.free(&meanwhile, following);
         let end = |from: &[f64], by: f64| match &untouched {
@@ -321,11 +320,12 @@ impl<'s> History<'s> {
             None => from.to_vec(),
         };
         let following: Forces = matrices.following(system, &end(x, 1.0), &end(v, of_damping));
-        load.iter_mut().zip(following.on_coordinates(system)).for_each(|(load, more)| *load += more);
+        let more = matrices.on_coordinates(system, &following);
+        load.iter_mut().zip(more).for_each(|(load, more)| *load += more);
 
         let modal_load = load.split_off(m);
         let elastic = ModalElimination {
-            modes: &system.modes,
+            modes: &self.modes,
             stiffness: stiffness.clone(),
             coupling: coupling.clone(),
             load: modal_load,
@@ -348,7 +348,8 @@ impl<'s> History<'s> {
         for (i, dof) in system.dofs.iter().enumerate() {
             let row = &springs.stiffness[i * m..(i + 1) * m];
             let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
-            result.other_loads[dof.body][dof.component] -= system.width(dof.body) * by_stiffness * rate;
+            let damped = -system.width(dof.body) * by_stiffness * rate;
+            matrices.add_on_dof(&mut result.other_loads[dof.body], dof, damped);
         }
         result.warnings.extend(fast);
         // Observables use the springs of the scene, not the matrix of a step.
@@ -441,7 +442,8 @@ impl Iterator for History<'_> {
             return None;
         }
         let started = Instant::now();
-        let advanced = self.advance();
+        let resources = self.resources.clone();
+        let advanced = resources.install(|| self.advance());
         self.solving += started.elapsed();
         match advanced {
             Ok(()) => self.solved.last().cloned().map(Ok),

@@ -16,7 +16,8 @@ pub type Six = [f64; 6];
 
 /// Positions and axes of a connection at a time.
 pub struct ConnectionState {
-    /// Reference axes along those of ground.
+    /// Reference axes along those of ground: those of the body of the first attachment, for a shaft
+    /// without its rotation.
     pub axes: [Vector; 3],
     attached: Vec<Attached>,
 }
@@ -84,7 +85,12 @@ impl ConnectionState {
                 }
             };
             latest = Some((id, pose, dofs, axle));
-            axes.get_or_insert_with(|| [0, 1, 2].map(|axis: usize| pose.rotation.map(|row| row[axis])));
+            // A shaft is a body of revolution: in axes that do not rotate with it, its modal
+            // coordinates have no Coriolis and centrifugal forces beyond its gyroscopic matrix.
+            axes.get_or_insert_with(|| match connection.shaft {
+                Some(_) => dofs,
+                None => [0, 1, 2].map(|axis: usize| pose.rotation.map(|row| row[axis])),
+            });
             attached.push(Attached { body: Some(id), point: pose.point(attachment.at), axle, dofs });
         }
         Ok(ConnectionState { axes: axes.unwrap_or(Pose::IDENTITY.rotation), attached })

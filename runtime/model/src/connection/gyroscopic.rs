@@ -1,5 +1,6 @@
 //! Gyroscopic terms of elastic connections: those of rotating shafts.
 
+use super::connection_state::Six;
 use super::{ConnectionState, ElasticConnection};
 use crate::bearing::Support;
 use crate::body::Body;
@@ -8,6 +9,16 @@ use crate::motion::angular_velocity;
 use crate::whirl::quarter_turn_momentum;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::dot;
+
+/// Returns the angular velocity of a connection about its third reference axis at a time, rad/s.
+fn speed_of(bodies: &[Body], connection: &ElasticConnection, state: &ConnectionState, time: f64) -> f64 {
+    match connection.attachments.first().map(|attachment| attachment.to) {
+        Some(Support::Body(id)) => bodies
+            .get(id.0)
+            .map_or(0.0, |body| dot(state.axes[2], angular_velocity(body.motion.as_ref(), time))),
+        _ => 0.0,
+    }
+}
 
 /// Rotation of a connection about its third reference axis.
 struct Rotation<'c> {
@@ -24,12 +35,7 @@ impl<'c> Rotation<'c> {
         time: f64,
     ) -> Result<Rotation<'c>, EngineError> {
         let state = ConnectionState::at(bodies, connection, time)?;
-        let speed = match connection.attachments.first().map(|attachment| attachment.to) {
-            Some(Support::Body(id)) => bodies
-                .get(id.0)
-                .map_or(0.0, |body| dot(state.axes[2], angular_velocity(body.motion.as_ref(), time))),
-            _ => 0.0,
-        };
+        let speed = speed_of(bodies, connection, &state, time);
         Ok(Rotation { connection, state, speed })
     }
 
@@ -58,6 +64,45 @@ impl<'c> Rotation<'c> {
                 target[l * columns + k] -= entry;
             }
         }
+    }
+}
+
+/// Gyroscopic terms of a rotating shaft at a time.
+pub struct GyroscopicShaft {
+    /// Matrix between the attachments, and the component modes if there are any, row-major,
+    /// kg m²/s.
+    matrix: Vec<f64>,
+}
+
+impl GyroscopicShaft {
+    /// Returns the terms of a connection in a state; `None` if it is no elastic shaft or does not
+    /// rotate.
+    pub fn at(
+        bodies: &[Body],
+        connection: &ElasticConnection,
+        state: &ConnectionState,
+        time: f64,
+    ) -> Option<GyroscopicShaft> {
+        let shaft = connection.shaft.as_ref().filter(|shaft| !shaft.rigid)?;
+        let speed = speed_of(bodies, connection, state, time);
+        let matrix = match &connection.modes.gyroscopic[..] {
+            _ if speed == 0.0 => return None,
+            [] => shaft.shaft.gyroscopic(&shaft.stations),
+            with_modes => with_modes.to_vec(),
+        };
+        Some(GyroscopicShaft { matrix: matrix.into_iter().map(|entry| speed * entry).collect() })
+    }
+
+    /// Returns the gyroscopic forces on the attachments, along and about the reference axes, and on
+    /// the component modes, at rates of both.
+    pub fn gyroscopic_forces(&self, rates: &[Six], modal_rates: &[f64]) -> (Vec<Six>, Vec<f64>) {
+        let size = self.matrix.len().isqrt();
+        let rates: Vec<f64> = rates.iter().flatten().chain(modal_rates).copied().collect();
+        let of = |row: &[f64]| 0.0 - row.iter().zip(&rates).map(|(entry, rate)| entry * rate).sum::<f64>();
+        let forces: Vec<f64> = self.matrix.chunks_exact(size.max(1)).map(of).collect();
+        let (on_attachments, on_modes) = forces.split_at(rates.len() - modal_rates.len());
+        let six = |part: &[f64]| std::array::from_fn(|k| part[k]);
+        (on_attachments.chunks_exact(6).map(six).collect(), on_modes.to_vec())
     }
 }
 
@@ -93,15 +138,9 @@ pub fn add_connection_gyroscopic(
     time: f64,
 ) -> Result<(), EngineError> {
     for (connection, first_mode) in numbered(target, connections, planned) {
-        let Some(shaft) = connection.shaft.as_ref().filter(|shaft| !shaft.rigid) else { continue };
-        let rotation = Rotation::at(bodies, connection, time)?;
-        if rotation.speed != 0.0 {
-            let matrix = match &connection.modes.gyroscopic[..] {
-                [] => shaft.shaft.gyroscopic(&shaft.stations),
-                with_modes => with_modes.to_vec(),
-            };
-            let matrix: Vec<f64> = matrix.into_iter().map(|entry| rotation.speed * entry).collect();
-            rotation.add(target, dofs, first_mode, &matrix);
+        let state = ConnectionState::at(bodies, connection, time)?;
+        if let Some(shaft) = GyroscopicShaft::at(bodies, connection, &state, time) {
+            Rotation { connection, state, speed: 1.0 }.add(target, dofs, first_mode, &shaft.matrix);
         }
     }
     Ok(())

@@ -131,6 +131,28 @@ impl ElasticConnection {
         }
     }
 
+    /// Returns the inertia forces on the component modes at accelerations of the attachments.
+    pub fn modal_inertia_forces(&self, accelerations: &[Six]) -> Vec<f64> {
+        let mut forces = vec![0.0; self.modes.count()];
+        for (acceleration, row) in accelerations.iter().flatten().zip(self.coupling_rows()) {
+            forces.iter_mut().zip(row).for_each(|(force, entry)| *force -= entry * acceleration);
+        }
+        forces
+    }
+
+    /// Adds to forces on the attachments the inertia forces due to accelerations of the component
+    /// modes.
+    pub fn add_inertia_of_modes(&self, forces: &mut [Six], accelerations: &[f64]) {
+        for (force, row) in forces.iter_mut().flatten().zip(self.coupling_rows()) {
+            *force -= row.iter().zip(accelerations).map(|(entry, q)| entry * q).sum::<f64>();
+        }
+    }
+
+    /// Returns the mass between each component of the attachments and all component modes.
+    fn coupling_rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.modes.coupling.chunks_exact(self.modes.count().max(1))
+    }
+
     /// Returns the product of a matrix and motions, with opposite sign.
     fn times(&self, matrix: &[f64], motions: &[Six]) -> Vec<Six> {
         let size = self.size();

@@ -1,28 +1,32 @@
-//! Mass matrix, damping matrix and inertia loads of all coordinates of a plane model at a time.
+//! Mass matrix, damping matrix and inertia loads of all coordinates at a time.
 //!
-//! The position of a particle of a body is `A + u + R(phi + theta) (X + sum phi_k q_k)`. A is the
-//! prescribed position of the axis of rotation, phi the prescribed angle, and u and theta are the
-//! deviations of the frame (u along ground axes). X is the particle's position relative to the axis
-//! and phi_k its displacement by the modal coordinate q_k, both in the body's axes. Let a be the
-//! acceleration of A, omega and alpha the angular velocity and acceleration of phi, and e the
-//! rotation by a right angle (`e3 x`). The virtual work of the particles' inertia, to first order
-//! in u, theta, q and their rates, gives the inertia forces (negative)
+//! The inertia forces of rigid bodies are those of [`super::body_inertia`]. This module adds the
+//! modal coordinates and the elastic connections.
+//!
+//! **Modes of gears**, in plane models. The position of a particle of a body is `A + u + R(phi +
+//! theta) (X + sum phi_k q_k)`. A is the prescribed position of the axis of rotation, phi the
+//! prescribed angle, and u and theta are the deviations of the frame (u along ground axes). X is
+//! the particle's position relative to the axis and phi_k its displacement by the modal coordinate
+//! q_k, both in the body's axes. Let a be the acceleration of A, omega and alpha the angular
+//! velocity and acceleration of phi, and e the rotation by a right angle (`e3 x`). To first order
+//! in u, theta, q and their rates, the virtual work of the particles' inertia adds the inertia
+//! forces (negative)
 //!
 //! ```text
-//! on u:      m u'' + theta'' e s - 2 omega theta' s - (alpha s + omega² e s) theta
-//!            + m a + alpha e s - omega² s
-//!            + sum (c q'' + 2 omega e c q' + (alpha e - omega²) c q)
-//! on theta:  J theta'' + e s . u'' - (s . a) theta + J alpha + e s . a
-//!            + sum (b q'' + 2 omega x q' + (2 alpha x + e c . a) q)
+//! on u:      sum (c q'' + 2 omega e c q' + (alpha e - omega²) c q)
+//! on theta:  sum (b q'' + 2 omega x q' + (2 alpha x + e c . a) q)
 //! on q_k:    q_k'' + c . u'' + b theta'' - 2 omega x theta' + (e c . a) theta
 //!            + c . a + b alpha - omega² x + sum (2 omega g q_l' + alpha g q_l)
 //! ```
 //!
-//! with the mass m, the first moment `s = R int X` and the second moment J about the axis; for a
-//! mode `c = R int phi`, `b = int phi . e X`, `x = int phi . X` and `g = int phi_k . e phi_l`, all
+//! with `c = R int phi`, `b = int phi . e X`, `x = int phi . X` and `g = int phi_k . e phi_l`, all
 //! integrals over the mass. So frames and modes are coupled by Coriolis, Euler and centrifugal
 //! terms. Forces and moments on a whole body are the rates of its momentum and angular momentum.
 //! Constrained components of a frame have the same terms as reactions.
+//!
+//! **Elastic connections**, such as shafts and housings, have the mass matrix of their attachments,
+//! in three dimensions also their component modes with the mass between both, and shafts have
+//! gyroscopic terms ([`calyx_model::connection`]).
 //!
 //! **Neglected terms.** The equation of q_k also contains `- omega² q_k`, by which rotation softens
 //! modes. The centrifugal tension stiffens a rotating body, by more than that if the mode bends a
@@ -31,29 +35,27 @@
 //! would give the wrong sign, so both are neglected. At a tenth of the lowest natural frequency
 //! this is one percent; from there on a step issues a warning ([`Matrices::speed_warnings`]). The
 //! effect of the acceleration of the path on the stiffness of modes is neglected for the same
-//! reason. External loads act on the axis along ground axes, so they do not depend on deviations.
+//! reason. Of the elastic bodies that rotate, only shafts have gyroscopic terms. External loads act
+//! on the axis along ground axes, so they do not depend on deviations.
 //!
 //! Mass-proportional (Rayleigh) damping acts on the rates of deviations: it damps deviations from
 //! the prescribed motion, not that motion.
 //!
 //! See `docs/theory/dynamics.md`.
 
-use crate::system::System;
-use calyx_fe::inertia::Inertia;
-use calyx_model::bearing::{Support, damping};
-use calyx_model::connection::ConnectionState;
+use super::body_inertia::{BodyInertia, Pair};
+use super::requirements::check_axis;
+use crate::system::{Bodies, System};
+use calyx_model::bearing::damping;
+use calyx_model::connection::{ConnectionState, GyroscopicShaft};
 use calyx_model::dof::Dof;
-use calyx_model::elastic_body::SharedElasticBody;
-use calyx_model::fidelity::Fidelity;
-use calyx_model::frames::pose;
-use calyx_model::ids::BodyId;
+use calyx_model::frames::{pose, solid_pose};
 use calyx_model::mechanism::Mechanism;
-use calyx_model::motion::{angular_acceleration, angular_velocity, point_acceleration};
-use calyx_model::plan::Plan;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec2::dot;
 
-/// Matrices at a time, per width of the model: DOFs first, then modal coordinates.
+/// Matrices at a time, per width of the model: DOFs first, then modal coordinates of gears and of
+/// elastic connections.
 pub struct Matrices {
     /// Mass matrix of the DOFs, row-major.
     pub mass: Vec<f64>,
@@ -66,27 +68,24 @@ pub struct Matrices {
     /// Inertia loads of the prescribed motion on the modal coordinates.
     pub modal_load: Vec<f64>,
     /// State of every body.
-    bodies: Vec<BodyMotion>,
-    /// Coupling of every modal coordinate.
+    bodies: Vec<BodyInertia>,
+    /// Inertia forces and moments on every body by the prescribed motion, along ground axes.
+    loads: Vec<Pair>,
+    /// Coupling of every modal coordinate of gears.
     arms: Vec<ModalArm>,
-    /// Elastic connections with mass, by their index in the scene.
-    connections: Vec<(usize, ConnectionState)>,
+    /// Elastic connections with mass.
+    connections: Vec<ConnectionInertia>,
 }
 
-/// State of a body at a time.
-#[derive(Clone, Copy, Default)]
-struct BodyMotion {
-    /// Angular velocity, rad/s, and acceleration, rad/s².
-    spin: f64,
-    spinning_up: f64,
-    /// Acceleration of the axis, m/s².
-    acceleration: [f64; 2],
-    /// Mass and moments about the axis along ground axes, kg, kg m and kg m².
-    mass: f64,
-    first: [f64; 2],
-    polar: f64,
-    /// Inertia force (N) and moment (N m) of the prescribed motion.
-    load: [f64; 3],
+/// Elastic connection with mass at a time.
+struct ConnectionInertia {
+    /// Index in the scene.
+    index: usize,
+    state: ConnectionState,
+    /// Index of its first component mode among all modal coordinates.
+    first_mode: usize,
+    /// Gyroscopic terms, if it is a rotating shaft.
+    rotation: Option<GyroscopicShaft>,
 }
 
 /// Coupling of a modal coordinate with its frame, along ground axes about the axis of rotation.
@@ -100,10 +99,10 @@ struct ModalArm {
     outwards: f64,
 }
 
-/// Forces on the frame of every body along x and y (N), moments about its axis (N m), and forces on
-/// modal coordinates.
+/// Forces (N) and moments about the axis (N m) on the frame of every body, along ground axes, and
+/// forces on modal coordinates.
 pub struct Forces {
-    frames: Vec<[f64; 3]>,
+    frames: Vec<Pair>,
     /// Generalized forces on modal coordinates, per width of the model.
     pub modal: Vec<f64>,
 }
@@ -112,145 +111,132 @@ pub struct Forces {
 /// cause a warning; beyond the second value they are an error.
 const FAST: f64 = 0.1;
 const TOO_FAST: f64 = 0.5;
-/// Indices of the in-plane components of a frame in [`calyx_model::dof::DOF_NAMES`].
-const IN_PLANE: [usize; 3] = [0, 1, 5];
+/// Components of a frame outside the plane in [`calyx_model::dof::DOF_NAMES`].
+const OUT_OF_PLANE: [usize; 3] = [2, 3, 4];
 
 /// Rotates by a right angle.
 fn across([x, y]: [f64; 2]) -> [f64; 2] {
     [-y, x]
 }
 
+fn add(sum: &mut Pair, more: Pair) {
+    for (sum, more) in sum.iter_mut().flatten().zip(more.into_iter().flatten()) {
+        *sum += more;
+    }
+}
+
+fn pair_of([fx, fy, fz, mx, my, mz]: [f64; 6]) -> Pair {
+    [[fx, fy, fz], [mx, my, mz]]
+}
+
 impl Matrices {
-    /// Assembles the matrices at a time; `inertias` are those of the bodies about their axes of
-    /// rotation.
+    /// Assembles the matrices at a time.
     ///
     /// # Errors
-    /// A frame is NaN.
-    pub fn at(system: &System<'_>, inertias: &[Inertia], time: f64) -> Result<Matrices, EngineError> {
-        let (dofs, modes) = (&system.dofs, &system.modes);
-        let (m, count) = (dofs.len(), modes.count());
+    /// E0710: a frame is NaN. E0761: the axis of a body does not keep its direction. E0869: a
+    /// connection has parted.
+    pub fn at(system: &System<'_>, time: f64) -> Result<Matrices, EngineError> {
+        let m = system.dofs.len();
+        let mut bodies = Vec::with_capacity(system.scene.bodies.len());
+        for (index, inertia) in system.inertias().iter().enumerate() {
+            solid_pose(system.scene, index, time)?;
+            let body = BodyInertia::at(system, index, inertia, time);
+            if !system.left_out[index] {
+                check_axis(system.scene, index, time)?;
+            }
+            bodies.push(body);
+        }
         let mut matrices = Matrices {
-            mass: vec![0.0; m * m],
+            mass: system.mass_matrix(time).transpose().as_slice().to_vec(),
             coupling: Vec::new(),
             damping: {
                 let Mechanism { bodies, bearings, .. } = system.scene;
-                damping(bodies, bearings, &system.bearings, dofs, |body| system.width(body), time)?
+                damping(bodies, bearings, &system.bearings, &system.dofs, |body| system.width(body), time)?
             },
             load: vec![0.0; m],
-            modal_load: vec![0.0; count],
-            bodies: Vec::with_capacity(system.scene.bodies.len()),
+            modal_load: vec![0.0; system.mode_count()],
+            loads: bodies.iter().map(BodyInertia::load).collect(),
+            bodies,
             arms: modal_arms(system, time)?,
             connections: Vec::new(),
         };
-        for index in 0..system.scene.bodies.len() {
-            let body = &system.scene.bodies[index];
-            let spin = angular_velocity(body.motion.as_ref(), time)[2];
-            let (angle, ground) = (pose(system.scene, index, time)?.angle, system.origin(index, time));
-            let [ax, ay, _] = point_acceleration(body.motion.as_ref(), time, ground);
-            let alpha = angular_acceleration(body.motion.as_ref(), time)[2];
-            let own = inertias.get(index).copied().unwrap_or_default();
-            let s = turned([own.moment[0], own.moment[1]], angle);
-            let entry = |one: usize, other: usize| match (one.min(other), one.max(other)) {
-                (0, 0) | (1, 1) => own.mass,
-                (0, 5) => -s[1],
-                (1, 5) => s[0],
-                (5, 5) => own.polar(),
-                _ => 0.0,
-            };
-            let by_motion = [
-                -(own.mass * ax - alpha * s[1] - spin * spin * s[0]),
-                -(own.mass * ay + alpha * s[0] - spin * spin * s[1]),
-                -(own.polar() * alpha + s[0] * ay - s[1] * ax),
-            ];
-            matrices.bodies.push(BodyMotion {
-                spin,
-                spinning_up: alpha,
-                acceleration: [ax, ay],
-                mass: own.mass,
-                first: s,
-                polar: own.polar(),
-                load: by_motion,
-            });
-            for (i, one) in dofs.iter().enumerate().filter(|(_, dof)| dof.body == index) {
-                for (j, other) in dofs.iter().enumerate().filter(|(_, dof)| dof.body == index) {
-                    matrices.mass[i * m + j] += entry(one.component, other.component) / system.width(index);
-                }
-            }
-            let Some((own, first)) = modes.of_body(index) else { continue };
+        for (row, dof) in matrices.mass.chunks_exact_mut(m.max(1)).zip(&system.dofs) {
+            row.iter_mut().for_each(|entry| *entry /= system.width(dof.body));
+        }
+        for (index, body) in matrices.bodies.iter().enumerate() {
+            let Some((own, first)) = system.modes.of_body(index) else { continue };
+            let [[ax, ay, _], spin, alpha] = [body.acceleration, body.angular_velocity, body.angular_acceleration];
             let loads = matrices.modal_load.iter_mut().zip(&matrices.arms);
             for (load, arm) in loads.skip(first).take(own.count()) {
-                *load = spin * spin * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha;
+                *load = spin[2] * spin[2] * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha[2];
             }
         }
         matrices.add_connections(system, time)?;
-        matrices.coupling = on_dofs_by_modes(system, &matrices.arms);
-        let by_motion: Vec<[f64; 3]> = matrices.bodies.iter().map(|body| body.load).collect();
-        matrices.load = on_dofs(system, &by_motion);
+        matrices.coupling = mass_coupling(system, &matrices.arms, time)?;
+        matrices.load = matrices.on_dofs(system, &matrices.loads);
         Ok(matrices)
     }
 
-    /// Adds mass and inertia loads of elastic connections.
+    /// Adds the inertia loads of elastic connections.
     fn add_connections(&mut self, system: &System<'_>, time: f64) -> Result<(), EngineError> {
-        let scene = system.scene;
-        system.add_connection_mass(&mut self.mass, |body| system.width(body), time)?;
+        let mut first_mode = system.modes.count();
         for &index in &system.connections {
             let connection = &system.elastic_connections[index];
+            let own = first_mode..first_mode + connection.modes.count();
+            first_mode = own.end;
             if connection.mass.is_empty() {
                 continue;
             }
-            let state = ConnectionState::at(&scene.bodies, connection, time)?;
+            let state = ConnectionState::at(&system.scene.bodies, connection, time)?;
             // Accelerations of the prescribed motion, as values of all DOFs.
-            let dofs = IN_PLANE
-                .into_iter()
-                .flat_map(|component| connection.bodies().map(move |BodyId(body)| Dof { body, component }));
+            let dofs = (0..6)
+                .flat_map(|component| connection.bodies().map(move |id| Dof { body: id.0, component }));
             let dofs: Vec<Dof> = dofs.collect();
             let of = |dof: &Dof| {
-                let BodyMotion { acceleration: [ax, ay], spinning_up, .. } = self.bodies[dof.body];
-                [ax, ay, spinning_up][dof.component.min(2)]
+                let body = &self.bodies[dof.body];
+                body.along([body.acceleration, body.angular_acceleration], dof.component)
             };
-            let accelerations: Vec<f64> = dofs.iter().map(of).collect();
-            let forces = connection.inertia_forces(&state.motions(&dofs, &accelerations));
+            let accelerations = state.motions(&dofs, &dofs.iter().map(of).collect::<Vec<_>>());
+            let forces = connection.inertia_forces(&accelerations);
             for body in connection.bodies() {
-                let wrench = state.wrench_on(body, &forces);
-                let load = &mut self.bodies[body.0].load;
-                load.iter_mut().zip(IN_PLANE).for_each(|(load, component)| *load += wrench[component]);
+                add(&mut self.loads[body.0], pair_of(state.wrench_on(body, &forces)));
             }
-            self.connections.push((index, state));
+            for (load, force) in self.modal_load[own.clone()].iter_mut().zip(connection.modal_inertia_forces(&accelerations)) {
+                *load += force;
+            }
+            let rotation = GyroscopicShaft::at(&system.scene.bodies, connection, &state, time);
+            self.connections.push(ConnectionInertia { index, state, first_mode: own.start, rotation });
         }
         Ok(())
     }
 
-    /// Returns the inertia forces due to displacements and rates of all coordinates: all terms of
-    /// the module's equations except those of accelerations and of the prescribed motion. Linear in
-    /// both.
+    /// Returns the inertia forces due to displacements and rates of all coordinates: all terms
+    /// except those of accelerations and of the prescribed motion. Linear in both.
     pub fn following(&self, system: &System<'_>, displacement: &[f64], rate: &[f64]) -> Forces {
         let m = system.dofs.len();
         let mut forces =
-            Forces { frames: vec![[0.0; 3]; self.bodies.len()], modal: vec![0.0; self.arms.len()] };
+            Forces { frames: vec![[[0.0; 3]; 2]; self.bodies.len()], modal: vec![0.0; self.modal_load.len()] };
         for (index, body) in self.bodies.iter().enumerate() {
-            let BodyMotion { spin, spinning_up, acceleration, first: s, .. } = *body;
-            if spin == 0.0 && spinning_up == 0.0 && acceleration == [0.0; 2] {
+            if body.is_uniform() {
                 continue;
             }
-            let turn = system.moved(index, &displacement[..m])[5];
-            let turning = system.moved(index, &rate[..m])[5];
-            let (by, ahead) = (2.0 * spin * turning + spinning_up * turn, spin * spin * turn);
-            let mut frame = [
-                by * s[0] + ahead * across(s)[0],
-                by * s[1] + ahead * across(s)[1],
-                dot(s, acceleration) * turn,
-            ];
+            let moved = |values: &[f64]| body.to_ground(system.moved(index, &values[..m]));
+            let (deviation, moving) = (moved(displacement), moved(rate));
+            let mut frame = body.following(deviation, moving);
             if let Some((own, from)) = system.modes.of_body(index) {
+                let ([_, [_, _, turn]], [_, [_, _, turning]]) = (deviation, moving);
+                let (spin, spinning_up) = (body.angular_velocity[2], body.angular_acceleration[2]);
+                let acceleration = [body.acceleration[0], body.acceleration[1]];
                 let (count, width) = (own.count(), system.width(index));
                 let (q, rates) = (&displacement[m + from..][..count], &rate[m + from..][..count]);
                 for (k, arm) in self.arms[from..from + count].iter().enumerate() {
                     let sideways = across(arm.along);
                     let (by, out) = (2.0 * spin * rates[k] + spinning_up * q[k], spin * spin * q[k]);
-                    frame[0] += width * (out * arm.along[0] - by * sideways[0]);
-                    frame[1] += width * (out * arm.along[1] - by * sideways[1]);
+                    frame[0][0] += width * (out * arm.along[0] - by * sideways[0]);
+                    frame[0][1] += width * (out * arm.along[1] - by * sideways[1]);
                     let pulled = dot(sideways, acceleration);
                     let about = 2.0 * spin * rates[k] + 2.0 * spinning_up * q[k];
-                    frame[2] -= width * (about * arm.outwards + pulled * q[k]);
+                    frame[1][2] -= width * (about * arm.outwards + pulled * q[k]);
                     forces.modal[from + k] = 2.0 * spin * arm.outwards * turning - pulled * turn;
                 }
                 let modal = &mut forces.modal[from..from + count];
@@ -259,7 +245,19 @@ impl Matrices {
                     modal.iter_mut().zip(own.gyroscopic.col_as_slice(l)).for_each(|(sum, g)| *sum -= g * by);
                 }
             }
-            forces.frames[index] = frame;
+            add(&mut forces.frames[index], frame);
+        }
+        for ConnectionInertia { index, state, first_mode, rotation } in &self.connections {
+            let Some(rotation) = rotation else { continue };
+            let connection = &system.elastic_connections[*index];
+            let modes = *first_mode..first_mode + connection.modes.count();
+            let rates = state.motions(&system.dofs, &rate[..m]);
+            let modal_rates = &rate[m + modes.start..m + modes.end];
+            let (on_attachments, on_modes) = rotation.gyroscopic_forces(&rates, modal_rates);
+            for body in connection.bodies() {
+                add(&mut forces.frames[body.0], pair_of(state.wrench_on(body, &on_attachments)));
+            }
+            forces.modal[modes].iter_mut().zip(on_modes).for_each(|(sum, force)| *sum += force);
         }
         forces
     }
@@ -272,7 +270,7 @@ impl Matrices {
         let mut warnings = Vec::new();
         for (index, body) in self.bodies.iter().enumerate() {
             let Some((own, _)) = system.modes.of_body(index) else { continue };
-            let part = own.frequencies.first().map_or(0.0, |lowest| body.spin.abs() / lowest);
+            let part = own.frequencies.first().map_or(0.0, |lowest| body.angular_velocity[2].abs() / lowest);
             let name = &system.scene.bodies[index].name;
             if part > TOO_FAST {
                 return Err(EngineError::new(
@@ -292,50 +290,69 @@ impl Matrices {
         Ok(warnings)
     }
 
-    /// Returns the inertia forces of every body on its frame, in the order of
-    /// [`calyx_model::dof::DOF_NAMES`], N and N m: those of the prescribed motion, of displacements
-    /// and rates, and of the accelerations of DOFs and modal coordinates.
+    /// Returns the inertia force and moment of every body on its frame along ground axes, in the
+    /// order of [`calyx_model::dof::DOF_NAMES`], N and N m: those of the prescribed motion, of
+    /// displacements and rates, and of the accelerations of DOFs and modal coordinates.
     pub fn inertia(&self, system: &System<'_>, following: &Forces, acceleration: &[f64]) -> Vec<[f64; 6]> {
         let m = system.dofs.len();
-        let of = |(index, body): (usize, &BodyMotion)| {
-            let [ax, ay, .., turn] = system.moved(index, &acceleration[..m]);
-            let ([sx, sy], BodyMotion { load, mass, polar, .. }) = (body.first, *body);
-            let own = [mass * ax - sy * turn, mass * ay + sx * turn, polar * turn + sx * ay - sy * ax];
-            let mut wrench = [0.0; 6];
-            for (k, component) in IN_PLANE.into_iter().enumerate() {
-                wrench[component] = load[k] + following.frames[index][k] - own[k];
-            }
+        let of = |(index, body): (usize, &BodyInertia)| {
+            let mut wrench = body.resisting(body.to_ground(system.moved(index, &acceleration[..m])));
+            add(&mut wrench, self.loads[index]);
+            add(&mut wrench, following.frames[index]);
             if let Some((own, from)) = system.modes.of_body(index) {
                 let width = system.width(index);
                 for (arm, q) in self.arms[from..from + own.count()].iter().zip(&acceleration[m + from..]) {
-                    wrench[0] -= width * arm.along[0] * q;
-                    wrench[1] -= width * arm.along[1] * q;
-                    wrench[5] -= width * arm.about * q;
+                    wrench[0][0] -= width * arm.along[0] * q;
+                    wrench[0][1] -= width * arm.along[1] * q;
+                    wrench[1][2] -= width * arm.about * q;
                 }
             }
             wrench
         };
-        let mut wrenches: Vec<[f64; 6]> = self.bodies.iter().enumerate().map(of).collect();
-        for (index, state) in &self.connections {
+        let mut wrenches: Vec<Pair> = self.bodies.iter().enumerate().map(of).collect();
+        for ConnectionInertia { index, state, first_mode, .. } in &self.connections {
             let connection = &system.elastic_connections[*index];
-            let forces = connection.inertia_forces(&state.motions(&system.dofs, &acceleration[..m]));
+            let modal = &acceleration[m + first_mode..][..connection.modes.count()];
+            let accelerations = state.motions(&system.dofs, &acceleration[..m]);
+            let mut forces = connection.inertia_forces(&accelerations);
+            connection.add_inertia_of_modes(&mut forces, modal);
             for body in connection.bodies() {
-                let wrench = state.wrench_on(body, &forces);
-                for component in IN_PLANE {
-                    wrenches[body.0][component] += wrench[component];
-                }
+                add(&mut wrenches[body.0], pair_of(state.wrench_on(body, &forces)));
             }
         }
-        wrenches
+        let plane = matches!(system.bodies, Bodies::Plane(_));
+        let flat = |[force, moment]: Pair| {
+            let [[fx, fy, fz], [mx, my, mz]] = [force, moment];
+            let mut wrench = [fx, fy, fz, mx, my, mz];
+            OUT_OF_PLANE.into_iter().filter(|_| plane).for_each(|component| wrench[component] = 0.0);
+            wrench
+        };
+        wrenches.into_iter().map(flat).collect()
     }
-}
 
-impl Forces {
-    /// Returns the forces on the DOFs, per width of the model, then on the modal coordinates.
-    pub fn on_coordinates(&self, system: &System<'_>) -> Vec<f64> {
-        let mut all = on_dofs(system, &self.frames);
-        all.extend(&self.modal);
+    /// Returns the components on the DOFs of forces and moments on all frames, per width of the
+    /// model.
+    fn on_dofs(&self, system: &System<'_>, frames: &[Pair]) -> Vec<f64> {
+        let of = |dof: &Dof| {
+            self.bodies[dof.body].along(frames[dof.body], dof.component) / system.width(dof.body)
+        };
+        system.dofs.iter().map(of).collect()
+    }
+
+    /// Returns forces on the DOFs, per width of the model, then on the modal coordinates.
+    pub fn on_coordinates(&self, system: &System<'_>, forces: &Forces) -> Vec<f64> {
+        let mut all = self.on_dofs(system, &forces.frames);
+        all.extend(&forces.modal);
         all
+    }
+
+    /// Adds to a force and moment on a body along ground axes a force (N) or moment (N m) on one of
+    /// its DOFs.
+    pub fn add_on_dof(&self, wrench: &mut [f64; 6], dof: &Dof, force: f64) {
+        let mut along = [0.0; 6];
+        along[dof.component] = force;
+        let pair = self.bodies[dof.body].to_ground(along);
+        wrench.iter_mut().zip(pair.into_iter().flatten()).for_each(|(sum, more)| *sum += more);
     }
 }
 
@@ -344,7 +361,7 @@ fn turned([x, y]: [f64; 2], by: f64) -> [f64; 2] {
     [cosine * x - sine * y, sine * x + cosine * y]
 }
 
-/// Returns the coupling of every modal coordinate with its frame at a time.
+/// Returns the coupling of every modal coordinate of gears with its frame at a time.
 fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<ModalArm>, EngineError> {
     let mut arms = Vec::with_capacity(system.modes.count());
     for (index, body) in system.scene.bodies.iter().enumerate() {
@@ -362,13 +379,25 @@ fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<ModalArm>, EngineErr
     Ok(arms)
 }
 
-/// Returns the mass coupling between DOFs and modal coordinates of a plane model at a time,
+/// Returns the mass coupling between DOFs and modal coordinates of gears in a plane model at a time,
 /// row-major, per width of the model.
 ///
 /// # Errors
-/// A frame is NaN.
+/// E0710: a frame is NaN.
 pub fn coupling(system: &System<'_>, time: f64) -> Result<Vec<f64>, EngineError> {
     Ok(on_dofs_by_modes(system, &modal_arms(system, time)?))
+}
+
+/// Returns the mass coupling between DOFs and all modal coordinates, row-major, per width of the
+/// model.
+fn mass_coupling(system: &System<'_>, arms: &[ModalArm], time: f64) -> Result<Vec<f64>, EngineError> {
+    let (of_gears, of_connections) = (on_dofs_by_modes(system, arms), system.connection_mode_coupling(time)?);
+    let (gears, connections) = (arms.len(), system.mode_count() - arms.len());
+    let row = |dof: usize| {
+        let own = of_gears[dof * gears..].iter().take(gears);
+        own.chain(of_connections[dof * connections..].iter().take(connections))
+    };
+    Ok((0..system.dofs.len()).flat_map(row).copied().collect())
 }
 
 fn on_dofs_by_modes(system: &System<'_>, arms: &[ModalArm]) -> Vec<f64> {
@@ -386,93 +415,4 @@ fn on_dofs_by_modes(system: &System<'_>, arms: &[ModalArm]) -> Vec<f64> {
         }
     }
     coupling
-}
-
-/// Transforms forces and moments on frames to the DOFs, per width of the model.
-fn on_dofs(system: &System<'_>, frames: &[[f64; 3]]) -> Vec<f64> {
-    let of = |dof: &Dof| {
-        let component = IN_PLANE.iter().position(|component| *component == dof.component);
-        component.map_or(0.0, |component| frames[dof.body][component] / system.width(dof.body))
-    };
-    system.dofs.iter().map(of).collect()
-}
-
-/// Checks that transient analysis supports the model, before structures are built: it must be plane
-/// and elastic.
-///
-/// # Errors
-/// E0761: the model is three-dimensional. E0781: its bodies are rigid.
-pub fn check_section(fidelity: Fidelity) -> Result<(), EngineError> {
-    match fidelity {
-        Fidelity::Analytic | Fidelity::Plane => Ok(()),
-        Fidelity::Rigid => Err(EngineError::new(
-            "E0781",
-            "the fidelity level \"rigid\" has no forces, so bodies cannot vibrate on their teeth",
-            "",
-        )
-        .blame("fidelity")),
-        Fidelity::Solid(_) => Err(solid_model_error()),
-    }
-}
-
-/// Checks a plan whose fidelity permits both dimensions.
-///
-/// # Errors
-/// E0761: the model is three-dimensional.
-pub fn check_in_section(plan: &Plan) -> Result<(), EngineError> {
-    if plan.three_dimensional { Err(solid_model_error()) } else { Ok(()) }
-}
-
-fn solid_model_error() -> EngineError {
-    EngineError::new("E0761", "dynamic analyses are of plane models", "").blame("fidelity")
-}
-
-/// Checks that free bodies have mass.
-///
-/// # Errors
-/// E0762: a free DOF has no inertia.
-pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> Result<(), EngineError> {
-    for dof in dofs {
-        let body = &scene.bodies[dof.body];
-        let inertia = inertias.get(dof.body).copied().unwrap_or_default();
-        let (resists, what) = match dof.component {
-            0..3 => (inertia.mass, "mass"),
-            component => {
-                let about = component.saturating_sub(3).min(2);
-                (inertia.about[about][about], "moment of inertia")
-            }
-        };
-        let restrained = resists.is_finite() && resists > 0.0;
-        if !restrained && !connection_resists(scene, dof) {
-            if scene.connections_of(BodyId(dof.body)).any(|connection| connection.body.is_some()) {
-                let message = format!("the elastic body of the attachment \"{}\" has no mass", body.name);
-                let help = "state the density of its materials, or fix the attachment";
-                return Err(EngineError::new("E0762", message, help).about(Subject::Body(dof.body)));
-            }
-            return Err(EngineError::new(
-                "E0762",
-                format!("body \"{}\" is free to move and has no {what}", body.name),
-                "give it a `mass` and an `inertia`, or constrain it",
-            )
-            .blame("free")
-            .about(Subject::Body(dof.body)));
-        }
-    }
-    Ok(())
-}
-
-/// Returns whether an elastic connection has inertia along a DOF.
-fn connection_resists(scene: &Mechanism, dof: &Dof) -> bool {
-    scene.connections_of(BodyId(dof.body)).any(|connection| {
-        // The mass of an elastic body is condensed later, onto all components of its attachments.
-        if let Some(SharedElasticBody(body)) = &connection.body {
-            return body.has_mass();
-        }
-        let size = connection.size();
-        let own = connection.attachments.iter().enumerate();
-        own.filter(|(_, attachment)| attachment.to == Support::Body(BodyId(dof.body))).any(|(index, _)| {
-            let row = 6 * index + dof.component;
-            connection.mass.get(row * size + row).is_some_and(|&entry| entry > 0.0)
-        })
-    })
 }

@@ -25,8 +25,8 @@ const TOUCHING: f64 = 1e-7;
 /// others.
 const WORTH_LOADING: f64 = 0.1;
 /// Largest number of matrices of all cells by all cells that exist at a time: the compliance, its
-/// copy for the next correction of grids, its static part if modes are eliminated, and the factor
-/// of the active set.
+/// blocks or its copy for the next correction of grids, its static part if modes are eliminated,
+/// and the factor of the active set.
 const MATRICES: u64 = 4;
 /// Maximum number of corrections of grid sizes at a position.
 const REGRIDS: usize = 3;
@@ -361,10 +361,9 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let Some(elastic) = self.under.elastic else {
             return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }, compliance));
         };
-        let modal = Modal {
-            arms: self.space.modal_arms(&laid, elastic.modes),
-            statics: Some([problem.compliance.clone(), problem.arms.clone()]),
-        };
+        let arms = self.space.modal_arms(&laid, elastic.modes);
+        let statics = (arms.nrows() > 0).then(|| [problem.compliance.clone(), problem.arms.clone()]);
+        let modal = Modal { arms, statics };
         elastic.eliminate(&mut problem, &modal.arms);
         Ok((problem, modal, compliance))
     }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::observables::{Displacement, FilletSide, Gauge, GaugeReading, Reading};
+use calyx_fe::inertia::Inertia;
 use calyx_fe::material::Material;
 use calyx_model::body::Body;
 use calyx_model::disc::{Disc, Facing, Platen};

@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::observables::{SupportForce, SupportMoment};
+use calyx_fe::inertia::Inertia;
 use calyx_fe::material::Material;
 use calyx_model::bearing::Bearing;
 use calyx_model::body::Body;
