@@ -10,6 +10,7 @@ mod data_block;
 mod derived_quantities;
 mod docs;
 mod drive_sense;
+mod dynamics_in_space;
 mod elastic_bodies;
 mod examples;
 mod face_gear;

@@ -1,0 +1,201 @@
+//! Time integration in three dimensions as models describe it: shafts with component modes, spur
+//! and helical gears, against the plane model, the forced response, and in other orientations.
+
+use crate::models::codes;
+use calyx::{Engine, Module};
+use calyx_runtime::forced_response::ForcedResponse;
+use std::fs;
+
+/// Values of the outputs by position and output, SI, and the forced response.
+fn solved(text: &str) -> (Vec<Vec<f64>>, Option<ForcedResponse>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("model.cx");
+    fs::write(&path, text).expect("written");
+    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
+    let result = results.analysis().expect("an analysis");
+    let rows = result.rows.iter().map(|row| row.outputs.iter().map(|output| output.value).collect());
+    (rows.collect(), result.forced_response.clone())
+}
+
+fn rows(text: &str) -> Vec<Vec<f64>> {
+    solved(text).0
+}
+
+/// Asserts that two runs differ by at most a fraction of the largest value of each output.
+fn assert_same(found: &[Vec<f64>], expected: &[Vec<f64>], tolerance: f64) {
+    assert_eq!(found.len(), expected.len());
+    for output in 0..expected[0].len() {
+        let scale = expected.iter().map(|row| row[output].abs()).fold(0.0, f64::max);
+        for (row, (found, expected)) in found.iter().zip(expected).enumerate() {
+            let (found, expected) = (found[output], expected[output]);
+            assert!(
+                (found - expected).abs() <= tolerance * scale,
+                "output {output}, row {row}: {found:e} instead of {expected:e}, largest {scale:e}"
+            );
+        }
+    }
+}
+
+/// A stepped rotor with two discs at 800 rad/s after an impulse, with sections at equal distances
+/// of each segment and component modes up to a frequency, Hz.
+fn struck_rotor(sections: usize, highest: f64) -> String {
+    let ends = [0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.56, 0.62];
+    let diameters = [0.03, 0.03, 0.045, 0.045, 0.05, 0.05, 0.035, 0.03];
+    let segments = ends.windows(2).zip(diameters).map(|(ends, diameter)| {
+        format!("gears.shaft_segment(length = {} m, diameter = {diameter} m)", ends[1] - ends[0])
+    });
+    let positions = ends.windows(2).flat_map(|ends| {
+        (1..=sections).map(move |k| ends[0] + (ends[1] - ends[0]) * k as f64 / sections as f64)
+    });
+    let positions: Vec<String> = positions.map(|at| format!("{at:.9} m")).collect();
+    format!(
+        "import gears;
+units SI;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+var rotor = gears.shaft(
+    \"rotor\", [{}], steel, free = [\"u_x\", \"u_y\", \"theta_x\", \"theta_y\"], sections = [{}],
+    frame := Rotate(800 rad/s * Time, e3));
+gears.shaft_disc(rotor, at = 0.2 m, mass = 8.2 kg, inertia = 0.045 kg*m^2, diametral_inertia = 0.025 kg*m^2);
+gears.shaft_disc(rotor, at = 0.4 m, mass = 5.5 kg, inertia = 0.026 kg*m^2, diametral_inertia = 0.014 kg*m^2);
+var a = gears.bearing(\"A\", rotor, at = 0.05 m * e3, radial_stiffness = 5e7 N/m);
+var b = gears.bearing(\"B\", rotor, at = 0.56 m * e3, radial_stiffness = 8e7 N/m);
+gears.impulse(rotor, at = 0 s, duration = 0.4 ms, momentum = 2 N*s * e1);
+output ax := gears.bearing_force(a, \"x\");
+output ay := gears.bearing_force(a, \"y\");
+output bx := gears.bearing_force(b, \"x\");
+output by := gears.bearing_force(b, \"y\");
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(6 ms, step = 20 us)]), fidelity = \"analytic\", highest_frequency = {highest} Hz, error_estimates = \"none\");
+",
+        segments.collect::<Vec<_>>().join(", "),
+        positions.join(", "),
+    )
+}
+
+/// With component modes a shaft without sections moves like one with many; the gyroscopic moments
+/// of shaft and discs turn the motion out of the direction of the impulse.
+#[test]
+fn component_modes_replace_sections_of_a_struck_rotor() {
+    let many = rows(&struck_rotor(5, 0.0));
+    assert_same(&rows(&struck_rotor(0, 8000.0)), &many, 0.01);
+    let largest = |output: usize| many.iter().map(|row| row[output].abs()).fold(0.0, f64::max);
+    assert!(largest(1) > 0.3 * largest(0), "{} {}", largest(0), largest(1));
+}
+
+/// A spur pair whose gear moves along its axis, too, is three-dimensional, and vibrates as in the
+/// plane.
+#[test]
+fn a_spur_pair_vibrates_in_space_as_in_the_plane() {
+    let pair = |free: &str, bearing: &str| {
+        format!(
+            "import gears;
+units mm_N_s;
+var rack = gears.rack(module = 2.54 mm, tip_radius = 0.5 mm);
+function blank(in teeth, in bore) {{
+    var diameter = teeth * 2.54 mm;
+    return gears.external(
+        teeth = teeth, rack = rack, tooth_thickness = 3.96 mm, face_width = 25 mm,
+        outer_diameter = diameter + 4.6 mm, root_diameter = diameter - 6.1 mm,
+        material = gears.material(206 GPa, 0.3, density = 7850 kg/m^3),
+        rim = gears.simple_rim(diameter - 14 mm, bore));
+}}
+var pinion = gears.body(\"pinion\", blank(20, 30 mm), frame := Rotate(5000 rpm * Time, e3));
+var gear = gears.body(
+    \"gear\", blank(40, 60 mm), free = [\"theta_z\"{free}], moment = 200 N*m * e3, inertia = 0.002 kg*m^2,
+    frame := Rotate(-2500 rpm * Time, e3) * Translate(76.2 mm * e1));
+{bearing}
+var mesh = gears.mesh(pinion, gear, contact_cells = 8);
+output error := gears.transmission_error(mesh);
+output force := gears.mesh_force(mesh);
+output torque := gears.support_moment(pinion, \"z\");
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(1.2 ms, step = 15 us)]), fidelity = \"analytic\", error_estimates = \"none\");
+"
+        )
+    };
+    let plane = rows(&pair("", ""));
+    let space =
+        rows(&pair(", \"u_z\"", "gears.bearing(\"axial\", gear, axial_stiffness = 1e8 N/m);"));
+    assert_same(&space, &plane, 1e-3);
+    let varies = plane.iter().skip(1).map(|row| (row[1] / plane[0][1] - 1.0).abs()).fold(0.0, f64::max);
+    assert!(varies > 0.05, "{varies}");
+}
+
+/// A helical pair, its pinion on two bearings with dampers, with its frames displaced and rotated.
+fn helical(placed: &str, axis: &str, end: &str) -> String {
+    format!(
+        "import gears;
+units mm_N_s;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+function blank(in teeth, in hand) {{
+    return gears.external(
+        teeth, normal_module = 2 mm, helix_angle = 15 deg, hand = hand, face_width = 20 mm, material = steel,
+        modifications = [gears.lead_crown(3 um)]);
+}}
+var small = blank(23, \"right\"), large = blank(38, \"left\");
+var center_distance = gears.center_distance(small, large) + 0.05 mm;
+var speed = 3000 rpm;
+var cycle = 360 deg / 23 / speed;
+var pinion = gears.body(
+    \"pinion\", small, free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\"],
+    frame := Rotate(speed * Time, e3){placed});
+var gear = gears.body(
+    \"gear\", large, free = [\"theta_z\"], moment = 198 N*m * ({axis}),
+    frame := Rotate(-speed * 23 / 38 * Time, e3) * Translate(center_distance * e1){placed});
+var inner = gears.bearing(
+    \"inner\", pinion, at = 30 mm * e3, radial_stiffness = 4e8 N/m, axial_stiffness = 2e8 N/m,
+    radial_damping = 4e4 N*s/m, axial_damping = 4e4 N*s/m);
+var outer = gears.bearing(
+    \"outer\", pinion, at = -30 mm * e3, radial_stiffness = 4e8 N/m, radial_damping = 4e4 N*s/m);
+var mesh = gears.mesh(pinion, gear, contact_cells = 6);
+output error := gears.transmission_error(mesh);
+output force := gears.mesh_force(mesh);
+output inner_force := gears.bearing_force(inner, \"radial\");
+output outer_force := gears.bearing_force(outer, \"radial\");
+output axial_force := gears.bearing_force(inner, \"axial\");
+{end}"
+    )
+}
+
+fn in_time(cycles: usize, steps: usize) -> String {
+    format!(
+        "analyze(\"dynamic\", over = gears.time_ranges([gears.time_range({cycles} * cycle, step = cycle / {steps})]), fidelity = \"analytic\", error_estimates = \"none\");
+"
+    )
+}
+
+/// The whole in another place and orientation moves alike.
+#[test]
+fn the_orientation_of_a_helical_pair_in_time_does_not_matter() {
+    let upright = rows(&helical("", "e3", &in_time(1, 8)));
+    let placed = " * Rotate(0.5 rad, e1) * Rotate(0.3 rad, e2) * Translate(3 mm * e1 - 2 mm * e2 + 5 mm * e3)";
+    let axis = "cos(0.5) * sin(0.3) * e1 - sin(0.5) * e2 + cos(0.5) * cos(0.3) * e3";
+    assert_same(&rows(&helical(placed, axis, &in_time(1, 8))), &upright, 1e-9);
+}
+
+/// Without tooth separation the last of several mesh cycles of a helical pair agrees with the
+/// forced response, which has the same dampers.
+#[test]
+fn a_helical_pair_vibrates_as_its_forced_response() {
+    let (cycles, steps) = (7, 32);
+    let all = rows(&helical("", "e3", &in_time(cycles, steps)));
+    let last: Vec<f64> = all[all.len() - steps..].iter().map(|row| row[0]).collect();
+    let mean = last.iter().sum::<f64>() / last.len() as f64;
+    let found = (last.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / last.len() as f64).sqrt();
+    let request = "gears.forced_response(mesh, highest_speed = speed + 1 rpm, lowest_speed = speed, speeds = 2, harmonics = 8, damping_ratio = 0);
+analyze(\"quasi_static\", over = gears.times(0 s, cycle, 129), fidelity = \"analytic\", error_estimates = \"none\");
+";
+    let (_, response) = solved(&helical("", "e3", request));
+    let response = response.expect("a response");
+    let error = response.quantities.iter().position(|quantity| quantity.name.starts_with("transmission_error"));
+    let expected = response.points[0].rms(error.expect("it"));
+    assert!((found / expected - 1.0).abs() < 0.02, "{found:e} instead of {expected:e}");
+    let static_mean = response.points[0].amplitudes[error.expect("it")][0].re;
+    assert!((mean / static_mean - 1.0).abs() < 5e-3, "{mean:e} instead of {static_mean:e}");
+}
+
+/// Rolling elements are linearized for time integration, and bodies without mass cannot move.
+#[test]
+fn models_without_equations_of_motion_are_rejected() {
+    let massless = helical("", "e3", &in_time(1, 8)).replace(", density = 7850 kg/m^3", ", density = 0 kg/m^3");
+    assert_eq!(codes(&massless), ["E0762"]);
+}
