@@ -113,8 +113,7 @@ analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(1.2 ms, step = 1
         )
     };
     let plane = rows(&pair("", ""));
-    let space =
-        rows(&pair(", \"u_z\"", "gears.bearing(\"axial\", gear, axial_stiffness = 1e8 N/m);"));
+    let space = rows(&pair(", \"u_z\"", "gears.bearing(\"axial\", gear, axial_stiffness = 1e8 N/m);"));
     assert_same(&space, &plane, 1e-3);
     let varies = plane.iter().skip(1).map(|row| (row[1] / plane[0][1] - 1.0).abs()).fold(0.0, f64::max);
     assert!(varies > 0.05, "{varies}");
@@ -167,7 +166,8 @@ fn in_time(cycles: usize, steps: usize) -> String {
 #[test]
 fn the_orientation_of_a_helical_pair_in_time_does_not_matter() {
     let upright = rows(&helical("", "e3", &in_time(1, 8)));
-    let placed = " * Rotate(0.5 rad, e1) * Rotate(0.3 rad, e2) * Translate(3 mm * e1 - 2 mm * e2 + 5 mm * e3)";
+    let placed =
+        " * Rotate(0.5 rad, e1) * Rotate(0.3 rad, e2) * Translate(3 mm * e1 - 2 mm * e2 + 5 mm * e3)";
     let axis = "cos(0.5) * sin(0.3) * e1 - sin(0.5) * e2 + cos(0.5) * cos(0.3) * e3";
     assert_same(&rows(&helical(placed, axis, &in_time(1, 8))), &upright, 1e-9);
 }
@@ -186,16 +186,100 @@ analyze(\"quasi_static\", over = gears.times(0 s, cycle, 129), fidelity = \"anal
 ";
     let (_, response) = solved(&helical("", "e3", request));
     let response = response.expect("a response");
-    let error = response.quantities.iter().position(|quantity| quantity.name.starts_with("transmission_error"));
+    let error =
+        response.quantities.iter().position(|quantity| quantity.name.starts_with("transmission_error"));
     let expected = response.points[0].rms(error.expect("it"));
     assert!((found / expected - 1.0).abs() < 0.02, "{found:e} instead of {expected:e}");
     let static_mean = response.points[0].amplitudes[error.expect("it")][0].re;
     assert!((mean / static_mean - 1.0).abs() < 5e-3, "{mean:e} instead of {static_mean:e}");
 }
 
-/// Rolling elements are linearized for time integration, and bodies without mass cannot move.
+/// A shaft on a bearing whose force grows with the cube of the displacement, after a force sets in:
+/// the largest displacement follows from the work of the force, and the time to it from the energy.
+#[test]
+fn a_bearing_with_a_cubic_force_keeps_the_energy() {
+    let (stiffness, force) = (1e18, 500.0);
+    let points: Vec<f64> = (0..=200).map(|k| 1e-6 * f64::from(k)).collect();
+    let listed = |values: Vec<f64>, unit: &str| {
+        values.iter().map(|value| format!("{value:.9e} {unit}")).collect::<Vec<_>>().join(", ")
+    };
+    let forces = points.iter().map(|x| stiffness * x.powi(3)).collect();
+    let model = format!(
+        "import gears;
+units SI;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+var rotor = gears.shaft(
+    \"rotor\", [gears.shaft_segment(length = 0.2 m, diameter = 0.06 m)], steel, elastic = FALSE,
+    free = [\"u_x\", \"u_y\"], frame := Rotate(100 rad/s * Time, e3));
+gears.shaft_load(rotor, at = 0.1 m, force = {force} N * e1);
+gears.bearing(
+    \"cubic\", rotor, at = 0.1 m * e3, radial_displacements = [{}], radial_forces = [{}]);
+output x := gears.shaft_displacement(rotor, 0.1 m, \"x\");
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(0.9 ms, step = 2 us)]), fidelity = \"analytic\", start = \"frames\", error_estimates = \"none\");
+",
+        listed(points, "m"),
+        listed(forces, "N"),
+    );
+    let x: Vec<f64> = rows(&model).into_iter().map(|row| row[0]).collect();
+    let mass = 7850.0 * std::f64::consts::PI * 0.03 * 0.03 * 0.2;
+    let highest = f64::cbrt(4.0 * force / stiffness);
+    let (peak, found) =
+        x.iter().enumerate().fold((0, 0.0), |(at, most), (k, &x)| if x > most { (k, x) } else { (at, most) });
+    assert!((found / highest - 1.0).abs() < 1e-4, "{found:e} instead of {highest:e}");
+    // Time = integral of dx / v with m v² / 2 = F x - k x⁴ / 4, substituted x = highest sin²(s).
+    let parts = 2000;
+    let integrand = |s: f64| {
+        let x = highest * s.sin().powi(2);
+        let rate = (2.0 / mass * (force * x - 0.25 * stiffness * x.powi(4))).sqrt();
+        2.0 * highest * s.sin() * s.cos() / rate
+    };
+    let width = std::f64::consts::FRAC_PI_2 / f64::from(parts);
+    let time: f64 = (0..parts).map(|k| width * integrand(width * (f64::from(k) + 0.5))).sum();
+    let found = peak as f64 * 2e-6;
+    assert!((found - time).abs() < 4e-6, "{found} instead of {time}");
+}
+
+/// A rotor on ball bearings with clearance whose rolling elements pass: slowly it follows the
+/// equilibrium at every position.
+#[test]
+fn slow_rolling_elements_keep_their_equilibrium() {
+    let model = |end: &str| {
+        format!(
+            "import gears;
+units SI;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+var rotor = gears.shaft(
+    \"rotor\", [gears.shaft_segment(length = 0.3 m, diameter = 0.04 m)], steel,
+    free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\"], frame := Rotate(2 rad/s * Time, e3));
+gears.shaft_load(rotor, at = 0.12 m, force = 2000 N * e2 + 100 N * e3);
+function balls(in name, in at: Length) {{
+    return gears.ball_bearing(
+        name, rotor, at = at * e3, count = 9, ball_diameter = 12 mm, pitch_diameter = 60 mm,
+        clearance = 10 um, inner_speed = 2 rad/s);
+}}
+var a = balls(\"A\", 0.05 m);
+var b = balls(\"B\", 0.25 m);
+output x := gears.shaft_displacement(rotor, 0.12 m, \"x\");
+output y := gears.shaft_displacement(rotor, 0.12 m, \"y\");
+output z := gears.shaft_displacement(rotor, 0.12 m, \"z\");
+output a_force := gears.bearing_force(a, \"y\");
+output b_force := gears.bearing_force(b, \"y\");
+{end}"
+        )
+    };
+    let statics = rows(&model(
+        "analyze(\"quasi_static\", over = gears.times(0 s, 0.5 s, 26), fidelity = \"analytic\", error_estimates = \"none\");",
+    ));
+    let moving = rows(&model(
+        "analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(0.5 s, step = 1 ms, output_every = 20)]), rayleigh_mass = 2000 Hz, fidelity = \"analytic\", error_estimates = \"none\");",
+    ));
+    assert_same(&moving, &statics, 5e-3);
+}
+
+/// Bodies without mass cannot move in time.
 #[test]
 fn models_without_equations_of_motion_are_rejected() {
-    let massless = helical("", "e3", &in_time(1, 8)).replace(", density = 7850 kg/m^3", ", density = 0 kg/m^3");
+    let massless =
+        helical("", "e3", &in_time(1, 8)).replace(", density = 7850 kg/m^3", ", density = 0 kg/m^3");
     assert_eq!(codes(&massless), ["E0762"]);
 }

@@ -43,26 +43,8 @@ pub struct Request<'a> {
 }
 
 /// Codes of errors that another fidelity or another method may avoid.
-const AVOIDABLE: [&str; 12] = [
-    "E0610", "E0611", "E0623", "E0676", "E0690", "E0756", "E0761", "E0771", "E0780", "E0781", "E0782",
-    "E0783",
-];
-
-/// Rejects bearings with a nonlinear load in a method with inertia.
-fn refuse_nonlinear_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
-    let nonlinear = |&bearing: &usize| scene.bearings[bearing].nonlinear.is_some();
-    let Some(bearing) = plan.modelled_bearings().into_iter().find(nonlinear) else { return Ok(()) };
-    let own = &scene.bearings[bearing];
-    let what = if own.rolling().is_some() { "rolling elements" } else { "load curves" };
-    let message = format!("bearing \"{}\" has {what}, which dynamic analyses do not support", own.name);
-    let help = match own.rolling() {
-        Some(_) => {
-            "give `linearized_at`, the force on the body at its operating point, or use a quasi-static analysis"
-        }
-        None => "use a quasi-static analysis, or a bearing with the stiffness at the operating point",
-    };
-    Err(EngineError::new("E0727", message, help).about(Subject::Bearing(bearing)))
-}
+const AVOIDABLE: [&str; 11] =
+    ["E0610", "E0611", "E0623", "E0676", "E0690", "E0756", "E0771", "E0780", "E0781", "E0782", "E0783"];
 
 /// Rejects bearings that no motion of their bodies can load, if outputs depend on these bodies.
 fn refuse_idle_bearings(scene: &Scene, plan: &Plan) -> Result<(), EngineError> {
@@ -116,7 +98,7 @@ impl<'a> Request<'a> {
     ///
     /// # Errors
     /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676,
-    /// E0677, E0690, E0714, E0715, E0723, E0728, E0729, E0755, E0756, E0761 to E0764, E0770, E0771,
+    /// E0677, E0690, E0714, E0715, E0723, E0728, E0729, E0755, E0756, E0762 to E0764, E0770, E0771,
     /// E0780 to E0783. Also those of the interrupt.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
@@ -172,8 +154,9 @@ impl<'a> Request<'a> {
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             let modelled = plan.bodies.iter().enumerate().filter(|(_, body)| !body.left_out);
-            modelled.map(|(body, _)| check_axis(scene, body, method.first_equilibrium().unwrap_or(0.0))).collect::<Result<(), _>>()?;
-            refuse_nonlinear_bearings(scene, &plan)?;
+            modelled
+                .map(|(body, _)| check_axis(scene, body, method.first_equilibrium().unwrap_or(0.0)))
+                .collect::<Result<(), _>>()?;
         }
         if method.has_inertia() || modes || scene.examines_modes() {
             self.check_vibrations(&plan)?;

@@ -156,8 +156,11 @@ impl System<'_> {
 
     /// Solves the end of a time step (s) that starts with the deviations `start` from the
     /// prescribed motions. `springs` contains the matrix of the step and the stops relative to the
-    /// start, `load` the forces on the DOFs there. The resulting motion is relative to the
-    /// prescribed one.
+    /// start, `load` the forces on the DOFs there, both without nonlinear bearings. The resulting
+    /// motion is relative to the prescribed one.
+    ///
+    /// # Errors
+    /// Those of [`System::solve`]. E0726: nonlinear bearings find no equilibrium.
     pub fn step(
         &self,
         time: f64,
@@ -168,15 +171,23 @@ impl System<'_> {
         sizing: &[f64],
     ) -> Result<StepResult, EngineError> {
         let (direction, sizing) = (sizing, Some(sizing));
-        let nonlinear = None;
+        let bearings = match self.has_nonlinear_bearings() {
+            true => Some(NonlinearBearings::in_time(self, time, load)?),
+            false => None,
+        };
+        let nonlinear = bearings.as_ref();
         let under = Conditions { direction, springs, nonlinear, start, elastic, sizing, in_time: true };
-        match &self.bodies {
+        let mut step = match &self.bodies {
             Bodies::Plane(bodies) => {
                 Solver { system: self, space: &Plane { system: self, bodies }, under }.take(time, load)
             }
             Bodies::Solid(bodies) => {
                 Solver { system: self, space: &Solid { system: self, bodies }, under }.take(time, load)
             }
+        }?;
+        if let Some(bearings) = &bearings {
+            bearings.warn(&mut step)?;
         }
+        Ok(step)
     }
 }

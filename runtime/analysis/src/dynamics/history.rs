@@ -69,7 +69,7 @@ impl<'s> History<'s> {
     /// Plans the analysis, builds the structures and computes the modes.
     ///
     /// # Errors
-    /// E0761 to E0764, E0767: transient analysis does not support the scene or the options; those
+    /// E0762 to E0764, E0767: transient analysis does not support the scene or the options; those
     /// of [`crate::analysis::PlannedAnalysis`]; those of the interrupt.
     pub fn new(
         scene: &'s Scene,
@@ -215,7 +215,6 @@ impl<'s> History<'s> {
         match self.options.start {
             Start::Equilibrium => {
                 let matrices = Matrices::at(system, time)?;
-                let springs = system.springs_at(time)?;
                 let mut load = system.scaled_load(time, part)?;
                 load.iter_mut().zip(&matrices.load).for_each(|(load, own)| *load += own);
                 let squares = self.modes.squares.clone();
@@ -238,6 +237,7 @@ impl<'s> History<'s> {
                 // The static solution has no velocity relative to the prescribed motion.
                 let nothing = matrices.following(system, &state.velocity, &state.velocity);
                 step.other_loads = self.other_loads(&matrices, &at, &nothing, &state);
+                let springs = system.springs_with(time, &system.tangents_at(time, &step.motion)?)?;
                 let rest = EffectiveMatrix {
                     matrix: &springs.stiffness,
                     coupling: &elastic.coupling,
@@ -269,8 +269,9 @@ impl<'s> History<'s> {
         let (m, count) = (system.dofs.len(), self.modes.count());
         let matrices = Matrices::at(system, step.time)?;
         let fast = matrices.speed_warnings(system)?;
-        let springs = system.springs_at(step.time)?;
         let predicted = scheme.predicted(state, h);
+        let tangents = system.tangents_at(step.time, &predicted.displacement[..m])?;
+        let springs = system.springs_with(step.time, &tangents)?;
         let [of_mass, of_damping, _] = scheme.weights(h);
         let [by_mass, by_stiffness] = self.options.rayleigh;
         let (x, v) = (&predicted.displacement, &predicted.velocity);
@@ -324,6 +325,19 @@ impl<'s> History<'s> {
         load.iter_mut().zip(more).for_each(|(load, more)| *load += more);
 
         let modal_load = load.split_off(m);
+        // The solution of contact has the nonlinear bearings in place of their tangents.
+        let (mut within, mut applied) = (matrix.clone(), load.clone());
+        if system.has_nonlinear_bearings() {
+            let linear = system.linear_springs(step.time)?;
+            for i in 0..m {
+                applied[i] -= springs.load[i] - linear.load[i];
+                for j in 0..m {
+                    let tangent = springs.stiffness[i * m + j] - linear.stiffness[i * m + j];
+                    within[i * m + j] -= tangent;
+                    applied[i] += tangent * x[j];
+                }
+            }
+        }
         let elastic = ModalElimination {
             modes: &self.modes,
             stiffness: stiffness.clone(),
@@ -332,9 +346,9 @@ impl<'s> History<'s> {
             start: x[m..].to_vec(),
         };
         let start = &x[..m];
-        let moving = springs.stepping(start, matrix.clone());
+        let moving = springs.stepping(start, within);
         let with = Some(&elastic).filter(|_| count > 0);
-        let mut result = system.step(step.time, &moving, &load, start, with, &self.sizing)?;
+        let mut result = system.step(step.time, &moving, &applied, start, with, &self.sizing)?;
         let mut y = difference(&result.motion, start);
         y.extend(&result.modal);
         load.extend(&elastic.load);

@@ -167,7 +167,8 @@ mod tests {
         let second = |f: &dyn Fn(f64) -> Vector| -> Vector {
             let at = |k: f64| f(k * h);
             std::array::from_fn(|i| {
-                let sum = -at(-2.0)[i] + 16.0 * at(-1.0)[i] - 30.0 * at(0.0)[i] + 16.0 * at(1.0)[i] - at(2.0)[i];
+                let sum =
+                    -at(-2.0)[i] + 16.0 * at(-1.0)[i] - 30.0 * at(0.0)[i] + 16.0 * at(1.0)[i] - at(2.0)[i];
                 sum / (12.0 * h * h)
             })
         };

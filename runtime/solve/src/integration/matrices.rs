@@ -133,7 +133,7 @@ impl Matrices {
     /// Assembles the matrices at a time.
     ///
     /// # Errors
-    /// E0710: a frame is NaN. E0761: the axis of a body does not keep its direction. E0869: a
+    /// E0710: a frame is NaN. E0610: the axis of a body does not keep its direction. E0869: a
     /// connection has parted.
     pub fn at(system: &System<'_>, time: f64) -> Result<Matrices, EngineError> {
         let m = system.dofs.len();
@@ -165,7 +165,8 @@ impl Matrices {
         }
         for (index, body) in matrices.bodies.iter().enumerate() {
             let Some((own, first)) = system.modes.of_body(index) else { continue };
-            let [[ax, ay, _], spin, alpha] = [body.acceleration, body.angular_velocity, body.angular_acceleration];
+            let [[ax, ay, _], spin, alpha] =
+                [body.acceleration, body.angular_velocity, body.angular_acceleration];
             let loads = matrices.modal_load.iter_mut().zip(&matrices.arms);
             for (load, arm) in loads.skip(first).take(own.count()) {
                 *load = spin[2] * spin[2] * arm.outwards - dot(arm.along, [ax, ay]) - arm.about * alpha[2];
@@ -189,8 +190,8 @@ impl Matrices {
             }
             let state = ConnectionState::at(&system.scene.bodies, connection, time)?;
             // Accelerations of the prescribed motion, as values of all DOFs.
-            let dofs = (0..6)
-                .flat_map(|component| connection.bodies().map(move |id| Dof { body: id.0, component }));
+            let dofs =
+                (0..6).flat_map(|component| connection.bodies().map(move |id| Dof { body: id.0, component }));
             let dofs: Vec<Dof> = dofs.collect();
             let of = |dof: &Dof| {
                 let body = &self.bodies[dof.body];
@@ -201,7 +202,9 @@ impl Matrices {
             for body in connection.bodies() {
                 add(&mut self.loads[body.0], pair_of(state.wrench_on(body, &forces)));
             }
-            for (load, force) in self.modal_load[own.clone()].iter_mut().zip(connection.modal_inertia_forces(&accelerations)) {
+            for (load, force) in
+                self.modal_load[own.clone()].iter_mut().zip(connection.modal_inertia_forces(&accelerations))
+            {
                 *load += force;
             }
             let rotation = GyroscopicShaft::at(&system.scene.bodies, connection, &state, time);
@@ -214,8 +217,10 @@ impl Matrices {
     /// except those of accelerations and of the prescribed motion. Linear in both.
     pub fn following(&self, system: &System<'_>, displacement: &[f64], rate: &[f64]) -> Forces {
         let m = system.dofs.len();
-        let mut forces =
-            Forces { frames: vec![[[0.0; 3]; 2]; self.bodies.len()], modal: vec![0.0; self.modal_load.len()] };
+        let mut forces = Forces {
+            frames: vec![[[0.0; 3]; 2]; self.bodies.len()],
+            modal: vec![0.0; self.modal_load.len()],
+        };
         for (index, body) in self.bodies.iter().enumerate() {
             if body.is_uniform() {
                 continue;
@@ -333,9 +338,8 @@ impl Matrices {
     /// Returns the components on the DOFs of forces and moments on all frames, per width of the
     /// model.
     fn on_dofs(&self, system: &System<'_>, frames: &[Pair]) -> Vec<f64> {
-        let of = |dof: &Dof| {
-            self.bodies[dof.body].along(frames[dof.body], dof.component) / system.width(dof.body)
-        };
+        let of =
+            |dof: &Dof| self.bodies[dof.body].along(frames[dof.body], dof.component) / system.width(dof.body);
         system.dofs.iter().map(of).collect()
     }
 

@@ -36,7 +36,7 @@ const ROUNDING: f64 = 1e-8;
 /// DOFs of a body are along axes that keep their directions.
 ///
 /// # Errors
-/// E0710: the frame is NaN. E0761: the direction changes.
+/// E0710: the frame is NaN. E0610: the direction changes.
 pub fn check_axis(scene: &Mechanism, body: usize, time: f64) -> Result<(), EngineError> {
     let axis = solid_pose(scene, body, time)?.axis();
     let velocity = angular_velocity(scene.bodies[body].motion.as_ref(), time);
@@ -45,7 +45,7 @@ pub fn check_axis(scene: &Mechanism, body: usize, time: f64) -> Result<(), Engin
     }
     let name = &scene.bodies[body].name;
     Err(EngineError::new(
-        "E0761",
+        "E0610",
         format!("the axis of body \"{name}\" changes its direction, which dynamic analyses do not support"),
         "let its frame rotate about its own z axis only; it may move along any path",
     )

@@ -78,7 +78,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let mut grids =
             (0..candidates.len()).map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
         let mut known: Option<KnownCompliance> = None;
-        let mut iteration = self.under.nonlinear.map(NonlinearBearings::unloaded).transpose()?;
+        let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
+        let mut iteration = self.under.nonlinear.map(initial).transpose()?;
         // Active set of the grids without the rotation of their normals by the deflection.
         let mut active: Option<Vec<usize>> = None;
         let (drags, mut problem, modal, solution) = loop {

@@ -11,6 +11,9 @@
 //! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
 //!
+//! In a time step the same iteration has the inertia and damping of the step in addition, and starts
+//! from the deflections at the start of the step.
+//!
 //! See `docs/theory/rolling-bearings.md`.
 
 use super::StepResult;
@@ -66,6 +69,9 @@ pub(super) struct NonlinearBearings<'a> {
     scale: f64,
     /// True once a contact problem had the tangents.
     is_solved: Cell<bool>,
+    /// True for a time step, whose contact problems contain the springs and loads besides the
+    /// bearings, relative to its start.
+    in_time: bool,
 }
 
 /// State of the iteration.
@@ -81,6 +87,28 @@ pub(super) struct NonlinearIteration {
 }
 
 impl System<'_> {
+    /// Returns the tangents of nonlinear bearings at deviations from the prescribed motions at a time
+    /// (s), by bearing of the scene.
+    ///
+    /// # Errors
+    /// Those of [`NonlinearLoad::state`].
+    pub fn tangents_at(&self, time: f64, motion: &[f64]) -> Result<Vec<Option<Tangent>>, EngineError> {
+        let mut by_scene = vec![None; self.scene.bearings.len()];
+        for member in members(self, time)? {
+            let state = member.nonlinear.state(None, member.deflection(motion))?;
+            by_scene[member.bearing] = Some(member.nonlinear.tangent(&state, 0.0));
+        }
+        Ok(by_scene)
+    }
+
+    /// Returns the springs at a time (s) without the nonlinear bearings.
+    ///
+    /// # Errors
+    /// Those of [`System::springs_with`].
+    pub fn linear_springs(&self, time: f64) -> Result<Springs, EngineError> {
+        self.springs_with(time, &vec![Some(Tangent::default()); self.scene.bearings.len()])
+    }
+
     /// Returns whether bearings with a nonlinear load are modelled.
     pub fn has_nonlinear_bearings(&self) -> bool {
         self.bearings.iter().any(|&bearing| self.scene.bearings[bearing].nonlinear.is_some())
@@ -99,7 +127,7 @@ impl System<'_> {
         solve: impl Fn(&[Option<Tangent>], Option<&NonlinearBearings<'_>>) -> Result<StepResult, EngineError>,
     ) -> Result<StepResult, EngineError> {
         let bearings = NonlinearBearings::new(self, time, load)?;
-        let mut iteration = bearings.unloaded()?;
+        let mut iteration = bearings.initial(&[])?;
         let is_preloaded = iteration.states.iter().any(|state| state.evaluation.scale > 0.0);
         // In the limit without load, bearings keep the middle of their clearance.
         if !is_preloaded && load.iter().all(|&load| load == 0.0) {
@@ -142,34 +170,63 @@ impl System<'_> {
     }
 }
 
+/// Returns the modelled bearings with a nonlinear load at a time (s).
+fn members(system: &System<'_>, time: f64) -> Result<Vec<Member>, EngineError> {
+    let mut members = Vec::new();
+    for &bearing in &system.bearings {
+        let own = &system.scene.bearings[bearing];
+        let Some(nonlinear) = &own.nonlinear else { continue };
+        let placed = BearingState::at(&system.scene.bodies, own, time)?;
+        let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
+        let (radius, width) = (nonlinear.radius(), system.width(own.body.0));
+        members.push(Member { bearing, nonlinear: nonlinear.at_time(time), arms, radius, width });
+    }
+    Ok(members)
+}
+
+/// Subtracts the forces of a stiffness at motions, by DOF, from a load.
+fn strain(load: &mut [f64], stiffness: &[f64], motion: &[f64]) {
+    for (load, row) in load.iter_mut().zip(stiffness.chunks_exact(stiffness.len().isqrt().max(1))) {
+        *load -= row.iter().zip(motion).map(|(entry, moved)| entry * moved).sum::<f64>();
+    }
+}
+
 impl<'a> NonlinearBearings<'a> {
+    /// Creates the bearings of an equilibrium under an external load.
     fn new(system: &'a System<'a>, time: f64, load: &[f64]) -> Result<Self, EngineError> {
-        let mut members = Vec::new();
-        for &bearing in &system.bearings {
-            let own = &system.scene.bearings[bearing];
-            let Some(nonlinear) = &own.nonlinear else { continue };
-            let placed = BearingState::at(&system.scene.bodies, own, time)?;
-            let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
-            let (radius, width) = (nonlinear.radius(), system.width(own.body.0));
-            members.push(Member { bearing, nonlinear: nonlinear.at_time(time), arms, radius, width });
-        }
-        let none = vec![Some(Tangent::default()); system.scene.bearings.len()];
-        let base = system.springs_with(time, &none)?;
+        Self::with(system, time, load, system.linear_springs(time)?, false)
+    }
+
+    /// Creates the bearings of a time step with these forces, for the scale of residuals.
+    pub(super) fn in_time(system: &'a System<'a>, time: f64, load: &[f64]) -> Result<Self, EngineError> {
+        Self::with(system, time, load, Springs::none(system.dofs.len()), true)
+    }
+
+    fn with(
+        system: &'a System<'a>,
+        time: f64,
+        load: &[f64],
+        base: Springs,
+        in_time: bool,
+    ) -> Result<Self, EngineError> {
+        let members = members(system, time)?;
         let radius = members.iter().map(|own: &Member| own.radius).fold(0.0, f64::max);
         let force = |(load, dof): (&f64, &Dof)| {
             let unit = if dof.component < 3 { 1.0 } else { radius };
             system.width(dof.body) * load.abs() / unit
         };
         let scale = load.iter().zip(&system.dofs).map(force).fold(0.0, f64::max);
-        Ok(Self { system, members, base, load: load.to_vec(), scale, is_solved: Cell::new(false) })
+        Ok(Self { system, members, base, load: load.to_vec(), scale, is_solved: Cell::new(false), in_time })
     }
 
-    /// Returns the iteration at bearings without deflection.
-    pub(super) fn unloaded(&self) -> Result<NonlinearIteration, EngineError> {
-        let states = self.members.iter().map(|own| own.nonlinear.state(None, [0.0; 5]));
+    /// Returns the iteration at bearings without deflection, or in a time step at its start.
+    pub(super) fn initial(&self, start: &[f64]) -> Result<NonlinearIteration, EngineError> {
+        let at = |own: &Member| if self.in_time { own.deflection(start) } else { [0.0; 5] };
+        let states = self.members.iter().map(|own| own.nonlinear.state(None, at(own)));
         Ok(NonlinearIteration {
             states: states.collect::<Result<_, _>>()?,
-            addition: ADDITIONS[0],
+            // In a time step inertia restrains bearings within their clearances.
+            addition: if self.in_time { ADDITIONS[1] } else { ADDITIONS[0] },
             residual: f64::INFINITY,
             worst: self.members.first().map_or(0, |own| own.bearing),
         })
@@ -190,9 +247,13 @@ impl<'a> NonlinearBearings<'a> {
         solve: impl Fn(ContactProblem, &[usize]) -> Result<(ContactProblem, Solution), EngineError>,
     ) -> Result<(ContactProblem, Solution), EngineError> {
         iteration.residual = f64::INFINITY;
+        let step = self.in_time.then(|| [problem.stiffness.clone(), problem.load.clone()]);
         for _ in 0..ROUNDS {
             let tangents = self.tangents(iteration);
-            self.put(&mut problem, &tangents, start);
+            match &step {
+                Some(step) => self.put_in_step(&mut problem, step, &tangents, start),
+                None => self.put(&mut problem, &tangents, start),
+            }
             let (solved, mut solution) = solve(problem, &guess)?;
             let motion = self.absolute(&solution.motion, start);
             if self.advance(iteration, &tangents, &motion)? {
@@ -218,8 +279,32 @@ impl<'a> NonlinearBearings<'a> {
 
     /// Replaces stiffness and load of a contact problem, whose motions are relative to `start`.
     fn put(&self, problem: &mut ContactProblem, tangents: &[Tangent], start: &[f64]) {
-        let m = self.load.len();
         let (mut stiffness, mut load) = (self.base.stiffness.clone(), self.base.load.clone());
+        self.add(&mut stiffness, &mut load, tangents);
+        strain(&mut load, &stiffness, start);
+        load.iter_mut().zip(&self.load).for_each(|(load, own)| *load += own);
+        (problem.stiffness, problem.load) = (stiffness, load);
+    }
+
+    /// Replaces stiffness and load of the contact problem of a time step, which are those `besides`
+    /// the bearings and refer to its start, as the motions do.
+    fn put_in_step(
+        &self,
+        problem: &mut ContactProblem,
+        [stiffness, load]: &[Vec<f64>; 2],
+        tangents: &[Tangent],
+        start: &[f64],
+    ) {
+        let (mut own_stiffness, mut own_load) = (vec![0.0; stiffness.len()], vec![0.0; load.len()]);
+        self.add(&mut own_stiffness, &mut own_load, tangents);
+        strain(&mut own_load, &own_stiffness, start);
+        let sum = |one: &[f64], other: &[f64]| one.iter().zip(other).map(|(a, b)| a + b).collect();
+        (problem.stiffness, problem.load) = (sum(stiffness, &own_stiffness), sum(load, &own_load));
+    }
+
+    /// Adds the tangents to the stiffness and load of the DOFs.
+    fn add(&self, stiffness: &mut [f64], load: &mut [f64], tangents: &[Tangent]) {
+        let m = load.len();
         for (own, tangent) in self.members.iter().zip(tangents) {
             for (k, column) in own.arms.iter().enumerate() {
                 let pushed: [f64; 6] = tangent.stiffness.map(|row| dot(&row, column));
@@ -235,12 +320,6 @@ impl<'a> NonlinearBearings<'a> {
                 }
             }
         }
-        for k in 0..m {
-            let row = &stiffness[k * m..(k + 1) * m];
-            let strained: f64 = row.iter().zip(start).map(|(entry, moved)| entry * moved).sum();
-            load[k] += self.load[k] - strained;
-        }
-        (problem.stiffness, problem.load) = (stiffness, load);
     }
 
     /// Moves the iteration toward the motions of a solution with these tangents; returns whether it
@@ -358,7 +437,7 @@ impl<'a> NonlinearBearings<'a> {
     }
 
     /// Adds the warnings about the bearings at a solution.
-    fn warn(&self, step: &mut StepResult) -> Result<(), EngineError> {
+    pub(super) fn warn(&self, step: &mut StepResult) -> Result<(), EngineError> {
         for own in &self.members {
             let [x, y, z, about_x, about_y] = own.deflection(&step.motion);
             let name = &self.system.scene.bearings[own.bearing].name;
