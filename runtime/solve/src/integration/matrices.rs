@@ -86,6 +86,8 @@ struct ConnectionInertia {
     first_mode: usize,
     /// Gyroscopic terms, if it is a rotating shaft.
     rotation: Option<GyroscopicShaft>,
+    /// True if it rotates and is no shaft.
+    lacks_coriolis_forces: bool,
 }
 
 /// Coupling of a modal coordinate with its frame, along ground axes about the axis of rotation.
@@ -208,7 +210,14 @@ impl Matrices {
                 *load += force;
             }
             let rotation = GyroscopicShaft::at(&system.scene.bodies, connection, &state, time);
-            self.connections.push(ConnectionInertia { index, state, first_mode: own.start, rotation });
+            let rotates = connection.bodies().any(|id| self.bodies[id.0].angular_velocity != [0.0; 3]);
+            self.connections.push(ConnectionInertia {
+                index,
+                state,
+                first_mode: own.start,
+                rotation,
+                lacks_coriolis_forces: rotates && connection.shaft.is_none(),
+            });
         }
         Ok(())
     }
@@ -292,6 +301,11 @@ impl Matrices {
                 ));
             }
         }
+        let rotating = self.connections.iter().filter(|connection| connection.lacks_coriolis_forces);
+        warnings.extend(rotating.map(|connection| {
+            let name = &system.elastic_connections[connection.index].name;
+            format!("the elastic body \"{name}\" rotates: the Coriolis and centrifugal forces of its vibration are left out")
+        }));
         Ok(warnings)
     }
 
