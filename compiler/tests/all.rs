@@ -24,4 +24,5 @@ mod runner;
 mod settings_override;
 mod signals;
 mod support;
+mod sweep;
 mod tradeoff;

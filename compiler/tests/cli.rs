@@ -128,6 +128,11 @@ fn runs_go_on_with_their_own() {
 }
 
 #[test]
+fn sweeps_tabulate_their_cases() {
+    hold(include_str!("cli/sweep.md"));
+}
+
+#[test]
 fn options_change_the_analysis() {
     hold(include_str!("cli/overriding.md"));
 }

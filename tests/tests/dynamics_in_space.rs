@@ -276,10 +276,66 @@ output b_force := gears.bearing_force(b, \"y\");
     assert_same(&moving, &statics, 5e-3);
 }
 
+/// Under angular acceleration, a shaft with sections moves like a rigid one: the momentum of its
+/// sections turns with them. The constrained end of a twisted shaft carries the torque, the inertia
+/// and the damping proportional to the stiffness.
+#[test]
+fn shafts_follow_from_the_rates_of_their_momentum() {
+    let rotor = |elastic: &str| {
+        format!(
+            "import gears;
+units SI;
+var stiff = gears.material(youngs_modulus = 20600 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+var rotor = gears.shaft(
+    \"rotor\", [gears.shaft_segment(length = 0.1 m, diameter = 0.2 m)], stiff, elastic = {elastic},
+    free = [\"u_x\", \"u_y\", \"theta_x\", \"theta_y\"], frame := Rotate(10000 * (1 rad/s^2) * Time^2, e3));
+gears.shaft_load(rotor, at = 0.05 m, moment = 100 N*m * e1);
+gears.bearing(
+    \"A\", rotor, at = 0.05 m * e3, radial_stiffness = 5e7 N/m, tilting_stiffness = 1e5 N*m/rad, tilting_damping = 300 N*m*s/rad);
+output x := gears.shaft_rotation(rotor, 0.05 m, \"x\");
+output y := gears.shaft_rotation(rotor, 0.05 m, \"y\");
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(4 ms, step = 20 us)]), fidelity = \"analytic\", start = \"frames\", error_estimates = \"none\");
+"
+        )
+    };
+    assert_same(&rows(&rotor("TRUE")), &rows(&rotor("FALSE")), 5e-3);
+
+    let twisted = "import gears;
+units SI;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 7850 kg/m^3);
+var shaft = gears.shaft(
+    \"shaft\", [gears.shaft_segment(length = 0.5 m, diameter = 0.04 m)], steel,
+    prescribed_rotation_at = 0 m, free = [\"theta_z\"], frame := Rotate(100 rad/s * Time, e3));
+gears.shaft_disc(shaft, at = 0.5 m, mass = 20 kg, inertia = 0.4 kg*m^2);
+gears.shaft_load(shaft, at = 0.5 m, moment = 100 N*m * e3);
+output end := gears.shaft_rotation(shaft, 0.5 m, \"z\");
+output support := gears.support_moment(shaft, \"z\");
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(10 ms, step = 10 us)]), fidelity = \"analytic\", start = \"frames\", rayleigh_stiffness = 2e-5 s, error_estimates = \"none\");
+";
+    let all = rows(twisted);
+    // The shaft is light: its torque is that of stiffness and damping, G J / l (theta + eta theta').
+    let stiffness = 206e9 / 2.6 * std::f64::consts::PI * 0.02f64.powi(4) / 2.0 / 0.5;
+    for k in (100..900).step_by(100) {
+        let rate = (all[k + 1][0] - all[k - 1][0]) / 2e-5;
+        let torque = stiffness * (all[k][0] + 2e-5 * rate);
+        assert!((all[k][1] + torque).abs() < 0.5, "{k}: {} {torque}", all[k][1]);
+    }
+}
+
 /// Bodies without mass cannot move in time.
 #[test]
 fn models_without_equations_of_motion_are_rejected() {
     let massless =
         helical("", "e3", &in_time(1, 8)).replace(", density = 7850 kg/m^3", ", density = 0 kg/m^3");
     assert_eq!(codes(&massless), ["E0762"]);
+    // At the start the axis is still at rest.
+    let tilting = "import gears;
+units SI;
+var body = gears.rigid_body(
+    \"body\", free = [\"u_x\"], mass = 1 kg, inertia = 1 kg*m^2, frame := Rotate(0.02 * (1 rad/s^2) * Time^2, e1));
+var bearing = gears.bearing(\"A\", body, radial_stiffness = 1e6 N/m, at = 0 m * e3);
+output force := gears.bearing_force(bearing, \"x\");
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(1 ms, step = 0.1 ms)]), fidelity = \"analytic\");
+";
+    assert_eq!(codes(tilting), ["E0610"]);
 }

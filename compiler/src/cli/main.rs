@@ -19,6 +19,7 @@ mod new;
 mod repl;
 mod report;
 mod run;
+mod sweep;
 mod test;
 mod tradeoff;
 
@@ -67,6 +68,12 @@ enum Command {
     /// timing.json.
     #[command(after_help = run::EXAMPLES)]
     Run(run::Run),
+    /// Run a model at many values of its params
+    ///
+    /// Solves all combinations of the given values, several at a time, and writes a table with one
+    /// row per case, sweep.csv, and a page with plots, sweep.html.
+    #[command(after_help = sweep::EXAMPLES)]
+    Sweep(sweep::Sweep),
     /// Regenerate the HTML report of a run
     ///
     /// Every run writes report.html. This command writes it again from the results: after an
@@ -133,6 +140,7 @@ impl Command {
         match self {
             Command::Run(command) => command.warnings(),
             Command::Tradeoff(command) => command.warnings(),
+            Command::Sweep(command) => command.warnings(),
             _ => Some(MessageFormat::Human),
         }
     }
@@ -159,6 +167,7 @@ fn main() -> ExitCode {
         Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
+        Command::Sweep(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::Build(command) => command.run(),
         Command::Fmt(command) => command.run(),

@@ -24,6 +24,12 @@ pub trait Method: Send + Sync {
         false
     }
 
+    /// Returns times at which the prescribed motions of a method with inertia are checked before
+    /// the run, s.
+    fn checked_times(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
     /// Returns the time of the first equilibrium, s; `None` if the analysis starts without one. The
     /// contacts and supports must restrain all free components at this time.
     fn first_equilibrium(&self) -> Option<f64>;
@@ -50,6 +56,17 @@ impl Method for DynamicOptions {
 
     fn has_inertia(&self) -> bool {
         true
+    }
+
+    fn checked_times(&self) -> Vec<f64> {
+        // The start, and the middle and the end of each range.
+        let mut times = vec![self.from];
+        let mut begin = self.from;
+        for range in &self.ranges {
+            times.extend([0.5, 1.0].map(|part| begin + part * range.duration));
+            begin += range.duration;
+        }
+        times
     }
 
     fn first_equilibrium(&self) -> Option<f64> {

@@ -153,10 +153,10 @@ impl<'a> Request<'a> {
         }
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
-            let modelled = plan.bodies.iter().enumerate().filter(|(_, body)| !body.left_out);
-            modelled
-                .map(|(body, _)| check_axis(scene, body, method.first_equilibrium().unwrap_or(0.0)))
-                .collect::<Result<(), _>>()?;
+            let times = method.checked_times();
+            for (body, _) in plan.bodies.iter().enumerate().filter(|(_, body)| !body.left_out) {
+                times.iter().try_for_each(|&time| check_axis(scene, body, time))?;
+            }
         }
         if method.has_inertia() || modes || scene.examines_modes() {
             self.check_vibrations(&plan)?;

@@ -22,6 +22,7 @@ pub mod page;
 pub mod signals;
 pub mod stress_range;
 pub mod summary_table;
+pub mod sweep;
 #[cfg(feature = "pages")]
 pub mod tradeoff;
 mod von_mises;

@@ -138,7 +138,7 @@ fn passes_no_cycle(result: &AnalysisResult) -> bool {
 
 /// Formats five significant digits, or a word for an output that the fidelity level does not
 /// support.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     if value.is_nan() {
         return "none".into();
     }
@@ -163,7 +163,7 @@ fn place(result: &AnalysisResult, step: usize, place: Option<&Location>) -> Stri
     text
 }
 
-fn align(rows: &[Vec<String>]) -> String {
+pub(crate) fn align(rows: &[Vec<String>]) -> String {
     let last = rows.first().map_or(0, |row| row.len() - 1);
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..=last).map(width).collect();

@@ -57,6 +57,8 @@ pub mod schema;
 #[cfg(feature = "command")]
 pub mod settings_override;
 pub mod stepping;
+#[cfg(feature = "command")]
+pub mod sweep;
 mod watcher;
 
 pub use calyx_abi::Cancel;

@@ -123,10 +123,16 @@ impl RunArguments {
     /// Returns the structure cache on disk; `None` if it is disabled or the user has no cache
     /// directory.
     pub fn store(&self) -> Option<Store> {
-        let directory = match &self.cache {
-            _ if self.no_cache => return None,
-            Some(directory) if directory == OFF => return None,
-            Some(directory) => directory.clone(),
+        RunArguments::store_of(self.cache.as_deref(), self.no_cache)
+    }
+
+    /// Returns the structure cache in a directory, or in that of the user; `None` if it is disabled
+    /// or the user has no cache directory.
+    pub fn store_of(directory: Option<&Path>, disabled: bool) -> Option<Store> {
+        let directory = match directory {
+            _ if disabled => return None,
+            Some(directory) if directory == Path::new(OFF) => return None,
+            Some(directory) => directory.to_owned(),
             None => cache_directory()?,
         };
         Some(Store::new(directory, CACHE_LIMIT))

@@ -40,6 +40,8 @@ pub enum Kind {
     Run,
     /// Written by `calyx tradeoff`.
     Tradeoff,
+    /// Written by `calyx sweep`.
+    Sweep,
 }
 
 impl Kind {
@@ -50,6 +52,9 @@ impl Kind {
             Kind::Tradeoff => {
                 "Calyx tradeoff directory, format 1. `calyx tradeoff` replaces only the files listed here.\n"
             }
+            Kind::Sweep => {
+                "Calyx sweep directory, format 1. `calyx sweep` replaces only the files listed here.\n"
+            }
         }
     }
 
@@ -59,6 +64,7 @@ impl Kind {
         match self {
             Kind::Run => &FILES_OF_A_RUN,
             Kind::Tradeoff => &["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"],
+            Kind::Sweep => &["sweep.csv", "sweep.html", "cases.jsonl"],
         }
     }
 
@@ -66,7 +72,7 @@ impl Kind {
     fn folders(self) -> &'static [&'static str] {
         match self {
             Kind::Run => &[SIGNALS, vtu::FOLDER, body_pictures::FOLDER],
-            Kind::Tradeoff => &[],
+            Kind::Tradeoff | Kind::Sweep => &[],
         }
     }
 
@@ -100,6 +106,8 @@ impl Kind {
             Kind::Tradeoff => {
                 read("tradeoff.json").filter(|all| has(all, &["model", "settings", "reference"]))?;
             }
+            // All sweeps have a marker.
+            Kind::Sweep => return None,
         }
         names.retain(|name| self.allows(name));
         Some(names)

@@ -257,6 +257,14 @@ impl<'s> System<'s> {
         })
     }
 
+    /// Returns the number of teeth of a body; `None` if it has no surfaces.
+    pub fn teeth(&self, body: usize) -> Option<u32> {
+        match &self.bodies {
+            Bodies::Plane(bodies) => bodies.structures[body].as_deref().map(Structure::teeth),
+            Bodies::Solid(bodies) => bodies.structures[body].as_deref().map(SolidStructure::teeth),
+        }
+    }
+
     /// Returns the numbers of structures that were built and reused for this system.
     pub fn structure_counts(&self) -> StructureCounts {
         self.structure_counts
@@ -355,6 +363,36 @@ impl<'s> System<'s> {
             add_flanks(&mut springs, self.scene, (*body, contact), &self.dofs, time, between)?;
         }
         Ok(springs)
+    }
+
+    /// Returns the forces of the linear or linearized stiffness of bearings and elastic connections
+    /// on all six components of each body by motions of the DOFs: along and about the directions of
+    /// its DOFs, N and N m.
+    ///
+    /// # Errors
+    /// Those of [`System::springs_with`].
+    pub fn spring_forces(
+        &self,
+        time: f64,
+        tangents: &[Option<Tangent>],
+        motion: &[f64],
+    ) -> Result<Vec<[f64; 6]>, EngineError> {
+        let bodies = 0..self.scene.bodies.len();
+        let all: Vec<Dof> =
+            bodies.flat_map(|body| (0..6).map(move |component| Dof { body, component })).collect();
+        let Mechanism { bodies, bearings, .. } = self.scene;
+        let mut stiffness =
+            springs(bodies, bearings, &self.bearings, &all, |_| 1.0, time, tangents)?.stiffness;
+        let parts = (&bodies[..], &self.elastic_connections[..]);
+        add_connection_stiffness(&mut stiffness, parts, &self.connections, &all, |_| 1.0, time)?;
+        let mut whole = vec![0.0; all.len()];
+        for (dof, moved) in self.dofs.iter().zip(motion) {
+            whole[6 * dof.body + dof.component] = *moved;
+        }
+        let force =
+            |row: &[f64]| 0.0 - row.iter().zip(&whole).map(|(entry, moved)| entry * moved).sum::<f64>();
+        let forces: Vec<f64> = stiffness.chunks_exact(all.len().max(1)).map(force).collect();
+        Ok(forces.chunks_exact(6).map(|six| std::array::from_fn(|k| six[k])).collect())
     }
 
     /// Adds the mass of elastic connections at a time to a mass matrix of the DOFs, row-major, per

@@ -268,7 +268,7 @@ impl<'s> History<'s> {
         let (h, scheme, system) = (step.length, self.options.scheme, &self.system);
         let (m, count) = (system.dofs.len(), self.modes.count());
         let matrices = Matrices::at(system, step.time)?;
-        let fast = matrices.speed_warnings(system)?;
+        let warnings = matrices.warnings(system, h)?;
         let predicted = scheme.predicted(state, h);
         let tangents = system.tangents_at(step.time, &predicted.displacement[..m])?;
         let springs = system.springs_with(step.time, &tangents)?;
@@ -357,15 +357,20 @@ impl<'s> History<'s> {
         result.modal = state.displacement[m..].to_vec();
         result.velocity = state.velocity.clone();
         result.other_loads = self.other_loads(&matrices, step, &following, &state);
-        // Add the damping proportional to the stiffness of bearings, which the bearings do not
-        // report themselves.
-        for (i, dof) in system.dofs.iter().enumerate() {
-            let row = &springs.stiffness[i * m..(i + 1) * m];
-            let rate: f64 = row.iter().zip(&state.velocity).map(|(k, v)| k * v).sum();
-            let damped = -system.width(dof.body) * by_stiffness * rate;
-            matrices.add_on_dof(&mut result.other_loads[dof.body], dof, damped);
+        // The damping proportional to the stiffness of bearings and elastic connections, which these
+        // do not report themselves.
+        if by_stiffness > 0.0 {
+            let rates = &state.velocity[..m];
+            let forces = system.spring_forces(step.time, &tangents, rates)?;
+            for (body, force) in forces.into_iter().enumerate() {
+                matrices.add_on_body(
+                    &mut result.other_loads[body],
+                    body,
+                    force.map(|part| by_stiffness * part),
+                );
+            }
         }
-        result.warnings.extend(fast);
+        result.warnings.extend(warnings);
         // Observables use the springs of the scene, not the matrix of a step.
         result.problem.stiffness = springs.stiffness;
         Ok(CompletedStep { result, state, contact })

@@ -5,17 +5,24 @@ use super::{ConnectionState, ElasticConnection};
 use crate::bearing::Support;
 use crate::body::Body;
 use crate::dof::Dof;
-use crate::motion::angular_velocity;
+use crate::motion::{Motion, angular_acceleration, angular_velocity};
 use crate::whirl::quarter_turn_momentum;
 use calyx_numerics::error::EngineError;
-use calyx_numerics::vec3::dot;
+use calyx_numerics::vec3::{Vector, dot};
 
-/// Returns the angular velocity of a connection about its third reference axis at a time, rad/s.
-fn speed_of(bodies: &[Body], connection: &ElasticConnection, state: &ConnectionState, time: f64) -> f64 {
+/// Returns the component of an angular velocity or acceleration of a connection about its third
+/// reference axis at a time.
+fn about_axis(
+    bodies: &[Body],
+    connection: &ElasticConnection,
+    state: &ConnectionState,
+    time: f64,
+    rate: fn(&dyn Motion, f64) -> Vector,
+) -> f64 {
     match connection.attachments.first().map(|attachment| attachment.to) {
-        Some(Support::Body(id)) => bodies
-            .get(id.0)
-            .map_or(0.0, |body| dot(state.axes[2], angular_velocity(body.motion.as_ref(), time))),
+        Some(Support::Body(id)) => {
+            bodies.get(id.0).map_or(0.0, |body| dot(state.axes[2], rate(body.motion.as_ref(), time)))
+        }
         _ => 0.0,
     }
 }
@@ -35,7 +42,7 @@ impl<'c> Rotation<'c> {
         time: f64,
     ) -> Result<Rotation<'c>, EngineError> {
         let state = ConnectionState::at(bodies, connection, time)?;
-        let speed = speed_of(bodies, connection, &state, time);
+        let speed = about_axis(bodies, connection, &state, time, angular_velocity);
         Ok(Rotation { connection, state, speed })
     }
 
@@ -68,10 +75,16 @@ impl<'c> Rotation<'c> {
 }
 
 /// Gyroscopic terms of a rotating shaft at a time.
+///
+/// A section with the polar moment of inertia J has the momentum `J w (e + theta x e)`, whose rate
+/// of change by the deviations is `J (w theta' + w' theta) x e`.
 pub struct GyroscopicShaft {
-    /// Matrix between the attachments, and the component modes if there are any, row-major,
-    /// kg m²/s.
+    /// Matrix between the attachments, and the component modes if there are any, per angular
+    /// velocity, row-major, kg m².
     matrix: Vec<f64>,
+    /// Angular velocity, rad/s, and acceleration, rad/s².
+    speed: f64,
+    acceleration: f64,
 }
 
 impl GyroscopicShaft {
@@ -84,23 +97,31 @@ impl GyroscopicShaft {
         time: f64,
     ) -> Option<GyroscopicShaft> {
         let shaft = connection.shaft.as_ref().filter(|shaft| !shaft.rigid)?;
-        let speed = speed_of(bodies, connection, state, time);
+        let [speed, acceleration] = [angular_velocity, angular_acceleration]
+            .map(|rate| about_axis(bodies, connection, state, time, rate));
         let matrix = match &connection.modes.gyroscopic[..] {
-            _ if speed == 0.0 => return None,
+            _ if [speed, acceleration] == [0.0; 2] => return None,
             [] => shaft.shaft.gyroscopic(&shaft.stations),
             with_modes => with_modes.to_vec(),
         };
-        Some(GyroscopicShaft { matrix: matrix.into_iter().map(|entry| speed * entry).collect() })
+        Some(GyroscopicShaft { matrix, speed, acceleration })
     }
 
     /// Returns the gyroscopic forces on the attachments, along and about the reference axes, and on
-    /// the component modes, at rates of both.
-    pub fn gyroscopic_forces(&self, rates: &[Six], modal_rates: &[f64]) -> (Vec<Six>, Vec<f64>) {
+    /// the component modes, at displacements and rates of both.
+    pub fn forces(
+        &self,
+        [displacements, rates]: [&[Six]; 2],
+        [modal_displacements, modal_rates]: [&[f64]; 2],
+    ) -> (Vec<Six>, Vec<f64>) {
         let size = self.matrix.len().isqrt();
-        let rates: Vec<f64> = rates.iter().flatten().chain(modal_rates).copied().collect();
-        let of = |row: &[f64]| 0.0 - row.iter().zip(&rates).map(|(entry, rate)| entry * rate).sum::<f64>();
+        let displacements = displacements.iter().flatten().chain(modal_displacements);
+        let rates = rates.iter().flatten().chain(modal_rates);
+        let of = |(x, v): (&f64, &f64)| self.acceleration * x + self.speed * v;
+        let turning: Vec<f64> = displacements.zip(rates).map(of).collect();
+        let of = |row: &[f64]| 0.0 - row.iter().zip(&turning).map(|(entry, part)| entry * part).sum::<f64>();
         let forces: Vec<f64> = self.matrix.chunks_exact(size.max(1)).map(of).collect();
-        let (on_attachments, on_modes) = forces.split_at(rates.len() - modal_rates.len());
+        let (on_attachments, on_modes) = forces.split_at(turning.len() - modal_rates.len());
         let six = |part: &[f64]| std::array::from_fn(|k| part[k]);
         (on_attachments.chunks_exact(6).map(six).collect(), on_modes.to_vec())
     }
@@ -139,8 +160,11 @@ pub fn add_connection_gyroscopic(
 ) -> Result<(), EngineError> {
     for (connection, first_mode) in numbered(target, connections, planned) {
         let state = ConnectionState::at(bodies, connection, time)?;
-        if let Some(shaft) = GyroscopicShaft::at(bodies, connection, &state, time) {
-            Rotation { connection, state, speed: 1.0 }.add(target, dofs, first_mode, &shaft.matrix);
+        if let Some(GyroscopicShaft { matrix, speed, .. }) =
+            GyroscopicShaft::at(bodies, connection, &state, time)
+        {
+            let matrix: Vec<f64> = matrix.into_iter().map(|entry| speed * entry).collect();
+            Rotation { connection, state, speed }.add(target, dofs, first_mode, &matrix);
         }
     }
     Ok(())

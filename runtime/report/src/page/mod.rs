@@ -18,6 +18,7 @@ mod gear_data;
 mod k_chart;
 mod projection;
 mod read;
+pub mod sweep;
 mod units;
 mod vibration;
 

@@ -45,6 +45,7 @@ impl fmt::Display for DirectoryError {
                 let written_by = match kind {
                     Kind::Run => "a run",
                     Kind::Tradeoff => "`calyx tradeoff`",
+                    Kind::Sweep => "`calyx sweep`",
                 };
                 let has = if files.len() == 1 { "a file" } else { "files" };
                 write!(f, "{} has {has} that {written_by} did not write: {}", path.display(), names(files))

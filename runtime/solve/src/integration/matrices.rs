@@ -33,7 +33,7 @@
 //! rim; it is of second order in the displacements and not among the modal data. Both change a
 //! natural frequency by fractions of the order of `(omega / omega_n)²`, and including only one
 //! would give the wrong sign, so both are neglected. At a tenth of the lowest natural frequency
-//! this is one percent; from there on a step issues a warning ([`Matrices::speed_warnings`]). The
+//! this is one percent; from there on a step issues a warning ([`Matrices::warnings`]). The
 //! effect of the acceleration of the path on the stiffness of modes is neglected for the same
 //! reason. Of the elastic bodies that rotate, only shafts have gyroscopic terms. External loads act
 //! on the axis along ground axes, so they do not depend on deviations.
@@ -53,6 +53,8 @@ use calyx_model::frames::{pose, solid_pose};
 use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec2::dot;
+use calyx_numerics::vec3::length;
+use std::f64::consts::PI;
 
 /// Matrices at a time, per width of the model: DOFs first, then modal coordinates of gears and of
 /// elastic connections.
@@ -261,13 +263,13 @@ impl Matrices {
             }
             add(&mut forces.frames[index], frame);
         }
-        for ConnectionInertia { index, state, first_mode, rotation } in &self.connections {
+        for ConnectionInertia { index, state, first_mode, rotation, .. } in &self.connections {
             let Some(rotation) = rotation else { continue };
             let connection = &system.elastic_connections[*index];
             let modes = *first_mode..first_mode + connection.modes.count();
-            let rates = state.motions(&system.dofs, &rate[..m]);
-            let modal_rates = &rate[m + modes.start..m + modes.end];
-            let (on_attachments, on_modes) = rotation.gyroscopic_forces(&rates, modal_rates);
+            let [moved, rates] = [displacement, rate].map(|values| state.motions(&system.dofs, &values[..m]));
+            let modal = [displacement, rate].map(|values| &values[m + modes.start..m + modes.end]);
+            let (on_attachments, on_modes) = rotation.forces([&moved, &rates], modal);
             for body in connection.bodies() {
                 add(&mut forces.frames[body.0], pair_of(state.wrench_on(body, &on_attachments)));
             }
@@ -276,12 +278,30 @@ impl Matrices {
         forces
     }
 
-    /// Returns warnings about the neglected terms, in sentences.
+    /// Returns a warning for each gear that passes half of a tooth in a time step of this length, s.
+    fn skipped_teeth(&self, system: &System<'_>, step: f64) -> Vec<String> {
+        let mut gears: Vec<usize> =
+            system.scene.pairs.iter().flat_map(|pair| pair.bodies).map(|body| body.0).collect();
+        gears.sort_unstable();
+        gears.dedup();
+        let skips = |&gear: &usize| {
+            // A single tooth has no pitch.
+            let teeth = system.teeth(gear).filter(|&teeth| teeth > 1)?;
+            let turned = length(self.bodies[gear].angular_velocity) * step;
+            let name = &system.scene.bodies[gear].name;
+            (turned > PI / f64::from(teeth)).then(|| {
+                format!("body \"{name}\" rotates by more than half of a tooth in a time step: take steps of a twentieth of the shortest period of interest")
+            })
+        };
+        gears.iter().filter_map(skips).collect()
+    }
+
+    /// Returns warnings about neglected terms and steps that are too long, in sentences.
     ///
     /// # Errors
     /// E0767: a body rotates so fast that its modes differ from those at rest.
-    pub fn speed_warnings(&self, system: &System<'_>) -> Result<Vec<String>, EngineError> {
-        let mut warnings = Vec::new();
+    pub fn warnings(&self, system: &System<'_>, step: f64) -> Result<Vec<String>, EngineError> {
+        let mut warnings = self.skipped_teeth(system, step);
         for (index, body) in self.bodies.iter().enumerate() {
             let Some((own, _)) = system.modes.of_body(index) else { continue };
             let part = own.frequencies.first().map_or(0.0, |lowest| body.angular_velocity[2].abs() / lowest);
@@ -364,12 +384,10 @@ impl Matrices {
         all
     }
 
-    /// Adds to a force and moment on a body along ground axes a force (N) or moment (N m) on one of
-    /// its DOFs.
-    pub fn add_on_dof(&self, wrench: &mut [f64; 6], dof: &Dof, force: f64) {
-        let mut along = [0.0; 6];
-        along[dof.component] = force;
-        let pair = self.bodies[dof.body].to_ground(along);
+    /// Adds to a force and moment on a body along ground axes those on its six components, N and
+    /// N m.
+    pub fn add_on_body(&self, wrench: &mut [f64; 6], body: usize, along: [f64; 6]) {
+        let pair = self.bodies[body].to_ground(along);
         wrench.iter_mut().zip(pair.into_iter().flatten()).for_each(|(sum, more)| *sum += more);
     }
 }

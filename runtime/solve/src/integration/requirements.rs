@@ -74,6 +74,11 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
                 let help = "state the density of its materials, or fix the attachment";
                 return Err(EngineError::new("E0762", message, help).about(Subject::Body(dof.body)));
             }
+            if scene.connections_of(BodyId(dof.body)).any(|connection| connection.shaft.is_some()) {
+                let message = format!("\"{}\" is free to move, and its shaft has no mass", body.name);
+                let help = "state the density of the material of the shaft";
+                return Err(EngineError::new("E0762", message, help).about(Subject::Body(dof.body)));
+            }
             return Err(EngineError::new(
                 "E0762",
                 format!("body \"{}\" is free to move and has no {what}", body.name),

@@ -1,0 +1,179 @@
+//! `sweep.html`: the cases of a sweep as one self-contained page, with plots over the first varied
+//! number.
+
+use super::chart::{self, Axis, Curve, WIDE};
+use super::figure;
+use crate::sweep::{Case, Column, Row, Statistics, SweepTable};
+use calyx_abi::description::ParamValue;
+use calyx_abi::units::from_si;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Largest number of curves in a plot, one per colour.
+const CURVES: usize = 6;
+/// Largest number of rows in the table of the page; the file has all.
+const ROWS: usize = 500;
+
+/// Writes the page of a sweep.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write(path: &Path, table: &SweepTable) -> io::Result<()> {
+    fs::write(path, page(table).into_string())
+}
+
+fn page(table: &SweepTable) -> Markup {
+    let title = format!("Sweep of {}", table.model);
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (title) }
+                style { (PreEscaped(include_str!("style.css"))) }
+            }
+            body {
+                header {
+                    h1 { (title) }
+                    p { (table.doc.lines().next().unwrap_or_default()) }
+                    p { (table.rows.len()) " cases" @if table.failures() > 0 { ", of which " (table.failures()) " failed" } "." }
+                }
+                main {
+                    section id="plots" { h2 { "Outputs" } (plots(table)) }
+                    section id="cases" { h2 { "Cases" } (cases(table)) }
+                    (warnings(table))
+                }
+            }
+        }
+    }
+}
+
+/// Returns the index of the first param that is a number with several values: the abscissa.
+fn abscissa(table: &SweepTable) -> Option<usize> {
+    (0..table.params.len()).find(|&param| {
+        let mut numbers = table.cases.iter().filter_map(|case| number_of(case, param));
+        let Some(first) = numbers.next() else { return false };
+        numbers.any(|other| other != first)
+    })
+}
+
+fn number_of(case: &Case, param: usize) -> Option<f64> {
+    match case.values.get(param)? {
+        ParamValue::Number(si) => Some(*si),
+        _ => None,
+    }
+}
+
+/// Cases that one curve connects, and its name.
+type Family<'t> = (String, Vec<(&'t Case, &'t Row)>);
+
+/// Groups the cases that differ in the abscissa only.
+fn families(table: &SweepTable, abscissa: usize) -> Vec<Family<'_>> {
+    let mut families: Vec<Family<'_>> = Vec::new();
+    for (case, row) in table.cases.iter().zip(&table.rows) {
+        let others =
+            table.params.iter().zip(&case.values).enumerate().filter(|(param, _)| *param != abscissa);
+        let mut parts: Vec<String> = others
+            .map(|(_, (column, value))| {
+                format!("{} = {} {}", column.name, column.shown(value), column.unit).trim_end().to_owned()
+            })
+            .collect();
+        parts.splice(0..0, (!case.name.is_empty()).then(|| case.name.clone()));
+        let name = parts.join(", ");
+        match families.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, members)) => members.push((case, row)),
+            None => families.push((name, vec![(case, row)])),
+        }
+    }
+    families
+}
+
+fn plots(table: &SweepTable) -> Markup {
+    let Some(abscissa) = abscissa(table) else {
+        return html! { p.note { "No number varies, so there are no plots." } };
+    };
+    let families = families(table, abscissa);
+    let left_out = families.len().saturating_sub(CURVES);
+    html! {
+        @if left_out > 0 {
+            p.note { "The plots show the first " (CURVES) " of " (families.len()) " combinations of the other params; sweep.csv has all cases." }
+        }
+        @for output in &table.outputs {
+            (plot(table, output, (abscissa, &families), ("largest value", |all| all.max)))
+            (plot(table, output, (abscissa, &families), ("peak to peak", |all| all.peak_to_peak)))
+        }
+    }
+}
+
+fn plot(
+    table: &SweepTable,
+    output: &Column,
+    (abscissa, families): (usize, &[Family<'_>]),
+    (what, statistic): (&str, fn(&Statistics) -> Option<f64>),
+) -> Markup {
+    let param = &table.params[abscissa];
+    let curve = |(index, (name, members)): (usize, &Family<'_>)| {
+        let point = |(case, row): &(&Case, &Row)| {
+            Some((from_si(number_of(case, abscissa)?, param.factor), table.value(row, output, statistic)))
+        };
+        let mut points: Vec<(f64, f64)> = members.iter().filter_map(point).collect();
+        points.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Curve { name: name.clone(), colour: index, points, off: None }
+    };
+    let curves: Vec<Curve> = families.iter().take(CURVES).enumerate().map(curve).collect();
+    if curves.iter().flat_map(|curve| &curve.points).all(|(_, y)| !y.is_finite() || *y == 0.0) {
+        return PreEscaped(String::new());
+    }
+    let name = format!("{}, {what}", output.name);
+    let x = Axis { what: &param.name, unit: &param.unit };
+    let y = Axis { what: &name, unit: &output.unit };
+    let caption = format!("{} over {}: {what} of each case.", output.name, param.name);
+    figure(&chart::curves(WIDE, &x, &y, &curves, &[]), &caption)
+}
+
+fn cases(table: &SweepTable) -> Markup {
+    let unit = |column: &Column| if column.unit == "1" { String::new() } else { column.unit.clone() };
+    let shown = |value: f64| if value.is_nan() { String::new() } else { crate::summary_table::number(value) };
+    html! {
+        @if table.rows.len() > ROWS { p.note { "The first " (ROWS) " cases; sweep.csv has all." } }
+        table.numbers {
+            thead { tr {
+                th { "case" }
+                @if table.is_named() { th { "name" } }
+                @for column in &table.params { th { (column.name) br; (unit(column)) } }
+                @for column in &table.outputs { th { (column.name) br; "max, " (unit(column)) } }
+                th { "failure" }
+            } }
+            tbody { @for (case, row) in table.cases.iter().zip(&table.rows).take(ROWS) { tr {
+                td { (row.case) }
+                @if table.is_named() { td { (case.name) } }
+                @for (column, value) in table.params.iter().zip(&case.values) { td { (column.shown(value)) } }
+                @for column in &table.outputs { td { (shown(table.value(row, column, |all| all.max))) } }
+                td { (row.failure.as_deref().unwrap_or_default()) }
+            } } }
+        }
+    }
+}
+
+/// Lists each distinct warning with the numbers of its cases.
+fn warnings(table: &SweepTable) -> Markup {
+    let mut all: Vec<(&str, Vec<String>)> = Vec::new();
+    for row in &table.rows {
+        for warning in &row.warnings {
+            match all.iter_mut().find(|(known, _)| known == warning) {
+                Some((_, cases)) => cases.push(row.case.to_string()),
+                None => all.push((warning, vec![row.case.to_string()])),
+            }
+        }
+    }
+    html! { @if !all.is_empty() {
+        section id="warnings" {
+            h2 { "Warnings" }
+            ul { @for (warning, cases) in all { li { (warning) " (cases " (cases.join(", ")) ")" } } }
+        }
+    } }
+}

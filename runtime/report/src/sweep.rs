@@ -1,0 +1,239 @@
+//! Results of a sweep: one row per case, as a file and as text.
+
+use crate::summary_table::{align, number};
+use calyx_abi::description::{OutputDescription, ParamDescription, ParamValue};
+use calyx_abi::units::{from_si, shortest};
+use calyx_runtime::results::OutputSummary;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::io;
+use std::path::Path;
+
+/// Number of outputs in the printed table.
+const PRINTED: usize = 6;
+
+/// Column of a table: a param or an output, with its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    pub name: String,
+    pub unit: String,
+    /// Value of the unit in SI.
+    pub factor: f64,
+}
+
+impl From<&ParamDescription> for Column {
+    fn from(param: &ParamDescription) -> Column {
+        Column { name: param.name.clone(), unit: param.unit.name.clone(), factor: param.unit.factor }
+    }
+}
+
+impl From<&OutputDescription> for Column {
+    fn from(output: &OutputDescription) -> Column {
+        Column { name: output.name.clone(), unit: output.unit.name.clone(), factor: output.unit.factor }
+    }
+}
+
+impl Column {
+    /// Returns the heading of a column with this statistic, like `torque.max [N*m]`.
+    fn heading(&self, statistic: &str) -> String {
+        let name =
+            if statistic.is_empty() { self.name.clone() } else { format!("{}.{statistic}", self.name) };
+        if self.unit.is_empty() || self.unit == "1" { name } else { format!("{name} [{}]", self.unit) }
+    }
+
+    /// Returns a value of a param in the unit of the column, as text.
+    pub fn shown(&self, value: &ParamValue) -> String {
+        match value {
+            ParamValue::Bool(truth) => if *truth { "TRUE" } else { "FALSE" }.into(),
+            ParamValue::Number(si) => shortest(from_si(*si, self.factor)),
+            ParamValue::String(text) => text.clone(),
+            ParamValue::Numbers(all) => {
+                let all: Vec<String> = all.iter().map(|si| shortest(from_si(*si, self.factor))).collect();
+                all.join(" ")
+            }
+        }
+    }
+}
+
+/// Statistics of an output over the positions of a case, SI; `None` without a value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Statistics {
+    pub min: Option<f64>,
+    pub mean: Option<f64>,
+    pub max: Option<f64>,
+    pub peak_to_peak: Option<f64>,
+}
+
+impl Statistics {
+    /// Returns the statistics of a summary.
+    pub fn of(summary: &OutputSummary) -> Statistics {
+        let known = |value: f64| value.is_finite().then_some(value);
+        Statistics {
+            min: known(summary.min),
+            mean: known(summary.mean),
+            max: known(summary.max),
+            peak_to_peak: known(summary.peak_to_peak),
+        }
+    }
+}
+
+/// Result of a case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Number of the case, from 1.
+    pub case: usize,
+    /// Statistics by output; empty if the case failed.
+    pub outputs: BTreeMap<String, Statistics>,
+    /// Reason of a failure.
+    pub failure: Option<String>,
+    /// Warnings of the run.
+    pub warnings: Vec<String>,
+}
+
+/// A case of a sweep: its name, if it has one, and the values of the varied params.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    pub name: String,
+    pub values: Vec<ParamValue>,
+}
+
+/// Results of all cases.
+#[derive(Clone, Debug, Default)]
+pub struct SweepTable {
+    /// Name of the model.
+    pub model: String,
+    /// Doc comment of the model.
+    pub doc: String,
+    /// Varied params.
+    pub params: Vec<Column>,
+    pub outputs: Vec<Column>,
+    pub cases: Vec<Case>,
+    /// Rows by case, in order.
+    pub rows: Vec<Row>,
+}
+
+impl SweepTable {
+    /// Returns whether the cases have names.
+    pub fn is_named(&self) -> bool {
+        self.cases.iter().any(|case| !case.name.is_empty())
+    }
+
+    /// Returns the number of failed cases.
+    pub fn failures(&self) -> usize {
+        self.rows.iter().filter(|row| row.failure.is_some()).count()
+    }
+
+    /// Returns a statistic of an output of a row in the unit of the output; NaN without a value.
+    pub fn value(&self, row: &Row, output: &Column, of: impl Fn(&Statistics) -> Option<f64>) -> f64 {
+        let si = row.outputs.get(&output.name).and_then(of).unwrap_or(f64::NAN);
+        from_si(si, output.factor)
+    }
+
+    /// Writes one line per case as CSV. Headings have the unit in brackets, as `read_table` reads
+    /// it; values have all digits.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write(&self, path: &Path) -> io::Result<()> {
+        type Statistic = (&'static str, fn(&Statistics) -> Option<f64>);
+        let statistics: [Statistic; 4] = [
+            ("min", |all| all.min),
+            ("mean", |all| all.mean),
+            ("max", |all| all.max),
+            ("peak_to_peak", |all| all.peak_to_peak),
+        ];
+        let mut file = csv::Writer::from_path(path)?;
+        let mut head = vec!["case".to_owned()];
+        head.extend(self.is_named().then(|| "name".to_owned()));
+        head.extend(self.params.iter().map(|param| param.heading("")));
+        for output in &self.outputs {
+            head.extend(statistics.iter().map(|(name, _)| output.heading(name)));
+        }
+        head.push("failure".into());
+        file.write_record(&head)?;
+        for (case, row) in self.cases.iter().zip(&self.rows) {
+            let mut cells = vec![row.case.to_string()];
+            cells.extend(self.is_named().then(|| case.name.clone()));
+            cells.extend(self.params.iter().zip(&case.values).map(|(column, value)| column.shown(value)));
+            for output in &self.outputs {
+                let of = |statistic: fn(&Statistics) -> Option<f64>| self.value(row, output, statistic);
+                let text = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
+                cells.extend(statistics.iter().map(|(_, statistic)| text(of(*statistic))));
+            }
+            cells.push(row.failure.clone().unwrap_or_default());
+            file.write_record(&cells)?;
+        }
+        file.flush()
+    }
+
+    /// Formats one line per case: the varied params, and the largest values of the first outputs.
+    pub fn text(&self) -> String {
+        let shown = &self.outputs[..self.outputs.len().min(PRINTED)];
+        let mut head = vec!["case".to_owned()];
+        head.extend(self.is_named().then(|| "name".to_owned()));
+        head.extend(self.params.iter().map(|param| param.heading("")));
+        head.extend(shown.iter().map(|output| output.heading("max")));
+        head.push(String::new());
+        let mut lines = vec![head];
+        for (case, row) in self.cases.iter().zip(&self.rows) {
+            let mut cells = vec![row.case.to_string()];
+            cells.extend(self.is_named().then(|| case.name.clone()));
+            cells.extend(self.params.iter().zip(&case.values).map(|(column, value)| column.shown(value)));
+            cells.extend(shown.iter().map(|output| number(self.value(row, output, |all| all.max))));
+            cells.push(row.failure.clone().unwrap_or_default());
+            lines.push(cells);
+        }
+        align(&lines)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table() -> SweepTable {
+        let column = |name: &str, unit: &str, factor| Column { name: name.into(), unit: unit.into(), factor };
+        let statistics =
+            Statistics { min: Some(1e-6), mean: Some(2e-6), max: Some(3e-6), peak_to_peak: Some(2e-6) };
+        let outputs = BTreeMap::from([("te".to_owned(), statistics)]);
+        let solved = Row { case: 1, outputs, failure: None, warnings: Vec::new() };
+        let failed = Row {
+            case: 2,
+            outputs: BTreeMap::new(),
+            failure: Some("E0714: nothing carries it".into()),
+            warnings: Vec::new(),
+        };
+        let case = |name: &str, torque| Case {
+            name: name.into(),
+            values: vec![ParamValue::Number(torque), ParamValue::Bool(true)],
+        };
+        SweepTable {
+            model: "pair".into(),
+            doc: String::new(),
+            params: vec![column("torque", "N*mm", 1e-3), column("coast", "", 1.0)],
+            outputs: vec![column("te", "um", 1e-6)],
+            cases: vec![case("drive", 0.5), case("overload", 2.0)],
+            rows: vec![solved, failed],
+        }
+    }
+
+    #[test]
+    fn a_table_has_one_line_per_case_with_units_and_failures() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("sweep.csv");
+        table().write(&path).expect("written");
+        let text = std::fs::read_to_string(path).expect("a file");
+        assert_eq!(
+            text,
+            "case,name,torque [N*mm],coast,te.min [um],te.mean [um],te.max [um],te.peak_to_peak [um],failure\n\
+             1,drive,500,TRUE,1,2,3,2,\n\
+             2,overload,2000,TRUE,,,,,E0714: nothing carries it\n"
+        );
+        let text = table().text();
+        assert!(
+            text.lines().nth(2).is_some_and(|line| line.ends_with("E0714: nothing carries it")),
+            "{text}"
+        );
+        assert_eq!(table().failures(), 1);
+    }
+}
