@@ -110,6 +110,7 @@
 
 #![warn(missing_docs)]
 
+mod accepted_meshes;
 pub mod analyses;
 mod analytic;
 pub mod assembly;

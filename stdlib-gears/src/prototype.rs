@@ -1,6 +1,7 @@
 //! Gears as prototypes of the engine's bodies: their data, and the elastic structures built from
 //! them as the plan requires.
 
+use crate::accepted_meshes::check_once;
 use crate::blank::Rim;
 use crate::error::GeometryError;
 use crate::fillet::Side;
@@ -355,8 +356,8 @@ impl Prototype for GearPrototype {
             self.check_recovery(options)?;
             // In three dimensions the section is swept along the face.
             match three_dimensional {
-                true => self.check_section_mesh(options)?,
-                false => self.plane_mesh(options).map(|_| ())?,
+                true => check_once(self.solid_key(options), || self.check_section_mesh(options))?,
+                false => check_once(self.key(options), || self.plane_mesh(options).map(|_| ()))?,
             }
         }
         if let Ok(mut accepted) = self.accepted.lock() {

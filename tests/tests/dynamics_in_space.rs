@@ -313,7 +313,8 @@ output support := gears.support_moment(shaft, \"z\");
 analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(10 ms, step = 10 us)]), fidelity = \"analytic\", start = \"frames\", rayleigh_stiffness = 2e-5 s, error_estimates = \"none\");
 ";
     let all = rows(twisted);
-    // The shaft is light: its torque is that of stiffness and damping, G J / l (theta + eta theta').
+    // The shaft is light: its torque is that of stiffness and damping, G J / l (theta + eta
+    // theta').
     let stiffness = 206e9 / 2.6 * std::f64::consts::PI * 0.02f64.powi(4) / 2.0 / 0.5;
     for k in (100..900).step_by(100) {
         let rate = (all[k + 1][0] - all[k - 1][0]) / 2e-5;

@@ -65,8 +65,8 @@ pub struct Sweep {
     allow: AllowPath,
     /// Directory for the results [default: the model's file name with the suffix .sweep]
     ///
-    /// Contains sweep.csv (one row per case), sweep.html and cases.jsonl (finished cases, from which
-    /// an interrupted sweep continues).
+    /// Contains sweep.csv (one row per case), sweep.html and cases.jsonl (finished cases, from
+    /// which an interrupted sweep continues).
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write to a directory that contains other files

@@ -3,10 +3,11 @@
 //!
 //! A connection has *attachments*: points that are rigid parts of bodies or of ground. Each has
 //! three displacements and three rotations, along and about the axes of the reference, which is the
-//! body (or ground) of the first attachment. The axes of a shaft do not rotate with it. The connection is given by a symmetric positive
-//! semidefinite stiffness matrix between all these components, under which rigid-body motions of
-//! all attachments cause no forces, and by a mass matrix on the same components. It generalizes a
-//! bearing to several bodies, and enters the equilibrium in the same way.
+//! body (or ground) of the first attachment. The axes of a shaft do not rotate with it. The
+//! connection is given by a symmetric positive semidefinite stiffness matrix between all these
+//! components, under which rigid-body motions of all attachments cause no forces, and by a mass
+//! matrix on the same components. It generalizes a bearing to several bodies, and enters the
+//! equilibrium in the same way.
 //!
 //! The stiffness is linear about the prescribed motions of the bodies, so the attachments must keep
 //! their positions relative to the reference. The bodies may rotate about their attachments

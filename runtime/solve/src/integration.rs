@@ -2,11 +2,12 @@
 //! step.
 //!
 //! The unknowns are the DOFs of static analysis and, if modes are requested, the modal coordinates
-//! of gears (in plane models) and of elastic connections (in three dimensions). Contact includes the residual flexibility of the omitted modes, so contact points
-//! have no mass of their own and dynamic contact is well posed. A step of Newmark's family in
-//! acceleration form ([`newmark`]) is the static contact problem with the step's effective matrix
-//! in place of the springs. Its contact grid is created at the predicted positions of the bodies.
-//! No step requires a finite element mesh. See `docs/theory/dynamics.md`.
+//! of gears (in plane models) and of elastic connections (in three dimensions). Contact includes
+//! the residual flexibility of the omitted modes, so contact points have no mass of their own and
+//! dynamic contact is well posed. A step of Newmark's family in acceleration form ([`newmark`]) is
+//! the static contact problem with the step's effective matrix in place of the springs. Its contact
+//! grid is created at the predicted positions of the bodies. No step requires a finite element
+//! mesh. See `docs/theory/dynamics.md`.
 //!
 //! | Module | Contents |
 //! |---|---|

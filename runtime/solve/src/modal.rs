@@ -46,8 +46,8 @@ impl Modes {
         Modes { of, first, squares }
     }
 
-    /// Returns the modes with further coordinates that move no cell, by the squares of their natural
-    /// frequencies, (rad/s)².
+    /// Returns the modes with further coordinates that move no cell, by the squares of their
+    /// natural frequencies, (rad/s)².
     pub fn followed_by<'s>(&'s self, squares: impl Iterator<Item = &'s f64>) -> Modes {
         let squares = self.squares.iter().chain(squares).copied().collect();
         Modes { squares, ..self.clone() }
@@ -160,8 +160,8 @@ pub struct ModalElimination<'a> {
 }
 
 impl ModalElimination<'_> {
-    /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates, without rows if
-    /// no coordinate moves a cell. Bearing stops are not coupled to them.
+    /// Eliminates the coordinates from a problem; `arms` is C_q, cells by coordinates, without rows
+    /// if no coordinate moves a cell. Bearing stops are not coupled to them.
     pub fn eliminate(&self, problem: &mut ContactProblem, arms: &Mat<f64>) {
         let (n, m, count) = (problem.cells(), problem.dofs(), self.modes.count());
         let given: Vec<f64> = self.load.iter().zip(&self.stiffness).map(|(g, d)| g / d).collect();

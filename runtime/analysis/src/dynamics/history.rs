@@ -357,8 +357,8 @@ impl<'s> History<'s> {
         result.modal = state.displacement[m..].to_vec();
         result.velocity = state.velocity.clone();
         result.other_loads = self.other_loads(&matrices, step, &following, &state);
-        // The damping proportional to the stiffness of bearings and elastic connections, which these
-        // do not report themselves.
+        // The damping proportional to the stiffness of bearings and elastic connections, which
+        // these do not report themselves.
         if by_stiffness > 0.0 {
             let rates = &state.velocity[..m];
             let forces = system.spring_forces(step.time, &tangents, rates)?;

@@ -94,7 +94,7 @@ fn families(table: &SweepTable, abscissa: usize) -> Vec<Family<'_>> {
 
 fn plots(table: &SweepTable) -> Markup {
     let Some(abscissa) = abscissa(table) else {
-        return html! { p.note { "No number varies, so there are no plots." } };
+        return html! { p.note { "No numeric param varies, so there are no plots." } };
     };
     let families = families(table, abscissa);
     let left_out = families.len().saturating_sub(CURVES);

@@ -156,12 +156,12 @@ fn numbers_of(
     };
     let count: usize =
         count.parse().ok().filter(|count| (2..=MOST_CASES).contains(count)).ok_or_else(|| {
-            refused(format!("`{count}` is no number of values from 2 to {MOST_CASES}"), help.clone())
+            refused(format!("`{count}` is not a number of values from 2 to {MOST_CASES}"), help.clone())
         })?;
     let Some((from, to)) = ends.split_once("..") else { return Err(refused(help.clone(), "")) };
     let end = |text: &str| match valid(AssignedValue::Text(text.trim().to_owned()))? {
         ParamValue::Number(si) => Ok(si),
-        _ => Err(refused(format!("`{}` is no number, so it has no range", param.name), "list its values")),
+        _ => Err(refused(format!("`{}` is not numeric, so it has no range", param.name), "list its values")),
     };
     let (from, to) = (end(from)?, end(to)?);
     if log && !(from > 0.0 && to > 0.0) {

@@ -107,8 +107,8 @@ impl Sweep {
         Ok(instance)
     }
 
-    /// Solves all cases that no earlier call has solved. `done` is told the number of finished cases
-    /// after each.
+    /// Solves all cases that no earlier call has solved. `done` is told the number of finished
+    /// cases after each.
     ///
     /// # Errors
     /// An assigned value is invalid, or the journal cannot be written.

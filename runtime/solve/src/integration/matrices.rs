@@ -278,7 +278,8 @@ impl Matrices {
         forces
     }
 
-    /// Returns a warning for each gear that passes half of a tooth in a time step of this length, s.
+    /// Returns a warning for each gear that passes half of a tooth in a time step of this length,
+    /// s.
     fn skipped_teeth(&self, system: &System<'_>, step: f64) -> Vec<String> {
         let mut gears: Vec<usize> =
             system.scene.pairs.iter().flat_map(|pair| pair.bodies).map(|body| body.0).collect();
@@ -415,8 +416,8 @@ fn modal_arms(system: &System<'_>, time: f64) -> Result<Vec<ModalArm>, EngineErr
     Ok(arms)
 }
 
-/// Returns the mass coupling between DOFs and modal coordinates of gears in a plane model at a time,
-/// row-major, per width of the model.
+/// Returns the mass coupling between DOFs and modal coordinates of gears in a plane model at a
+/// time, row-major, per width of the model.
 ///
 /// # Errors
 /// E0710: a frame is NaN.

@@ -11,8 +11,8 @@
 //! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
 //!
-//! In a time step the same iteration has the inertia and damping of the step in addition, and starts
-//! from the deflections at the start of the step.
+//! In a time step the same iteration has the inertia and damping of the step in addition, and
+//! starts from the deflections at the start of the step.
 //!
 //! See `docs/theory/rolling-bearings.md`.
 
@@ -87,8 +87,8 @@ pub(super) struct NonlinearIteration {
 }
 
 impl System<'_> {
-    /// Returns the tangents of nonlinear bearings at deviations from the prescribed motions at a time
-    /// (s), by bearing of the scene.
+    /// Returns the tangents of nonlinear bearings at deviations from the prescribed motions at a
+    /// time (s), by bearing of the scene.
     ///
     /// # Errors
     /// Those of [`NonlinearLoad::state`].
