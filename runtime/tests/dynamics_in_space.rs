@@ -177,10 +177,11 @@ fn an_unbalanced_rotor_moves_in_a_circle() {
     let start = at(1).atan2(at(0));
     let natural = f64::sqrt(RADIAL / MASS);
     let size = unbalance * SPEED * SPEED / (RADIAL - MASS * SPEED * SPEED);
-    let meant: [(fn(f64) -> f64, [f64; 2]); 2] =
-        [(f64::cos, [start.cos(), -SPEED * start.sin()]), (f64::sin, [start.sin(), SPEED * start.cos()])];
-    for (k, (wave, [from, rate])) in meant.into_iter().enumerate() {
-        let forced = wave(start + SPEED * until);
+    // Phase, and initial value and rate of the circle, along both DOFs.
+    let (quarter, (sin, cos)) = (-0.5 * std::f64::consts::PI, start.sin_cos());
+    let meant = [(0.0, [cos, -SPEED * sin]), (quarter, [sin, SPEED * cos])];
+    for (k, (phase, [from, rate])) in meant.into_iter().enumerate() {
+        let forced = (start + SPEED * until + phase).cos();
         let own = -from * (natural * until).cos() - rate / natural * (natural * until).sin();
         let meant = size * (forced + own);
         assert!((found[k] - meant).abs() < 1e-5 * size.abs(), "{k}: {} {meant}", found[k]);

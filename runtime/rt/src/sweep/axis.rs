@@ -53,11 +53,10 @@ impl Axis {
             |value: AssignedValue| Setting::new(description, index, &value, None).map(|set| set.value);
         let points = match values {
             "*" => all_choices(param)?,
-            range if range.contains("..") => match numbers_of(range, param, &valid)? {
-                numbers => {
-                    numbers.into_iter().map(|si| valid(AssignedValue::Si(si))).collect::<Result<_, _>>()?
-                }
-            },
+            range if range.contains("..") => {
+                let numbers = numbers_of(range, param, &valid)?;
+                numbers.into_iter().map(|si| valid(AssignedValue::Si(si))).collect::<Result<_, _>>()?
+            }
             list => {
                 let texts = list.split(',').map(|text| valid(AssignedValue::Text(text.trim().to_owned())));
                 texts.collect::<Result<Vec<_>, _>>()?

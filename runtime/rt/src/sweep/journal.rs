@@ -1,5 +1,6 @@
 //! Journal of a sweep: a line of JSON with what is solved, then one line per finished case.
 
+use super::Solved;
 use calyx_report::sweep::{Column, Row};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -28,7 +29,7 @@ impl Journal {
     ///
     /// # Errors
     /// The file cannot be read or written.
-    pub fn open(directory: &Path, subject: &Value) -> io::Result<(Journal, Vec<(Row, Vec<Column>)>)> {
+    pub fn open(directory: &Path, subject: &Value) -> io::Result<(Journal, Vec<Solved>)> {
         let path = directory.join(JOURNAL);
         let text = match std::fs::read_to_string(&path) {
             Ok(text) => text,
@@ -60,7 +61,7 @@ impl Journal {
     ///
     /// # Errors
     /// The file cannot be written.
-    pub fn write(&self, (row, columns): &(Row, Vec<Column>)) -> io::Result<()> {
+    pub fn write(&self, (row, columns): &Solved) -> io::Result<()> {
         let columns = columns.iter().map(|column| (column.name.clone(), column.unit.clone(), column.factor));
         let line = Line { row: row.clone(), columns: columns.collect() };
         let mut text = serde_json::to_string(&line)?;

@@ -74,7 +74,7 @@ impl BodyInertia {
     }
 
     /// Transforms six components along the DOFs to ground axes.
-    pub(super) fn to_ground(&self, by: [f64; 6]) -> Pair {
+    pub(super) fn to_ground(self, by: [f64; 6]) -> Pair {
         let sum = |from: usize| {
             (0..3).fold([0.0; 3], |sum, axis| plus(sum, scaled(self.axes[axis], by[from + axis])))
         };
