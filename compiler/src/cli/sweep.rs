@@ -10,7 +10,7 @@ use calyx::rt::page::sweep as page;
 use calyx::rt::progress::{Progress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::settings_override::OverrideArguments;
-use calyx::rt::sweep::{Axis, JOURNAL, Outcome, Sweep as Cases, SweepTable};
+use calyx::rt::sweep::{Axis, JOURNAL, Outcome, Sweep as Cases};
 use calyx::rt::{Engine, EngineConfig, Error, ParamAssignment, RunError, interrupt};
 use clap::Args;
 use std::num::NonZeroUsize;
@@ -150,17 +150,13 @@ impl Sweep {
         });
         progress.finish();
         match outcome {
-            Ok(Outcome::Finished(table)) => self.report(&table, &directory),
-            Ok(Outcome::Ended) => {
-                format.note("interrupted; run the same command again to continue\n");
-                ExitCode::from(MODEL_ERROR)
-            }
+            Ok(outcome) => self.report(&outcome, &directory),
             Err(error) => failed(format, &module, error),
         }
     }
 
     /// Writes the results and prints the table.
-    fn report(&self, table: &SweepTable, directory: &Path) -> ExitCode {
+    fn report(&self, Outcome { table, count, earlier }: &Outcome, directory: &Path) -> ExitCode {
         let format = MessageFormat::Human;
         let [file, shown] = ["sweep.csv", "sweep.html"].map(|name| directory.join(name));
         if let Err(error) = table.write(&file).and_then(|()| page::write(&shown, table)) {
@@ -168,7 +164,19 @@ impl Sweep {
         }
         print!("{}", table.text());
         if !self.quiet {
+            if *earlier > 0 {
+                format.note(&format!("{earlier} cases were solved before\n"));
+            }
             format.note(&format!("table and plots are in {}\n", directory.display()));
+        }
+        if table.warned() > 0 && !self.quiet {
+            let cases = if table.warned() == 1 { "case has" } else { "cases have" };
+            format.warning(&format!("{} {cases} warnings, see sweep.html", table.warned()));
+        }
+        if table.rows.len() < *count {
+            let message = format!("interrupted after {} of {count} cases", table.rows.len());
+            format.failure(&message, "run the same command again to continue");
+            return ExitCode::from(MODEL_ERROR);
         }
         match table.failures() {
             0 => ExitCode::SUCCESS,

@@ -9,6 +9,14 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
+/// Magnitudes outside of which numbers have an exponent.
+const PLAIN: std::ops::Range<f64> = 1e-6..1e15;
+
+/// Formats a number with all digits.
+fn exact(value: f64) -> String {
+    if value == 0.0 || PLAIN.contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
+}
+
 /// Number of outputs in the printed table.
 const PRINTED: usize = 6;
 
@@ -41,6 +49,18 @@ impl Column {
         if self.unit.is_empty() || self.unit == "1" { name } else { format!("{name} [{}]", self.unit) }
     }
 
+    /// Returns a value of a param in the unit of the column with all digits.
+    fn exact(&self, value: &ParamValue) -> String {
+        match value {
+            ParamValue::Number(si) => exact(from_si(*si, self.factor)),
+            ParamValue::Numbers(all) => {
+                let all: Vec<String> = all.iter().map(|si| exact(from_si(*si, self.factor))).collect();
+                format!("[{}]", all.join(", "))
+            }
+            other => self.shown(other),
+        }
+    }
+
     /// Returns a value of a param in the unit of the column, as text.
     pub fn shown(&self, value: &ParamValue) -> String {
         match value {
@@ -62,6 +82,9 @@ pub struct Statistics {
     pub mean: Option<f64>,
     pub max: Option<f64>,
     pub peak_to_peak: Option<f64>,
+    /// Estimated error of the maximum.
+    #[serde(default)]
+    pub error: Option<f64>,
 }
 
 impl Statistics {
@@ -73,12 +96,13 @@ impl Statistics {
             mean: known(summary.mean),
             max: known(summary.max),
             peak_to_peak: known(summary.peak_to_peak),
+            error: summary.error.as_ref().and_then(|error| known(error.total.max)),
         }
     }
 }
 
 /// Result of a case.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Number of the case, from 1.
     pub case: usize,
@@ -118,6 +142,11 @@ impl SweepTable {
         self.cases.iter().any(|case| !case.name.is_empty())
     }
 
+    /// Returns the number of cases with warnings.
+    pub fn warned(&self) -> usize {
+        self.rows.iter().filter(|row| !row.warnings.is_empty()).count()
+    }
+
     /// Returns the number of failed cases.
     pub fn failures(&self) -> usize {
         self.rows.iter().filter(|row| row.failure.is_some()).count()
@@ -136,11 +165,12 @@ impl SweepTable {
     /// The file cannot be written.
     pub fn write(&self, path: &Path) -> io::Result<()> {
         type Statistic = (&'static str, fn(&Statistics) -> Option<f64>);
-        let statistics: [Statistic; 4] = [
+        let statistics: [Statistic; 5] = [
             ("min", |all| all.min),
             ("mean", |all| all.mean),
             ("max", |all| all.max),
             ("peak_to_peak", |all| all.peak_to_peak),
+            ("max_error", |all| all.error),
         ];
         let mut file = csv::Writer::from_path(path)?;
         let mut head = vec!["case".to_owned()];
@@ -149,18 +179,19 @@ impl SweepTable {
         for output in &self.outputs {
             head.extend(statistics.iter().map(|(name, _)| output.heading(name)));
         }
-        head.push("failure".into());
+        head.extend(["failure".to_owned(), "warnings".to_owned()]);
         file.write_record(&head)?;
         for (case, row) in self.cases.iter().zip(&self.rows) {
             let mut cells = vec![row.case.to_string()];
             cells.extend(self.is_named().then(|| case.name.clone()));
-            cells.extend(self.params.iter().zip(&case.values).map(|(column, value)| column.shown(value)));
+            cells.extend(self.params.iter().zip(&case.values).map(|(column, value)| column.exact(value)));
             for output in &self.outputs {
                 let of = |statistic: fn(&Statistics) -> Option<f64>| self.value(row, output, statistic);
-                let text = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
+                let text = |value: f64| if value.is_nan() { String::new() } else { exact(value) };
                 cells.extend(statistics.iter().map(|(_, statistic)| text(of(*statistic))));
             }
             cells.push(row.failure.clone().unwrap_or_default());
+            cells.push(row.warnings.join("; "));
             file.write_record(&cells)?;
         }
         file.flush()
@@ -193,8 +224,13 @@ mod tests {
 
     fn table() -> SweepTable {
         let column = |name: &str, unit: &str, factor| Column { name: name.into(), unit: unit.into(), factor };
-        let statistics =
-            Statistics { min: Some(1e-6), mean: Some(2e-6), max: Some(3e-6), peak_to_peak: Some(2e-6) };
+        let statistics = Statistics {
+            min: Some(1e-6),
+            mean: Some(2e-6),
+            max: Some(3e-6),
+            peak_to_peak: Some(2e-6),
+            error: None,
+        };
         let outputs = BTreeMap::from([("te".to_owned(), statistics)]);
         let solved = Row { case: 1, outputs, failure: None, warnings: Vec::new() };
         let failed = Row {
@@ -225,9 +261,9 @@ mod tests {
         let text = std::fs::read_to_string(path).expect("a file");
         assert_eq!(
             text,
-            "case,name,torque [N*mm],coast,te.min [um],te.mean [um],te.max [um],te.peak_to_peak [um],failure\n\
-             1,drive,500,TRUE,1,2,3,2,\n\
-             2,overload,2000,TRUE,,,,,E0714: nothing carries it\n"
+            "case,name,torque [N*mm],coast,te.min [um],te.mean [um],te.max [um],te.peak_to_peak [um],te.max_error [um],failure,warnings\n\
+             1,drive,500,TRUE,1,2,3,2,,,\n\
+             2,overload,2000,TRUE,,,,,,E0714: nothing carries it,\n"
         );
         let text = table().text();
         assert!(

@@ -32,6 +32,7 @@ pub struct Results {
     signals: Vec<Signal>,
     gear_data: DataBlock,
     flanks: Option<MeshedFlanks>,
+    tables: Vec<String>,
     time: Duration,
 }
 
@@ -67,16 +68,29 @@ impl Results {
         (calculated, time): (Option<Solved>, Duration),
     ) -> Results {
         let (mut analysis, mut findings, mut signals) = (None, Vec::new(), Vec::new());
-        let (mut gear_data, mut flanks) = (DataBlock::default(), None);
+        let (mut gear_data, mut flanks, mut tables) = (DataBlock::default(), None, Vec::new());
         if let Some(host) = context.host::<ModelHost>() {
             gear_data = DataBlock::of(host);
             flanks = Some(MeshedFlanks::of(host));
+            tables = host.tables.iter().map(|table| table.name.clone()).collect();
             analysis = host.result.take();
             findings = std::mem::take(&mut host.findings);
             signals = std::mem::take(&mut host.signals);
         }
         let calculated = calculated.map(|solved| Calculated::new(solved.row));
-        Results { program, shape, params, analysis, calculated, findings, signals, gear_data, flanks, time }
+        Results {
+            program,
+            shape,
+            params,
+            analysis,
+            calculated,
+            findings,
+            signals,
+            gear_data,
+            flanks,
+            tables,
+            time,
+        }
     }
 
     pub fn description(&self) -> &ModelDescription {
@@ -200,6 +214,11 @@ impl Results {
     /// Returns the durations of the stages of the analysis; `None` for a model without one.
     pub fn timing(&self) -> Option<&Timing> {
         self.analysis.as_ref().map(|result| &result.timing)
+    }
+
+    /// Returns the names of the tables that the run has read, as the model gives them.
+    pub fn tables(&self) -> &[String] {
+        &self.tables
     }
 
     /// Returns the duration of the program, including its analysis.

@@ -39,7 +39,7 @@ fn page(table: &SweepTable) -> Markup {
             body {
                 header {
                     h1 { (title) }
-                    p { (table.doc.lines().next().unwrap_or_default()) }
+                    @if let Some(line) = table.doc.lines().next().filter(|line| !line.is_empty()) { p { (line) } }
                     p { (table.rows.len()) " cases" @if table.failures() > 0 { ", of which " (table.failures()) " failed" } "." }
                 }
                 main {
@@ -93,10 +93,13 @@ fn families(table: &SweepTable, abscissa: usize) -> Vec<Family<'_>> {
 }
 
 fn plots(table: &SweepTable) -> Markup {
-    let Some(abscissa) = abscissa(table) else {
-        return html! { p.note { "No numeric param varies, so there are no plots." } };
+    let families = abscissa(table).map(|abscissa| (abscissa, families(table, abscissa)));
+    // Cases that no curve connects.
+    let Some((abscissa, families)) =
+        families.filter(|(_, families)| families.iter().any(|(_, members)| members.len() > 1))
+    else {
+        return html! { @for output in &table.outputs { (bars(table, output)) } };
     };
-    let families = families(table, abscissa);
     let left_out = families.len().saturating_sub(CURVES);
     html! {
         @if left_out > 0 {
@@ -133,6 +136,15 @@ fn plot(
     let y = Axis { what: &name, unit: &output.unit };
     let caption = format!("{} over {}: {what} of each case.", output.name, param.name);
     figure(&chart::curves(WIDE, &x, &y, &curves, &[]), &caption)
+}
+
+/// Shows the largest value of an output in each case.
+fn bars(table: &SweepTable, output: &Column) -> Markup {
+    let value = |row: &Row| table.value(row, output, |all| all.max);
+    let bars: Vec<(u64, f64)> = table.rows.iter().map(|row| (row.case as u64, value(row))).collect();
+    let name = format!("{}, largest value", output.name);
+    let (x, y) = (Axis { what: "case", unit: "" }, Axis { what: &name, unit: &output.unit });
+    figure(&chart::bars(WIDE, &x, &y, &bars), &format!("{}: largest value of each case.", output.name))
 }
 
 fn cases(table: &SweepTable) -> Markup {
@@ -173,7 +185,7 @@ fn warnings(table: &SweepTable) -> Markup {
     html! { @if !all.is_empty() {
         section id="warnings" {
             h2 { "Warnings" }
-            ul { @for (warning, cases) in all { li { (warning) " (cases " (cases.join(", ")) ")" } } }
+            ul { @for (warning, cases) in all { li { (warning) " (case " (cases.join(", ")) ")" } } }
         }
     } }
 }

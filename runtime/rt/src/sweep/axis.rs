@@ -58,6 +58,7 @@ impl Axis {
                 numbers.into_iter().map(|si| valid(AssignedValue::Si(si))).collect::<Result<_, _>>()?
             }
             list => {
+                check_units(param, &list.split(',').collect::<Vec<_>>())?;
                 let texts = list.split(',').map(|text| valid(AssignedValue::Text(text.trim().to_owned())));
                 texts.collect::<Result<Vec<_>, _>>()?
             }
@@ -83,19 +84,31 @@ impl Axis {
                 "give a CSV file with a line of param names",
             )
         };
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .comment(Some(b'#'))
-            .from_path(path)
-            .map_err(unreadable)?;
+        let reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(path);
+        let mut reader = reader.map_err(unreadable)?;
         let head = reader.headers().map_err(unreadable)?.clone();
         let is_name = |column: &str| column == "name" && index_of(description, column).is_err();
         let mut columns = Vec::new();
         for column in &head {
-            columns.push(if is_name(column) { None } else { Some(index_of(description, column)?) });
+            // A heading may have a unit in brackets, as those of sweep.csv.
+            let (name, unit) = match column.strip_suffix(']').and_then(|column| column.split_once('[')) {
+                Some((name, unit)) if index_of(description, column).is_err() => (name.trim(), unit.trim()),
+                _ => (column, ""),
+            };
+            columns.push(match is_name(name) {
+                true => None,
+                false => Some((
+                    index_of(description, name).map_err(|error| in_file(error, &shown))?,
+                    unit.to_owned(),
+                )),
+            });
+        }
+        let named = columns.iter().filter(|column| column.is_none()).count();
+        if named > 1 {
+            return Err(refused(format!("{shown} has {named} columns `name`"), "keep one of them"));
         }
         let mut axis = Axis {
-            params: columns.iter().flatten().copied().collect(),
+            params: columns.iter().flatten().map(|(index, _)| *index).collect(),
             names: Vec::new(),
             points: Vec::new(),
         };
@@ -103,11 +116,24 @@ impl Axis {
             let record = record.map_err(unreadable)?;
             let mut point = Vec::new();
             for (cell, column) in record.iter().zip(&columns) {
-                let Some(index) = column else {
+                let Some((index, unit)) = column else {
                     axis.names.push(cell.to_owned());
                     continue;
                 };
-                let value = AssignedValue::Text(cell.to_owned());
+                if cell.is_empty() {
+                    return Err(refused(
+                        format!(
+                            "case {} of {shown} has no value of `{}`",
+                            line + 1,
+                            description.params[*index].name
+                        ),
+                        "give every case a value of every param in the first line",
+                    ));
+                }
+                let has_unit = cell.parse::<f64>().is_err();
+                let text =
+                    if unit.is_empty() || has_unit { cell.to_owned() } else { format!("{cell} {unit}") };
+                let value = AssignedValue::Text(text);
                 let set = Setting::new(description, *index, &value, None).map_err(|error| match error {
                     Error::Given(why) => {
                         let message = format!("case {} of {shown}: {}", line + 1, why.message);
@@ -124,6 +150,29 @@ impl Axis {
             false => Ok(axis),
         }
     }
+}
+
+/// Adds the name of a file to an error.
+fn in_file(error: Error, file: &std::path::Display<'_>) -> Error {
+    match error {
+        Error::Given(why) => {
+            Error::Given(InvalidParam { message: format!("{file}: {}", why.message), ..why })
+        }
+        error => error,
+    }
+}
+
+/// Refuses values of a number of which some have a unit and others not: 50..100 N*m would mean
+/// 50 in another unit.
+fn check_units(param: &ParamDescription, texts: &[&str]) -> Result<(), Error> {
+    let bare = texts.iter().filter(|text| text.trim().parse::<f64>().is_ok()).count();
+    if matches!(param.repr, Repr::Number) && bare > 0 && bare < texts.len() {
+        return Err(refused(
+            format!("some values of `{}` have a unit, and others do not: {}", param.name, texts.join(", ")),
+            "give each value its unit, or none",
+        ));
+    }
+    Ok(())
 }
 
 fn all_choices(param: &ParamDescription) -> Result<Vec<ParamValue>, Error> {
@@ -158,6 +207,7 @@ fn numbers_of(
             refused(format!("`{count}` is not a number of values from 2 to {MOST_CASES}"), help.clone())
         })?;
     let Some((from, to)) = ends.split_once("..") else { return Err(refused(help.clone(), "")) };
+    check_units(param, &[from, to])?;
     let end = |text: &str| match valid(AssignedValue::Text(text.trim().to_owned()))? {
         ParamValue::Number(si) => Ok(si),
         _ => Err(refused(format!("`{}` is not numeric, so it has no range", param.name), "list its values")),

@@ -1,10 +1,15 @@
-//! Journal of a sweep: a line of JSON with what is solved, then one line per finished case.
+//! Journal of a sweep: a line of JSON with the model, then one line per solved case.
+//!
+//! A case is known by the values of all params, so a sweep with more values solves only the new
+//! cases. A case is solved again if a table that it has read has changed.
 
 use super::Solved;
 use calyx_report::sweep::{Column, Row};
+use calyx_runtime::cache::Key;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use std::fs::{File, OpenOptions};
+use std::collections::BTreeMap;
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
@@ -17,36 +22,54 @@ pub struct Journal(Mutex<File>);
 
 /// Line of a case.
 #[derive(Serialize, Deserialize)]
-struct Line {
-    row: Row,
+pub struct Line {
+    /// Values of all params, SI.
+    pub params: Value,
+    /// Content of each table that the case has read, by name.
+    pub tables: BTreeMap<String, String>,
+    pub row: Row,
     /// Name, unit and its value in SI, by output.
-    columns: Vec<(String, String, f64)>,
+    pub columns: Vec<(String, String, f64)>,
+}
+
+impl Line {
+    /// Returns the row, as of another case, with the columns of its outputs.
+    pub fn solved(self, case: usize) -> Solved {
+        let column = |(name, unit, factor)| Column { name, unit, factor };
+        (Row { case, ..self.row }, self.columns.into_iter().map(column).collect())
+    }
+}
+
+/// Returns a hash of the content of a table; empty if it cannot be read.
+pub fn fingerprint(directory: Option<&Path>, table: &str) -> String {
+    let path = directory.map_or_else(|| table.into(), |directory| directory.join(table));
+    let Ok(content) = fs::read(path) else { return String::new() };
+    let key = Key::of("table of a sweep").text(&String::from_utf8_lossy(&content)).finish();
+    key.bytes().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 impl Journal {
-    /// Opens the journal in a directory and returns its cases. A journal of another `subject` is
-    /// replaced. An incomplete last line, of a sweep that was killed, is ignored.
+    /// Opens the journal in a directory and returns its cases. A journal of another `subject`, or
+    /// version, is replaced. An incomplete last line, of a sweep that was killed, is ignored.
     ///
     /// # Errors
     /// The file cannot be read or written.
-    pub fn open(directory: &Path, subject: &Value) -> io::Result<(Journal, Vec<Solved>)> {
+    pub fn open(directory: &Path, subject: &Value) -> io::Result<(Journal, Vec<Line>)> {
         let path = directory.join(JOURNAL);
-        let text = match std::fs::read_to_string(&path) {
+        let text = match fs::read(&path) {
             Ok(text) => text,
-            Err(error) if error.kind() == ErrorKind::NotFound => String::new(),
+            Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
             Err(error) => return Err(error),
         };
-        let mut complete = text.split_inclusive('\n').filter(|line| line.ends_with('\n'));
-        let is_same = |line: &str| serde_json::from_str::<Value>(line).is_ok_and(|head| head == *subject);
-        let mut cases = Vec::new();
-        let mut kept = 0;
+        let mut complete = text.split_inclusive(|byte| *byte == b'\n').filter(|line| line.ends_with(b"\n"));
+        let is_same = |line: &[u8]| serde_json::from_slice::<Value>(line).is_ok_and(|head| head == *subject);
+        let (mut cases, mut kept) = (Vec::new(), 0);
         if let Some(first) = complete.next().filter(|line| is_same(line)) {
             kept = first.len();
             for line in complete {
-                let Ok(Line { row, columns }) = serde_json::from_str(line) else { break };
+                let Ok(case) = serde_json::from_slice(line) else { break };
                 kept += line.len();
-                let column = |(name, unit, factor)| Column { name, unit, factor };
-                cases.push((row, columns.into_iter().map(column).collect()));
+                cases.push(case);
             }
         }
         let mut file = OpenOptions::new().create(true).append(true).open(&path)?;
@@ -57,14 +80,12 @@ impl Journal {
         Ok((Journal(Mutex::new(file)), cases))
     }
 
-    /// Writes a finished case.
+    /// Writes a solved case.
     ///
     /// # Errors
     /// The file cannot be written.
-    pub fn write(&self, (row, columns): &Solved) -> io::Result<()> {
-        let columns = columns.iter().map(|column| (column.name.clone(), column.unit.clone(), column.factor));
-        let line = Line { row: row.clone(), columns: columns.collect() };
-        let mut text = serde_json::to_string(&line)?;
+    pub fn write(&self, line: &Line) -> io::Result<()> {
+        let mut text = serde_json::to_string(line)?;
         text.push('\n');
         let mut file = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         file.write_all(text.as_bytes())

@@ -1,6 +1,6 @@
 //! Sweeps: a model solved at many values of its params, several cases at a time.
 //!
-//! Each finished case is a line of the journal, so a sweep that is interrupted or killed resumes. A
+//! Each solved case is a line of the journal, so a sweep that is interrupted or killed resumes. A
 //! case gives the same numbers as a single run, bit for bit. All cases share the structures of
 //! bodies that do not change. A case that fails is a row with its reason.
 
@@ -8,7 +8,6 @@ mod axis;
 mod journal;
 
 pub use axis::{Axis, MOST_CASES};
-pub use calyx_report::sweep::SweepTable;
 pub use journal::JOURNAL;
 
 use crate::engine::Engine;
@@ -21,10 +20,10 @@ use crate::results::Results;
 use crate::run::RunError;
 use calyx_abi::{Cancel, Status};
 use calyx_report::directory::head;
-use calyx_report::sweep::{Case, Column, Row, Statistics};
+use calyx_report::sweep::{Case, Column, Row, Statistics, SweepTable};
 use calyx_runtime::settings_override::Override;
-use journal::Journal;
-use serde_json::json;
+use journal::{Journal, Line, fingerprint};
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -48,12 +47,15 @@ pub struct Sweep {
     pub cancel: Cancel,
 }
 
-/// Outcome of a sweep.
-pub enum Outcome {
-    /// All cases, in order.
-    Finished(Box<SweepTable>),
-    /// It was cancelled; the same sweep resumes.
-    Ended,
+/// Result of a sweep.
+pub struct Outcome {
+    /// Solved and failed cases, in order.
+    pub table: SweepTable,
+    /// Number of all cases; larger than that of the table if the sweep was cancelled. The same sweep
+    /// continues.
+    pub count: usize,
+    /// Number of cases that an earlier sweep has solved.
+    pub earlier: usize,
 }
 
 /// A solved case, with the columns of its outputs.
@@ -72,6 +74,13 @@ impl Sweep {
                 return Err(Error::Given(InvalidParam::new(
                     format!("two axes vary `{name}`"),
                     "give each param one list of values",
+                )));
+            }
+            let name = &self.program.description().params[param].name;
+            if self.given.iter().any(|given| given.name == *name) {
+                return Err(Error::Given(InvalidParam::new(
+                    format!("`{name}` is varied and also set to one value"),
+                    "remove it from `--set` and the params file, or do not vary it",
                 )));
             }
             params.push(param);
@@ -107,46 +116,49 @@ impl Sweep {
         Ok(instance)
     }
 
-    /// Solves all cases that no earlier call has solved. `done` is told the number of finished
-    /// cases after each.
+    /// Returns the instance of a case.
+    fn instance_of(&self, params: &[usize], case: &Case) -> Result<Instance, Error> {
+        let mut instance = self.instance()?;
+        for (&param, value) in params.iter().zip(&case.values) {
+            instance.set(self.program.description().params[param].name.as_str(), value.clone())?;
+        }
+        instance.on_print(|_| {});
+        Ok(instance)
+    }
+
+    /// Solves all cases that no earlier call has solved; failed ones are tried again. `done`
+    /// receives the number of finished cases after each.
     ///
     /// # Errors
     /// An assigned value is invalid, or the journal cannot be written.
     pub fn run(&self, done: impl Fn(usize, usize) + Sync) -> Result<Outcome, RunError> {
         let (params, cases) = self.cases().map_err(RunError::Run)?;
         let base = self.instance().map_err(RunError::Run)?.params().map_err(RunError::Run)?;
-        let description = self.program.description();
-        let mut subject = head(description, &base, &self.overrides);
-        let names: Vec<&str> = params.iter().map(|&param| description.params[param].name.as_str()).collect();
-        let values: Vec<_> = cases.iter().map(|case| (&case.name, &case.values)).collect();
-        subject["sweep"] = json!({ "params": names, "cases": values });
-        let unwritable = |error| RunError::Io { path: self.directory.clone(), error };
-        let (journal, earlier) = Journal::open(&self.directory, &subject).map_err(unwritable)?;
-        let mut solved: BTreeMap<usize, Solved> = earlier
-            .into_iter()
-            .filter(|(row, _)| row.case <= cases.len())
-            .map(|own| (own.0.case, own))
-            .collect();
+        let mut subject = head(self.program.description(), &base, &self.overrides);
+        if let Some(subject) = subject.as_object_mut() {
+            subject.remove("params");
+        }
+        let unwritable = |error| RunError::Io { path: self.directory.join(JOURNAL), error };
+        let (journal, lines) = Journal::open(&self.directory, &subject).map_err(unwritable)?;
+        let mut solved = self.known(&params, &cases, lines);
+        let earlier = solved.len();
         let left: Vec<usize> = (1..=cases.len()).filter(|case| !solved.contains_key(case)).collect();
-        let (next, finished) = (AtomicUsize::new(0), AtomicUsize::new(solved.len()));
+        let (next, finished) = (AtomicUsize::new(0), AtomicUsize::new(earlier));
         let found: Mutex<(Vec<Solved>, Option<RunError>)> = Mutex::default();
-        done(solved.len(), cases.len());
+        done(earlier, cases.len());
         let work = || {
             while let Some(&number) = left.get(next.fetch_add(1, Ordering::Relaxed)) {
-                let outcome = self.solve(&params, number, &cases[number - 1]).map_err(RunError::Run);
-                let written = outcome.and_then(|own| match own {
-                    Some(own) => journal.write(&own).map(|()| Some(own)).map_err(unwritable),
-                    None => Ok(None),
-                });
+                let outcome = self.solve(&params, number, &cases[number - 1]);
+                let written = match &outcome {
+                    Some(line) => journal.write(line).map_err(unwritable),
+                    None => return,
+                };
                 let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-                match written {
-                    Ok(Some(own)) => found.0.push(own),
-                    Ok(None) => return,
-                    Err(error) => {
-                        found.1.get_or_insert(error);
-                        return;
-                    }
+                if let Err(error) = written {
+                    found.1.get_or_insert(error);
+                    return;
                 }
+                found.0.extend(outcome.map(|line| line.solved(number)));
                 drop(found);
                 done(finished.fetch_add(1, Ordering::Relaxed) + 1, cases.len());
             }
@@ -161,55 +173,96 @@ impl Sweep {
             return Err(error);
         }
         solved.extend(found.into_iter().map(|own| (own.0.case, own)));
-        if solved.len() < cases.len() {
-            return Ok(Outcome::Ended);
-        }
+        let count = cases.len();
+        Ok(Outcome { table: self.table(&params, cases, solved), count, earlier })
+    }
+
+    fn table(&self, params: &[usize], cases: Vec<Case>, solved: BTreeMap<usize, Solved>) -> SweepTable {
+        let description = self.program.description();
         let mut outputs: Vec<Column> = Vec::new();
         for column in solved.values().flat_map(|(_, columns)| columns) {
             if !outputs.iter().any(|known| known.name == column.name) {
                 outputs.push(column.clone());
             }
         }
-        Ok(Outcome::Finished(Box::new(SweepTable {
+        let cases = cases.into_iter().enumerate().filter(|(k, _)| solved.contains_key(&(k + 1)));
+        SweepTable {
             model: description.name.clone(),
             doc: description.doc.clone(),
             params: params.iter().map(|&param| Column::from(&description.params[param])).collect(),
             outputs,
-            cases,
+            cases: cases.map(|(_, case)| case).collect(),
             rows: solved.into_values().map(|(row, _)| row).collect(),
-        })))
+        }
+    }
+
+    /// Returns the cases that the lines of a journal have solved, by their numbers.
+    fn known(&self, params: &[usize], cases: &[Case], lines: Vec<Line>) -> BTreeMap<usize, Solved> {
+        let directory = self.program.directory();
+        let mut hashes: BTreeMap<String, String> = BTreeMap::new();
+        let mut by_params: BTreeMap<String, Line> = BTreeMap::new();
+        for line in lines.into_iter().filter(|line| line.row.failure.is_none()) {
+            let current = line.tables.iter().all(|(table, known)| {
+                let hash = hashes.entry(table.clone());
+                hash.or_insert_with(|| fingerprint(directory.as_deref(), table)) == known
+            });
+            if current {
+                by_params.insert(line.params.to_string(), line);
+            }
+        }
+        let mut solved = BTreeMap::new();
+        if by_params.is_empty() {
+            return solved;
+        }
+        for (k, case) in cases.iter().enumerate() {
+            let params = self.instance_of(params, case).and_then(|instance| instance.params());
+            let key = params.map(|params| json!(params).to_string());
+            if let Some(line) = key.ok().and_then(|key| by_params.remove(&key)) {
+                solved.insert(k + 1, line.solved(k + 1));
+            }
+        }
+        solved
     }
 
     /// Solves a case; `None` if the sweep is cancelled.
-    fn solve(&self, params: &[usize], number: usize, case: &Case) -> Result<Option<Solved>, Error> {
-        let mut instance = self.instance()?;
-        let description = self.program.description();
-        let failed = |failure: String| {
-            let row =
-                Row { case: number, outputs: BTreeMap::new(), failure: Some(failure), warnings: Vec::new() };
-            Ok(Some((row, Vec::new())))
-        };
-        let set = params.iter().zip(&case.values);
-        let set = set.into_iter().try_for_each(|(&param, value)| {
-            instance.set(description.params[param].name.as_str(), value.clone())
+    fn solve(&self, params: &[usize], number: usize, case: &Case) -> Option<Line> {
+        let solved = self.instance_of(params, case).and_then(|instance| {
+            let params = json!(instance.params()?);
+            Ok((params, instance.solve()?))
         });
-        instance.on_print(|_| {});
-        match set.and_then(|()| instance.solve()) {
-            Ok(results) => Ok(Some(row_of(number, &results))),
-            Err(Error::Model(error)) if error.status() == Status::Cancelled => Ok(None),
-            Err(Error::Model(error)) => failed(format!("{}: {}", error.code, error.message)),
-            Err(Error::Given(why)) => failed(why.message),
+        let failure = match solved {
+            Ok((params, results)) => return Some(self.line(number, params, &results)),
+            Err(Error::Model(error)) if error.status() == Status::Cancelled => return None,
+            Err(Error::Model(error)) => format!("{}: {}", error.code, error.message),
+            Err(Error::Given(why)) => why.message,
+        };
+        let row = Row { case: number, failure: Some(failure), ..Row::default() };
+        Some(Line { params: Value::Null, tables: BTreeMap::new(), row, columns: Vec::new() })
+    }
+
+    /// Returns the line of a solved case.
+    fn line(&self, case: usize, params: Value, results: &Results) -> Line {
+        let description = results.description();
+        let columns = description.outputs.iter().map(Column::from);
+        let statistics = description.outputs.iter().zip(results.summaries());
+        let outputs = statistics.map(|(output, summary)| (output.name.clone(), Statistics::of(summary)));
+        let findings = results.findings().iter();
+        let findings = findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message));
+        let search = results.analysis().and_then(|result| result.tolerance_search.as_ref());
+        let missed = search.is_some_and(|search| search.ended.is_some());
+        let row = Row {
+            case,
+            outputs: outputs.collect(),
+            failure: missed.then(|| "the results do not meet the tolerance".to_owned()),
+            warnings: findings.chain(results.warnings()).collect(),
+        };
+        let directory = self.program.directory();
+        let table = |name: &String| (name.clone(), fingerprint(directory.as_deref(), name));
+        Line {
+            params,
+            tables: results.tables().iter().map(table).collect(),
+            row,
+            columns: columns.map(|column| (column.name, column.unit, column.factor)).collect(),
         }
     }
-}
-
-fn row_of(case: usize, results: &Results) -> Solved {
-    let description = results.description();
-    let columns: Vec<Column> = description.outputs.iter().map(Column::from).collect();
-    let statistics = description.outputs.iter().zip(results.summaries());
-    let outputs = statistics.map(|(output, summary)| (output.name.clone(), Statistics::of(summary)));
-    let findings =
-        results.findings().iter().map(|finding| format!("{}: {}", finding.error.code, finding.error.message));
-    let warnings = findings.chain(results.warnings()).collect();
-    (Row { case, outputs: outputs.collect(), failure: None, warnings }, columns)
 }
