@@ -62,3 +62,31 @@ fn rows_are_those_of_single_runs_at_any_number_of_threads_and_after_a_kill() {
         }
     }
 }
+
+#[test]
+fn failed_cases_and_those_of_changed_tables_are_solved_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    let write = |name: &str, text: &str| fs::write(at.join(name), text).expect("written");
+    write(
+        "table.cx",
+        "param file = \"one.csv\" in [\"one.csv\", \"two.csv\"];\noutput y := column(read_table(file), \"x\", 1)[0];\n",
+    );
+    write("one.csv", "x\n3\n");
+    let sweep = || {
+        let (status, told) = calyx(at, &["sweep", "table.cx", "--over", "file=*"]);
+        let mut reader = csv::Reader::from_path(at.join("table.cx.sweep/sweep.csv")).expect("a table");
+        let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("a row")).collect();
+        let largest: Vec<String> = rows.iter().map(|row| row[4].to_owned()).collect();
+        (status, largest, told)
+    };
+    let (status, largest, told) = sweep();
+    assert_eq!((status, &largest[..]), (Some(1), &["3".to_owned(), String::new()][..]), "{told}");
+    write("two.csv", "x\n7\n");
+    let (status, largest, told) = sweep();
+    assert_eq!((status, &largest[..]), (Some(0), &["3".to_owned(), "7".to_owned()][..]), "{told}");
+    assert!(told.contains("1 case was solved before"), "{told}");
+    write("two.csv", "x\n11\n");
+    let (status, largest, told) = sweep();
+    assert_eq!((status, &largest[..]), (Some(0), &["3".to_owned(), "11".to_owned()][..]), "{told}");
+}

@@ -165,7 +165,8 @@ impl Sweep {
         print!("{}", table.text());
         if !self.quiet {
             if *earlier > 0 {
-                format.note(&format!("{earlier} cases were solved before\n"));
+                let cases = if *earlier == 1 { "case was" } else { "cases were" };
+                format.note(&format!("{earlier} {cases} solved before\n"));
             }
             format.note(&format!("table and plots are in {}\n", directory.display()));
         }
