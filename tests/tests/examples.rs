@@ -86,7 +86,8 @@ fn every_example_checks_without_a_diagnostic_and_has_sound_pictures() {
 
 /// Analyses that a fidelity level does not support: rigid teeth have neither dynamics nor modes of
 /// their bodies, and no torque can be locked in a loop of rigid bodies.
-const REFUSED: [(&str, &str, &str); 3] = [
+const REFUSED: [(&str, &str, &str); 4] = [
+    ("helical_dynamics", "rigid", "E0781"),
     ("planetary_modes", "rigid", "E0782"),
     ("recirculating", "rigid", "E0717"),
     ("spur_dynamics", "rigid", "E0781"),
