@@ -1,22 +1,7 @@
 //! Time integration in three dimensions as models describe it: shafts with component modes, spur
 //! and helical gears, against the plane model, the forced response, and in other orientations.
 
-use crate::models::codes;
-use calyx::{Engine, Module};
-use calyx_runtime::forced_response::ForcedResponse;
-use std::fs;
-
-/// Values of the outputs by position and output, SI, and the forced response.
-fn solved(text: &str) -> (Vec<Vec<f64>>, Option<ForcedResponse>) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("model.cx");
-    fs::write(&path, text).expect("written");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
-    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
-    let result = results.analysis().expect("an analysis");
-    let rows = result.rows.iter().map(|row| row.outputs.iter().map(|output| output.value).collect());
-    (rows.collect(), result.forced_response.clone())
-}
+use crate::models::{codes, solved};
 
 fn rows(text: &str) -> Vec<Vec<f64>> {
     solved(text).0

@@ -1,11 +1,9 @@
 //! Forced response over the speed: against time integration of the same model, against the closed
 //! form of a pair on stiff teeth, in the limit of slow rotation, and refusals.
 
-use crate::models::codes;
-use calyx::{Engine, Module};
+use crate::models::{codes, solved};
 use calyx_runtime::forced_response::ForcedResponse;
 use std::f64::consts::TAU;
-use std::fs;
 
 /// A spur pair whose gear carries a brake torque and rotates freely, at a speed of the pinion, rpm.
 fn pair(speed: f64, end: &str) -> String {
@@ -31,21 +29,6 @@ output force := gears.mesh_force(mesh);
 output frequency := gears.natural_frequency(1);
 {end}"
     )
-}
-
-/// Values of the outputs by position and output, SI, and the forced response.
-fn solved(text: &str) -> (Vec<Vec<f64>>, Option<ForcedResponse>) {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("model.cx");
-    fs::write(&path, text).expect("written");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
-    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
-    let rows = results.analysis().map_or(Vec::new(), |result| {
-        let values =
-            |row: &calyx_runtime::rows::StepRow| row.outputs.iter().map(|output| output.value).collect();
-        result.rows.iter().map(values).collect()
-    });
-    (rows, results.analysis().and_then(|result| result.forced_response.clone()))
 }
 
 /// The statement that requests the response at two speeds close to each other.

@@ -1,6 +1,7 @@
 //! Models as text, solved: what tests of shafts, rotors, carriers and elastic bodies share.
 
 use calyx::{Engine, Module, check_text};
+use calyx_runtime::forced_response::ForcedResponse;
 use std::collections::BTreeMap;
 use std::fs;
 
@@ -54,4 +55,16 @@ pub fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
 /// Codes of the diagnostics of a model.
 pub fn codes(text: &str) -> Vec<String> {
     check_text("model.cx", text).diagnostics.into_iter().map(|found| found.code.clone()).collect()
+}
+
+/// Returns the values of the outputs by position and output, SI, and the forced response.
+pub fn solved(text: &str) -> (Vec<Vec<f64>>, Option<ForcedResponse>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("model.cx");
+    fs::write(&path, text).expect("written");
+    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
+    let result = results.analysis().expect("an analysis");
+    let rows = result.rows.iter().map(|row| row.outputs.iter().map(|output| output.value).collect());
+    (rows.collect(), result.forced_response.clone())
 }

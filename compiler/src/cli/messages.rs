@@ -2,6 +2,7 @@
 //! standard error, so that standard output contains only what the model prints.
 
 use calyx::rt::console::{eprint, eprintln};
+use calyx::rt::run_directory::DirectoryError;
 use calyx::rt::{InvalidParam, messages};
 use calyx::{Checked, render};
 use calyx_abi::visible::visible;
@@ -11,8 +12,15 @@ use calyx_lang::render::to_json;
 use clap::ValueEnum;
 use serde_json::json;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+
+/// Returns the directory next to a model whose name is that of the model with a suffix.
+pub fn beside(model: &Path, suffix: &str) -> PathBuf {
+    let mut name = model.file_name().unwrap_or_default().to_owned();
+    name.push(suffix);
+    model.with_file_name(name)
+}
 
 /// Exit status: the model or its analysis has errors.
 pub const MODEL_ERROR: u8 = 1;
@@ -92,6 +100,22 @@ impl MessageFormat {
         if self == MessageFormat::Human {
             eprint!("{}", visible(text));
         }
+    }
+
+    /// Reports why results cannot be written to a directory.
+    pub fn directory(self, error: &DirectoryError) -> ExitCode {
+        self.failure(&error.to_string(), error.help());
+        ExitCode::from(match error {
+            DirectoryError::Foreign { .. } | DirectoryError::InTheWay { .. } => USAGE,
+            DirectoryError::InUse { .. } | DirectoryError::Io { .. } => MODEL_ERROR,
+        })
+    }
+
+    /// Reports a result that cannot be written.
+    pub fn unwritable(self, path: &Path, error: &str) -> ExitCode {
+        let message = format!("cannot write {}: {error}", path.display());
+        self.failure(&message, "choose another directory with --out");
+        ExitCode::from(MODEL_ERROR)
     }
 
     /// Reports a model file that cannot be read.

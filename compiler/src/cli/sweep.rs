@@ -2,7 +2,7 @@
 
 use crate::allow::AllowPath;
 use crate::compile::compile;
-use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE, beside};
 use calyx::check_run_within;
 use calyx::rt::console::print;
 use calyx::rt::options::{RunArguments, given_of};
@@ -120,14 +120,14 @@ impl Sweep {
             Ok(axes) => axes,
             Err(error) => return failed(format, &module, RunError::Run(error)),
         };
-        let directory = self.out.clone().unwrap_or_else(|| beside(&self.file));
+        let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".sweep"));
         let locked = RunDirectory::lock(&directory, Kind::Sweep, self.force).and_then(|locked| {
             let listed = locked.claim_all(["sweep.csv", "sweep.html", JOURNAL]);
             listed.map(|()| locked).map_err(|error| DirectoryError::Io { path: directory.clone(), error })
         });
         let _locked = match locked {
             Ok(locked) => locked,
-            Err(error) => return refused(format, &error),
+            Err(error) => return format.directory(&error),
         };
         let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
         let store = RunArguments::store_of(None, self.no_cache);
@@ -160,7 +160,7 @@ impl Sweep {
         let format = MessageFormat::Human;
         let [file, shown] = ["sweep.csv", "sweep.html"].map(|name| directory.join(name));
         if let Err(error) = table.write(&file).and_then(|()| page::write(&shown, table)) {
-            return unwritable(format, directory, &error.to_string());
+            return format.unwritable(directory, &error.to_string());
         }
         print!("{}", table.text());
         if !self.quiet {
@@ -190,12 +190,6 @@ impl Sweep {
     }
 }
 
-fn beside(model: &Path) -> PathBuf {
-    let mut name = model.file_name().unwrap_or_default().to_owned();
-    name.push(".sweep");
-    model.with_file_name(name)
-}
-
 /// Prints the error of a sweep.
 fn failed(format: MessageFormat, module: &calyx::Module, error: RunError) -> ExitCode {
     match error {
@@ -211,22 +205,7 @@ fn failed(format: MessageFormat, module: &calyx::Module, error: RunError) -> Exi
             format.diagnostics(&[module.error(&error)], module.files());
             ExitCode::from(MODEL_ERROR)
         }
-        RunError::Directory(error) => refused(format, &error),
-        RunError::Io { path, error } => unwritable(format, &path, &error.to_string()),
+        RunError::Directory(error) => format.directory(&error),
+        RunError::Io { path, error } => format.unwritable(&path, &error.to_string()),
     }
-}
-
-/// Reports why results cannot be written to a directory.
-fn refused(format: MessageFormat, error: &DirectoryError) -> ExitCode {
-    format.failure(&error.to_string(), error.help());
-    ExitCode::from(match error {
-        DirectoryError::Foreign { .. } | DirectoryError::InTheWay { .. } => USAGE,
-        DirectoryError::InUse { .. } | DirectoryError::Io { .. } => MODEL_ERROR,
-    })
-}
-
-fn unwritable(format: MessageFormat, path: &Path, error: &str) -> ExitCode {
-    format
-        .failure(&format!("cannot write {}: {error}", path.display()), "choose another directory with --out");
-    ExitCode::from(MODEL_ERROR)
 }

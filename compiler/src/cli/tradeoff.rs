@@ -3,7 +3,7 @@
 
 use crate::allow::AllowPath;
 use crate::compile::compile;
-use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE, beside};
 use calyx::elaborate::Planned;
 use calyx::rt::campaign::{Campaign, Outcome};
 use calyx::rt::console::{print, println};
@@ -145,11 +145,11 @@ impl Tradeoff {
                 return ExitCode::from(MODEL_ERROR);
             }
         };
-        let directory = self.out.clone().unwrap_or_else(|| beside(&self.file));
+        let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".tradeoff"));
         let locked = RunDirectory::lock(&directory, Kind::Tradeoff, self.force);
         let locked = match locked.and_then(|locked| claimed(locked, &directory)) {
             Ok(locked) => locked,
-            Err(error) => return refused(format, &error),
+            Err(error) => return format.directory(&error),
         };
         let campaign = Campaign {
             program: module.as_program(),
@@ -176,8 +176,8 @@ impl Tradeoff {
                 format.diagnostics(&[module.error(&error)], module.files());
                 return ExitCode::from(MODEL_ERROR);
             }
-            Err(RunError::Directory(error)) => return refused(format, &error),
-            Err(RunError::Io { path, error }) => return unwritable(format, &path, &error.to_string()),
+            Err(RunError::Directory(error)) => return format.directory(&error),
+            Err(RunError::Io { path, error }) => return format.unwritable(&path, &error.to_string()),
         };
         let known = |name: &str| measured.iter().any(|measured| measured.setting.name == name);
         // If the reference failed, use the finest successful setting.
@@ -352,10 +352,10 @@ impl Tradeoff {
         let written = files::write_table(&path("tradeoff.csv"), comparison)
             .and_then(|()| files::write_document(&path("tradeoff.json"), &document));
         if let Err(error) = written {
-            return unwritable(format, directory, &error.to_string());
+            return format.unwritable(directory, &error.to_string());
         }
         if let Err(error) = plot::draw(&path("tradeoff.svg"), &name, comparison) {
-            return unwritable(format, &path("tradeoff.svg"), &error.to_string());
+            return format.unwritable(&path("tradeoff.svg"), &error.to_string());
         }
         if self.json {
             // The reader may close the pipe early.
@@ -373,30 +373,9 @@ impl Tradeoff {
     }
 }
 
-fn beside(model: &Path) -> PathBuf {
-    let mut name = model.file_name().unwrap_or_default().to_owned();
-    name.push(".tradeoff");
-    model.with_file_name(name)
-}
-
 /// Registers all files that a comparison writes at the top of its directory.
 fn claimed(locked: RunDirectory, path: &Path) -> Result<RunDirectory, DirectoryError> {
     let names = ["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"];
     let listed = locked.claim_all(names);
     listed.map(|()| locked).map_err(|error| DirectoryError::Io { path: path.to_owned(), error })
-}
-
-/// Reports why results cannot be written to a directory.
-fn refused(format: MessageFormat, error: &DirectoryError) -> ExitCode {
-    format.failure(&error.to_string(), error.help());
-    ExitCode::from(match error {
-        DirectoryError::Foreign { .. } | DirectoryError::InTheWay { .. } => USAGE,
-        DirectoryError::InUse { .. } | DirectoryError::Io { .. } => MODEL_ERROR,
-    })
-}
-
-fn unwritable(format: MessageFormat, path: &Path, error: &str) -> ExitCode {
-    format
-        .failure(&format!("cannot write {}: {error}", path.display()), "choose another directory with --out");
-    ExitCode::from(MODEL_ERROR)
 }

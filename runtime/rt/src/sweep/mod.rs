@@ -51,8 +51,8 @@ pub struct Sweep {
 pub struct Outcome {
     /// Solved and failed cases, in order.
     pub table: SweepTable,
-    /// Number of all cases; larger than that of the table if the sweep was cancelled. The same sweep
-    /// continues.
+    /// Number of all cases. It is larger than that of the table if the sweep was cancelled; then the
+    /// same sweep continues.
     pub count: usize,
     /// Number of cases that an earlier sweep has solved.
     pub earlier: usize,
@@ -65,18 +65,17 @@ impl Sweep {
     /// Returns the indices of the varied params, and all cases.
     ///
     /// # Errors
-    /// Two axes vary one param, or there are too many cases.
+    /// Two axes vary one param, a varied param is also set, or there are too many cases.
     pub fn cases(&self) -> Result<(Vec<usize>, Vec<Case>), Error> {
         let mut params: Vec<usize> = Vec::new();
         for &param in self.axes.iter().flat_map(|axis| &axis.params) {
+            let name = &self.program.description().params[param].name;
             if params.contains(&param) {
-                let name = &self.program.description().params[param].name;
                 return Err(Error::Given(InvalidParam::new(
                     format!("two axes vary `{name}`"),
                     "give each param one list of values",
                 )));
             }
-            let name = &self.program.description().params[param].name;
             if self.given.iter().any(|given| given.name == *name) {
                 return Err(Error::Given(InvalidParam::new(
                     format!("`{name}` is varied and also set to one value"),

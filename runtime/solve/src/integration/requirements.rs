@@ -1,4 +1,4 @@
-//! What time integration requires of a model.
+//! Checks of the requirements of time integration: elastic teeth, mass, axes of constant direction.
 
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::Support;
