@@ -129,8 +129,9 @@ pub use calyx_elastic as elastic;
 pub use calyx_fe as fe;
 pub use calyx_fe::{inertia, material};
 pub use calyx_model::{
-    bearing, body, connection, disc, dof, elastic_body, fidelity, ids, load, lubrication, mechanism, motion,
-    observed, pairs, plan, position, prototype, resources, rigid, shaft, spline_contact, target,
+    bearing, body, connection, disc, dof, elastic_body, fidelity, ids, load, lubrication, mechanism,
+    mesh_carrier, motion, observed, pairs, plan, position, prototype, resources, rigid, shaft,
+    spline_contact, target,
 };
 pub use calyx_numerics::{error, interrupt, vec3};
 pub use calyx_rolling as rolling;

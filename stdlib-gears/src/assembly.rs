@@ -3,7 +3,7 @@
 //! The functions `body` and `mesh` of the language's library call these functions, so a pair built
 //! in Rust and one described in Calyx are the same scene, bit for bit.
 
-use crate::axes::{Axes, turns_about_own_axis};
+use crate::axes::{Axes, rotates_about_own_axis};
 use crate::error::{GeometryError, Refusal, sentence};
 use crate::gear::Gear;
 use crate::mesh_geometry::{HelicalTeeth, MeshGeometry};
@@ -15,17 +15,17 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::lubrication::Lubrication;
 use calyx_runtime::motion::{PlanePose, angular_velocity, axle, rotation_speed, spatial_pose};
 use calyx_runtime::scene::{Body, BodyId, Component, GearMesh, GridOptions, PairId, Scene, SurfacePair};
-use calyx_runtime::vec3::dot;
+use calyx_runtime::vec3::{dot, minus};
 use std::any::Any;
 use std::sync::Arc;
 
 /// Adds a body to a scene.
 ///
 /// # Errors
-/// E0610: it does not rotate about its own axis, e3 of its frame. E0671: the scene has a body of
-/// that name. E0710: its frame is NaN or infinite at time 0. E0723: its load is.
+/// E0671: the scene has a body of that name. E0710: its frame is NaN or infinite at time 0. E0723:
+/// its load is.
 pub fn add_body(scene: &mut Scene, body: Body) -> Result<BodyId, Refusal> {
-    turns_about_own_axis(body.motion.as_ref())?;
+    spatial_pose(body.motion.as_ref(), 0.0)?;
     if scene.bodies.iter().any(|other| other.name == body.name) {
         return Err(EngineError::new(
             "E0671",
@@ -136,7 +136,7 @@ impl Pairing {
     /// Determines the relative position of two bodies of a scene.
     ///
     /// # Errors
-    /// E0648: their axes cross. E0652: they are one body, or already in mesh. E0653: one of them is
+    /// E0610: one of them does not rotate about its own axis. E0648: their axes cross. E0652: they are one body, or already in mesh. E0653: one of them is
     /// not in the scene or carries no gear. E0658: their axes approach each other. E0692: one of
     /// them rotates about an axis far from its own. E0710: a frame is NaN or infinite.
     pub fn of(scene: &Scene, bodies: [BodyId; 2]) -> Result<Pairing, Refusal> {
@@ -154,6 +154,9 @@ impl Pairing {
         }
         meet_once(scene, bodies)?;
         let motion = |id: BodyId| scene.bodies[id.0].motion.as_ref();
+        for id in bodies {
+            rotates_about_own_axis(motion(id)).map_err(|error| error.about(Subject::Body(id.0)))?;
+        }
         let poses = [spatial_pose(motion(bodies[0]), 0.0)?, spatial_pose(motion(bodies[1]), 0.0)?];
         let speeds = [rotation_speed(motion(bodies[0]), 0.0)?, rotation_speed(motion(bodies[1]), 0.0)?];
         let axes = Axes::of(&poses, half_widths)?;
@@ -233,7 +236,8 @@ impl Pairing {
             let mesh = mesh_as_placed(gears, &geometry, mounting, phases[1]);
             mesh.map_err(|error| self.about_speeds(error))
         };
-        let mut mesh = GearMesh { orbit: self.orbit, phase_offset: left, ..placed(&mounting)? };
+        let carrier = self.axes.normal().map(|part| part * self.orbit);
+        let mut mesh = GearMesh { carrier, phase_offset: left, ..placed(&mounting)? };
         // Refers to the zero of the body's own angle instead of that of its section.
         let off_section = first_section.angle - self.axes.angles[0];
         mesh.roll_at_zero += sense * off_section;
@@ -259,7 +263,7 @@ impl Pairing {
             // Back flanks push the other way and have their own mesh cycle.
             true => {
                 let mesh = placed(&Mounting { sense: -sense, ..mounting })?;
-                Some(GearMesh { orbit: self.orbit, phase_offset: left, ..mesh })
+                Some(GearMesh { carrier, phase_offset: left, ..mesh })
             }
             false => None,
         };
@@ -539,18 +543,20 @@ fn driven(scene: &Scene, id: BodyId) -> f64 {
             _ => -mesh.drive_sense * mesh.sign,
         };
         let body = pair.bodies[side];
-        let orbit = mesh.orbit * same_way(scene, pair.bodies[0], body);
-        Some((same_way(scene, id, body) * on_body, on_body * (own_speed(scene, body) - orbit) > 0.0))
+        let speed = own_speed(scene, body, mesh.carrier);
+        Some((same_way(scene, id, body) * on_body, on_body * speed > 0.0))
     };
     let torques: Vec<(f64, bool)> = driving.filter_map(torque).collect();
     let supplied: f64 = torques.iter().filter(|(_, supplies)| *supplies).map(|(torque, _)| torque).sum();
     if supplied != 0.0 { supplied } else { torques.iter().map(|(torque, _)| torque).sum() }
 }
 
-/// Angular velocity of a body about its own axis at time 0, rad/s; 0 for an invalid frame.
-fn own_speed(scene: &Scene, id: BodyId) -> f64 {
+/// Angular velocity of a body about its own axis at time 0 relative to a carrier with an angular
+/// velocity, rad/s; 0 for an invalid frame.
+fn own_speed(scene: &Scene, id: BodyId, carrier: [f64; 3]) -> f64 {
     let motion = scene.bodies[id.0].motion.as_ref();
-    spatial_pose(motion, 0.0).map_or(0.0, |pose| dot(pose.axis(), angular_velocity(motion, 0.0)))
+    let relative = minus(angular_velocity(motion, 0.0), carrier);
+    spatial_pose(motion, 0.0).map_or(0.0, |pose| dot(pose.axis(), relative))
 }
 
 /// A body and those that torsionally stiff bearings or shafts join to it: all bodies on one shaft.

@@ -94,6 +94,11 @@ impl Axes {
         })
     }
 
+    /// Returns the mean direction of both axes, a unit vector.
+    pub fn normal(&self) -> [f64; 3] {
+        self.directions[2]
+    }
+
     /// Returns the second gear's motion with a misaligned axis, where the first gear drives with
     /// this sense (+1 is counter-clockwise).
     pub fn misaligned(
@@ -134,11 +139,12 @@ impl Axes {
     }
 }
 
-/// Checks that a body rotates about its own axis, e3 of its frame, except for a misalignment.
+/// Checks that a gear on parallel axes rotates about its own axis, e3 of its frame, except for a
+/// misalignment.
 ///
 /// # Errors
 /// E0610: it does not. E0710: its frame is NaN or infinite at time 0.
-pub(crate) fn turns_about_own_axis(motion: &dyn Motion) -> Result<(), EngineError> {
+pub(crate) fn rotates_about_own_axis(motion: &dyn Motion) -> Result<(), EngineError> {
     let axis = Orientation::of(&spatial_pose(motion, 0.0)?).axis();
     let turning = angular_velocity(motion, 0.0);
     let lean = length(cross(turning, axis)).atan2(dot(turning, axis).abs());
@@ -147,8 +153,8 @@ pub(crate) fn turns_about_own_axis(motion: &dyn Motion) -> Result<(), EngineErro
     }
     Err(EngineError::new(
         "E0610",
-        format!("the body turns about an axis that leans {} deg from e3 of its frame, its own axis", shown(lean / DEGREE)),
-        "let the frame rotate about e3 last, like `Rotate(speed * Time, e3) * Rotate(90 deg, e2) * Translate(...)` for an axis along e1 of ground",
+        format!("the gear rotates about an axis that leans {} deg from e3 of its frame, its own axis", shown(lean / DEGREE)),
+        "begin the product of the frame with the rotation about e3, like `Rotate(speed * Time, e3) * Rotate(90 deg, e2) * Translate(...)` for an axis along e1 of ground",
     )
     .blame("frame"))
 }

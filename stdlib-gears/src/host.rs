@@ -14,6 +14,7 @@ use crate::lubrication_externs::StatedLubrication;
 use crate::lumped_planetary::{LumpedMember, Mode};
 use crate::mesh_geometry::MeshGeometry;
 use crate::modification::Modification;
+use crate::power_flow::PowerFlow;
 use crate::prototype::GearPrototype;
 use crate::shafts::ModelShaft;
 use crate::shaper::Shaper;
@@ -87,6 +88,15 @@ impl GearModel {
         match self {
             GearModel::Cylindrical(gear) => Some(gear),
             GearModel::Tabulated(_) => None,
+        }
+    }
+
+    /// Returns the axial position at which the gear is joined to a shaft, relative to its origin, m:
+    /// the middle of the face, or of the bore.
+    pub(crate) fn mid_bore(&self) -> f64 {
+        match self {
+            GearModel::Cylindrical(_) => 0.0,
+            GearModel::Tabulated(gear) => gear.mid_bore(),
         }
     }
 
@@ -205,6 +215,8 @@ pub struct ModelHost {
     pub histories: BTreeMap<u64, (f64, Vec<TimeRange>)>,
     /// Lubrications of meshes.
     pub lubrications: Vec<StatedLubrication>,
+    /// Power flow of gear trains, for the report.
+    pub power_flows: Vec<PowerFlow>,
     /// Strain gauges.
     pub gauges: Vec<Gauge>,
     /// Bodies of lumped-parameter models.

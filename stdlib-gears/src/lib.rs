@@ -165,6 +165,7 @@ pub mod mounting;
 pub mod observable_externs;
 pub(crate) mod phase_check;
 mod plausibility;
+pub mod power_flow;
 pub mod prototype;
 mod protuberance;
 pub mod rack;

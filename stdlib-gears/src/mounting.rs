@@ -153,7 +153,7 @@ impl Sides<'_> {
             overlap_ratio: geometry.overlap_ratio,
             twist: geometry.twist,
             roll_at_zero: self.roll_at_zero(),
-            orbit: 0.0,
+            carrier: [0.0; 3],
             phase_offset: 0.0,
             first_contact: None,
         })

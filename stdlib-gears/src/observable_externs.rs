@@ -12,10 +12,10 @@ use calyx_runtime::observables::{
     CampbellRequest, Coordinate, Displacement, DynamicFactor, FaceLoadFactor, HighestContact, LoadShare,
     LoadedFace, LocalQuantity, LowestContact, MaxContactPressure, MaxEdgePressure, MaxLineLoad,
     MaxRootCompression, MaxRootStress, MaxSlidingVelocity, Maximum, MaximumLocation, MeshForce,
-    MeshStiffness, ModeClassification, ModeShare, ModesRequest, NaturalFrequency, Observable, PairLoad,
-    PairsInContact, PlanetSet, RootFaceLoadFactor, Rotation, SecantStiffness, SlidingVelocity,
-    SplineToothLoad, SupportForce, SupportMoment, ToothLoad, TransmissionError, TransverseLoadFactor,
-    UnloadedTransmissionError, WhirlFrequency, WhirlSense,
+    MeshStiffness, Misalignment, MisalignmentComponent, ModeClassification, ModeShare, ModesRequest,
+    NaturalFrequency, Observable, PairLoad, PairsInContact, PlanetSet, RootFaceLoadFactor, Rotation,
+    SecantStiffness, SlidingVelocity, SplineToothLoad, SupportForce, SupportMoment, ToothLoad,
+    TransmissionError, TransverseLoadFactor, UnloadedTransmissionError, WhirlFrequency, WhirlSense,
 };
 use calyx_runtime::scene::{BodyId, PairId};
 
@@ -254,6 +254,32 @@ calyx_abi::externs! {
         observe(context, SlidingVelocity(self::pair(mesh), pair))
     }
 
+    Scene fn calyx_gears_misalignment_slope(context, mesh: Handle, plane: String) -> Handle {
+        misalignment(context, mesh, match plane.as_str() {
+            "action" => MisalignmentComponent::SlopeInPlane,
+            _ => MisalignmentComponent::SlopeOutOfPlane,
+        })
+    }
+
+    Scene fn calyx_gears_misalignment_offset(context, mesh: Handle, plane: String) -> Handle {
+        misalignment(context, mesh, match plane.as_str() {
+            "action" => MisalignmentComponent::OffsetInPlane,
+            _ => MisalignmentComponent::OffsetOutOfPlane,
+        })
+    }
+
+    Scene fn calyx_gears_alignment_error(context, mesh: Handle, quantity: String) -> Handle {
+        misalignment(context, mesh, match quantity.as_str() {
+            "offset" => MisalignmentComponent::Offset,
+            "first_axial" => MisalignmentComponent::FirstAxial,
+            _ => MisalignmentComponent::SecondAxial,
+        })
+    }
+
+    Scene fn calyx_gears_shaft_angle_error(context, mesh: Handle) -> Handle {
+        misalignment(context, mesh, MisalignmentComponent::ShaftAngle)
+    }
+
     Scene fn calyx_gears_max_sliding_velocity(context, mesh: Handle) -> Handle {
         observe(context, MaxSlidingVelocity(pair(mesh)))
     }
@@ -430,6 +456,27 @@ fn gear_body(context: &mut Context, body: Handle) -> Result<BodyId, RuntimeError
 /// Axis by its declared name.
 fn axis_number(axis: &str) -> usize {
     ["x", "y", "z"].iter().position(|known| *known == axis).unwrap_or_default()
+}
+
+/// Registers a component of the misalignment of a mesh.
+///
+/// # Errors
+/// E0888: it is defined for other axes than those of the mesh.
+fn misalignment(
+    context: &mut Context,
+    mesh: Handle,
+    component: MisalignmentComponent,
+) -> Result<Handle, RuntimeError> {
+    let pair_of = entry(&host(context)?.scene.pairs, mesh)?;
+    let is_general = pair_of.mesh.as_ref().is_some_and(|mesh| mesh.first_contact.is_some());
+    if component.is_of_parallel_axes() {
+        on_parallel_axes(context, mesh, "use `alignment_error` and `shaft_angle_error`")?;
+    } else if !is_general {
+        let message = "this quantity is defined for bevel, hypoid and crossed gears, and the axes of this mesh are parallel";
+        let instead = "use `misalignment_slope` and `misalignment_offset`";
+        return Err(refusal("E0888", "mesh", message, instead));
+    }
+    observe(context, Misalignment(pair(mesh), component))
 }
 
 pub(crate) fn pair_number(pair: f64) -> Result<i32, RuntimeError> {

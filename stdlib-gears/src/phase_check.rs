@@ -12,8 +12,9 @@ use crate::error::{GeometryError, sentence};
 use crate::gear::ToothForm;
 use crate::mesh_geometry::MeshGeometry;
 use calyx_runtime::error::EngineError;
-use calyx_runtime::motion::{axle, spatial_pose};
+use calyx_runtime::motion::{Orientation, axle, spatial_pose};
 use calyx_runtime::scene::{BodyId, Scene};
+use calyx_runtime::vec3::{dot, minus};
 use std::f64::consts::TAU;
 
 /// Largest misplacement of teeth in a loop beyond the backlash, in modules. It is a hundred times
@@ -114,7 +115,8 @@ pub(crate) fn clears_neighbours(scene: &Scene, bodies: [BodyId; 2]) -> Result<()
 fn overlap(scene: &Scene, bodies: [BodyId; 2]) -> Option<f64> {
     let [one, other] = bodies.map(|body| gear_of(scene, body));
     let gears = [one?, other?];
-    let [first, second] = [axis(scene, bodies[0])?, axis(scene, bodies[1])?];
+    let axes = directions(scene, bodies[0])?;
+    let [first, second] = [axis(scene, bodies[0], axes)?, axis(scene, bodies[1], axes)?];
     let beside = (first[2] - second[2]).abs() >= 0.5 * (gears[0].face_width + gears[1].face_width);
     if beside || gears.iter().any(|gear| gear.form().internal) {
         return None;
@@ -140,9 +142,10 @@ impl PlanetSpacing {
     fn of(scene: &Scene, bodies: [BodyId; 2]) -> Option<PlanetSpacing> {
         let [first, second] = bodies;
         [(first, second), (second, first)].into_iter().find_map(|(planet, centre)| {
-            let middle = axis(scene, centre)?;
+            let axes = directions(scene, centre)?;
+            let middle = axis(scene, centre, axes)?;
             let away = |body: BodyId| {
-                let at = axis(scene, body)?;
+                let at = axis(scene, body, axes)?;
                 Some([at[0] - middle[0], at[1] - middle[1]])
             };
             let size = |[x, y]: [f64; 2]| x.hypot(y);
@@ -176,13 +179,20 @@ pub(crate) fn partners(scene: &Scene, body: BodyId) -> impl Iterator<Item = Body
     })
 }
 
-/// Position of a body's axis at time 0, m.
-fn axis(scene: &Scene, body: BodyId) -> Option<[f64; 3]> {
+/// Directions of a body's DOFs at time 0: its axis and two directions in its transverse plane.
+fn directions(scene: &Scene, body: BodyId) -> Option<[[f64; 3]; 3]> {
     let motion = scene.bodies.get(body.0)?.motion.as_ref();
-    Some(spatial_pose(motion, 0.0).ok()?.point(axle(motion)))
+    Some(Orientation::of(&spatial_pose(motion, 0.0).ok()?).axes)
 }
 
-/// Angular velocity of the line between two axes at time 0, rad/s.
+/// Position of a body's axis at time 0 along three directions, m.
+fn axis(scene: &Scene, body: BodyId, directions: [[f64; 3]; 3]) -> Option<[f64; 3]> {
+    let motion = scene.bodies.get(body.0)?.motion.as_ref();
+    let at = spatial_pose(motion, 0.0).ok()?.point(axle(motion));
+    Some(directions.map(|direction| dot(direction, at)))
+}
+
+/// Angular velocity of the line between two parallel axes at time 0 about the first axis, rad/s.
 ///
 /// # Errors
 /// E0658: the axes approach each other or separate. E0710: a frame is NaN or infinite.
@@ -193,8 +203,10 @@ pub(crate) fn orbit(scene: &Scene, bodies: [BodyId; 2], speeds: [f64; 2]) -> Res
         Ok::<_, EngineError>((place, calyx_runtime::motion::point_velocity(motion, 0.0, place)))
     };
     let ((from, velocity), (to, other)) = (at(bodies[0])?, at(bodies[1])?);
-    let across = [to[0] - from[0], to[1] - from[1]];
-    let moving = [other[0] - velocity[0], other[1] - velocity[1]];
+    let pose = spatial_pose(scene.bodies[bodies[0].0].motion.as_ref(), 0.0)?;
+    let [x, y, _] = Orientation::of(&pose).axes;
+    let in_plane = |v: [f64; 3]| [dot(x, v), dot(y, v)];
+    let (across, moving) = (in_plane(minus(to, from)), in_plane(minus(other, velocity)));
     let square = across[0].powi(2) + across[1].powi(2);
     let fastest = speeds.iter().fold(0.0, |most: f64, speed| most.max(speed.abs()));
     let turning = (across[0] * moving[1] - across[1] * moving[0]) / square;

@@ -95,7 +95,8 @@ calyx_abi::externs! {
         let (place, host) = (context.place, host(context)?);
         let load = BodyPlacement::load(host, Wrench { force, moment }, host_load.as_deref(), place);
         let unit = host.length_unit;
-        let mounted = Mounted { name: name.clone(), prototype, at, hub_width, load, added };
+        let joint = at + gear.mid_bore();
+        let mounted = Mounted { name: name.clone(), prototype, at, joint, hub_width, load, added };
         let ModelHost { scene, shafts, body_gears, .. } = host;
         let toothed = |body: BodyId| body_gears.get(body.0).is_some_and(Option::is_some);
         let result = shafts[index].mount(scene, mounted, toothed, |metres| shown(metres, unit));

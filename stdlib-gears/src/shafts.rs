@@ -59,9 +59,11 @@ pub struct Mounted {
     pub name: String,
     /// Its model.
     pub prototype: Arc<dyn Prototype>,
-    /// Position of the origin of its frame on the shaft, m.
+    /// Position of the origin of its frame, m; that of a bevel gear may be beyond the shaft.
     pub at: f64,
-    /// Length along which it constrains the shaft, symmetric to its origin, m; 0 for a point.
+    /// Position at which it is joined to the shaft, m.
+    pub joint: f64,
+    /// Length along which it constrains the shaft, symmetric to the joint, m; 0 for a point.
     pub hub_width: f64,
     /// Load at the origin of its frame.
     pub load: Arc<dyn Load>,
@@ -421,13 +423,15 @@ impl ModelShaft {
         toothed: impl Fn(BodyId) -> bool,
         mm: impl Fn(f64) -> String + Copy,
     ) -> Result<MountedBody, Refusal> {
-        let at = self.position("at", mounted.at, mm)?;
+        let joint = self.joint(&mounted, mm)?;
+        // The position without rounding errors at the ends of the shaft.
+        let at = if mounted.at == mounted.joint { joint } else { mounted.at };
         let ends = match mounted.hub_width {
             // A rigid shaft does not deform within a hub.
-            width if width == 0.0 || self.rigid => vec![at],
+            width if width == 0.0 || self.rigid => vec![joint],
             width => vec![
-                self.position("hub_width", at - 0.5 * width, mm)?,
-                self.position("hub_width", at + 0.5 * width, mm)?,
+                self.position("hub_width", joint - 0.5 * width, mm)?,
+                self.position("hub_width", joint + 0.5 * width, mm)?,
             ],
         };
         let inside: Vec<BodyId> = self.bodies_between(scene, ends[0], ends[ends.len() - 1]);
@@ -437,7 +441,7 @@ impl ModelShaft {
                 mounted.name,
                 scene.bodies[gear.0].name,
                 self.name,
-                mm(at)
+                mm(joint)
             );
             return Err(EngineError::new(
                 "E0859",
@@ -489,6 +493,34 @@ impl ModelShaft {
         add_load(body, mounted.load);
         self.attach(scene, &attachments(section), Some(section))?;
         Ok(MountedBody { body: section, new: false })
+    }
+
+    /// Returns the position of a joint on the shaft.
+    ///
+    /// # Errors
+    /// E0859: it is off the shaft.
+    fn joint(&self, mounted: &Mounted, mm: impl Fn(f64) -> String) -> Result<f64, EngineError> {
+        self.shaft.on_shaft(mounted.joint).map_or_else(
+            || match mounted.joint == mounted.at {
+                true => self.position("at", mounted.at, &mm),
+                false => Err(EngineError::new(
+                    "E0859",
+                    format!(
+                        "the middle of the bore of \"{}\" is at {}, off the shaft \"{}\", which is {} long",
+                        mounted.name,
+                        mm(mounted.joint),
+                        self.name,
+                        mm(self.shaft.length())
+                    ),
+                    format!(
+                        "`at` is the origin of the gear, the crossing point of the axes; its teeth are {} from there along e3 of the shaft. Correct `at`, or exchange the ends of the shaft",
+                        mm(mounted.joint - mounted.at)
+                    ),
+                )
+                .blame("at")),
+            },
+            Ok,
+        )
     }
 
     fn check_name(&self, scene: &Scene, section: BodyId, name: &str) -> Result<(), EngineError> {

@@ -23,6 +23,7 @@ mod library;
 mod mesh_work;
 mod microgeometry;
 mod models;
+mod moving_axes;
 mod pair_form;
 mod published_blocks;
 mod ratings;

@@ -229,7 +229,7 @@ pub(crate) fn check(
     for pair in scene.pairs.iter().filter(|pair| pair.front.is_none()) {
         let Some(mesh) = &pair.mesh else { continue };
         let [first, second] = pair.bodies.map(|body| &scene.bodies[body.0].name);
-        if mesh.orbit != 0.0 {
+        if mesh.carrier != [0.0; 3] {
             let message = format!(
                 "the axes of \"{first}\" and \"{second}\" move, so the forced response is not periodic"
             );

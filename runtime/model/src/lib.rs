@@ -18,6 +18,7 @@ mod interior_modes;
 pub mod load;
 pub mod lubrication;
 pub mod mechanism;
+pub mod mesh_carrier;
 pub mod motion;
 pub mod observed;
 pub mod pairs;

@@ -5,6 +5,7 @@
 use calyx_abi::math;
 use calyx_contact::solid::Pose;
 use calyx_numerics::error::EngineError;
+use calyx_numerics::vec3::{dot, length};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -271,7 +272,8 @@ pub fn tilted_axes([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     if z <= OPPOSITE {
         return [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
     }
-    let by = (1.0 + z).recip();
+    // 1 / (1 + z), without cancellation next to -e3.
+    let by = if z < 0.0 { (1.0 - z) / (x * x + y * y) } else { (1.0 + z).recip() };
     let mixed = -x * y * by;
     [[1.0 - x * x * by, mixed, -x], [mixed, 1.0 - y * y * by, -y], [x, y, z]]
 }
@@ -376,15 +378,18 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
         [(a * c + b * d) / square, (b * c - a * d) / square]
     };
     let size = |[a, b]: [f64; 2]| a.hypot(b);
-    let [_, _, speed] = angular_velocity(motion, 0.0);
+    let turning = angular_velocity(motion, 0.0);
+    let speed = length(turning).copysign(turning[2]);
     let step = LATER[0] * TAU / speed.abs();
     if !step.is_finite() {
         return None;
     }
+    // Directions across the axis of rotation.
+    let [x, y, _] = tilted_axes(turning.map(|part| part / speed));
+    let in_plane = |point: [f64; 3]| [dot(x, point), dot(y, point)];
     let pose = spatial_pose(motion, 0.0).ok()?;
     let turn = [(speed * step).cos(), (speed * step).sin()];
-    let place =
-        |k: u8| spatial_pose(motion, f64::from(k) * step).map(|pose| [pose.origin[0], pose.origin[1]]).ok();
+    let place = |k: u8| spatial_pose(motion, f64::from(k) * step).map(|pose| in_plane(pose.origin)).ok();
     let places = [place(0)?, place(1)?, place(2)?, place(3)?, place(4)?];
     // Differences eliminate the constant term, then the term that rotates with the body.
     let moved = [0, 1, 2, 3].map(|k: usize| minus(places[k + 1], places[k]));
@@ -396,8 +401,9 @@ fn pin(motion: &dyn Motion) -> Option<[f64; 3]> {
         && size(minus(carrier, turn)) > relative;
     let off = over(minus(moved[0], over(round[0], minus(carrier, turn))), minus(turn, [1.0, 0.0]));
     let farthest = places.into_iter().map(size).fold(0.0, f64::max);
+    let from_pin = [0, 1, 2].map(|k: usize| off[0] * x[k] + off[1] * y[k]);
     (steady && size(off) > floor + relative * farthest)
-        .then(|| [0, 1, 2].map(|k: usize| -(pose.rotation[0][k] * off[0] + pose.rotation[1][k] * off[1])))
+        .then(|| [0, 1, 2].map(|k: usize| -dot(pose.rotation.map(|row| row[k]), from_pin)))
 }
 
 /// Returns the rate of a body's [`Orientation::angle`], rad/s.

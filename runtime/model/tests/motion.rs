@@ -4,6 +4,7 @@ use calyx_model::motion::{
     Motion, Orientation, PlanePose, RelocatedMotion, SteadyRotation, angular_velocity, axle, point_velocity,
     rotation_speed, spatial_pose, tilted_axes,
 };
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 #[test]
@@ -135,6 +136,17 @@ fn an_axle_is_where_a_body_rests_on_ground() {
     let [x, y, z] = axle(&Around { by: 2e-3, orbit: 0.05 });
     assert!((x + 2e-3).abs() < 1e-12 && y.abs() < 1e-12 && z == 0.0, "{x} {y} {z}");
     assert_eq!(axle(&SteadyRotation::at_rest([0.3, -0.2])), [0.0; 3]);
+}
+
+#[test]
+fn the_axle_of_an_eccentric_planet_is_the_same_in_any_orientation() {
+    for angle in [0.4f64, FRAC_PI_2, 2.5] {
+        let (sine, cosine) = angle.sin_cos();
+        let about_y = [[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]];
+        let planet = Arc::new(Around { by: 2e-3, orbit: 0.05 });
+        let [x, y, z] = axle(&RelocatedMotion::rotated_about(planet, about_y, [0.1, 0.0, 0.2]));
+        assert!((x + 2e-3).abs() < 1e-11 && y.abs() < 1e-11 && z.abs() < 1e-11, "{x} {y} {z}");
+    }
 }
 
 #[test]

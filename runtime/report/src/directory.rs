@@ -37,6 +37,8 @@ pub const REPORT: &str = "report.html";
 
 /// Key of the data of gears and meshes in `run.json`.
 pub const GEAR_DATA: &str = "gear_data";
+/// Key of the power flow of gear trains in `run.json`.
+pub const POWER_FLOW: &str = "power_flow";
 
 /// Names of stages in order, with the duration of each.
 pub type StageTimes = Vec<(&'static str, Duration)>;

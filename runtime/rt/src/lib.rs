@@ -42,6 +42,7 @@ pub mod param_assignment;
 pub mod params;
 #[cfg(feature = "command")]
 pub mod params_file;
+mod power_flow;
 pub mod program;
 #[cfg(feature = "command")]
 pub mod progress;

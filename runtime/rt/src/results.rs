@@ -10,6 +10,7 @@ use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::units::from_si;
 use calyx_gears::data_block::DataBlock;
 use calyx_gears::host::{Finding, ModelHost};
+use calyx_gears::power_flow::PowerFlow;
 use calyx_report::flank_tables::FlankTables;
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::forced_response::ForcedResponse;
@@ -31,6 +32,7 @@ pub struct Results {
     findings: Vec<Finding>,
     signals: Vec<Signal>,
     gear_data: DataBlock,
+    power_flows: Vec<PowerFlow>,
     flanks: Option<MeshedFlanks>,
     tables: Vec<String>,
     time: Duration,
@@ -69,8 +71,10 @@ impl Results {
     ) -> Results {
         let (mut analysis, mut findings, mut signals) = (None, Vec::new(), Vec::new());
         let (mut gear_data, mut flanks, mut tables) = (DataBlock::default(), None, Vec::new());
+        let mut power_flows = Vec::new();
         if let Some(host) = context.host::<ModelHost>() {
             gear_data = DataBlock::of(host);
+            power_flows = std::mem::take(&mut host.power_flows);
             flanks = Some(MeshedFlanks::of(host));
             tables = host.tables.iter().map(|table| table.name.clone()).collect();
             analysis = host.result.take();
@@ -87,6 +91,7 @@ impl Results {
             findings,
             signals,
             gear_data,
+            power_flows,
             flanks,
             tables,
             time,
@@ -198,6 +203,11 @@ impl Results {
     /// Returns the data of the gears and meshes of the model, as in the data block of a drawing.
     pub fn gear_data(&self) -> &DataBlock {
         &self.gear_data
+    }
+
+    /// Returns the power flow of the gear trains that the model reports.
+    pub fn power_flows(&self) -> &[PowerFlow] {
+        &self.power_flows
     }
 
     /// Returns the largest residuals over all positions; `None` for a model without an analysis.

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::gear_data;
 use crate::instance::Instance;
 use crate::param_assignment::ParamAssignment;
+use crate::power_flow;
 use crate::program::Program;
 use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
@@ -14,7 +15,7 @@ use calyx_abi::description::{ModelDescription, OutputDescription};
 use calyx_abi::{Cancel, RuntimeError, Status};
 use calyx_gears::host::Finding;
 use calyx_report::directory::{
-    Details, GEAR_DATA, REPORT, Record, RunOutputs, SIGNALS, StageTimes, Stages, head, write_run,
+    Details, GEAR_DATA, POWER_FLOW, REPORT, Record, RunOutputs, SIGNALS, StageTimes, Stages, head, write_run,
     write_unfinished,
 };
 use calyx_report::journal::FoundJournal;
@@ -227,6 +228,9 @@ fn write_results(
     let path = directory.path();
     if !results.gear_data().is_empty() {
         head[GEAR_DATA] = gear_data::json(results.gear_data());
+    }
+    if !results.power_flows().is_empty() {
+        head[POWER_FLOW] = power_flow::json(results.power_flows());
     }
     let findings = results.findings().iter();
     let mut warnings: Vec<String> =

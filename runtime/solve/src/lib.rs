@@ -8,6 +8,7 @@ pub mod forced_response;
 pub mod gyroscopic;
 pub mod integration;
 pub mod modal;
+mod moving_axes;
 pub mod restraint_check;
 pub mod step;
 pub mod system;

@@ -22,6 +22,7 @@ use calyx_model::flanks::{add_flanks, spline_contacts};
 use calyx_model::frames::{axes, loads_on, number_dofs, solid_pose};
 use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
+use calyx_model::mesh_carrier::MeshAxes;
 use calyx_model::motion::axle;
 use calyx_model::pairs::{FirstContact, SurfacePair};
 use calyx_model::plan::Plan;
@@ -134,12 +135,17 @@ fn nominal_arms(
 ) -> Result<Option<Vec<f64>>, EngineError> {
     let Some(mesh) = &pair.mesh else { return Ok(None) };
     let bodies = pair.bodies.map(|body| body.0);
-    if let Some(FirstContact { point, normal }) = mesh.first_contact {
-        return arms_along_normal(scene, bodies, dofs, time, (point, normal)).map(Some);
+    if let Some(first_contact) = mesh.first_contact {
+        let contact = match mesh.carrier == [0.0; 3] {
+            true => first_contact,
+            false => carried_contact(scene, pair, first_contact, time)?,
+        };
+        return arms_along_normal(scene, bodies, dofs, time, contact).map(Some);
     }
     let [first, second] =
         [solid_pose(scene, bodies[0], time)?.origin, solid_pose(scene, bodies[1], time)?.origin];
-    let across = [second[0] - first[0], second[1] - first[1]];
+    let [x, y, _] = axes(scene, bodies[0], time);
+    let across = [x, y].map(|direction| dot(direction, minus(second, first)));
     let [radius, mate] = mesh.base_radii;
     let cosine = (radius + mesh.sign * mate).abs() / across[0].hypot(across[1]);
     if !(0.0..=1.0).contains(&cosine) {
@@ -167,6 +173,24 @@ fn nominal_arms(
     Ok(Some(dofs.iter().map(arm).collect()))
 }
 
+/// Returns the contact of rigid flanks at time 0 where the carrier of the mesh has moved it at a
+/// time (s).
+fn carried_contact(
+    scene: &Mechanism,
+    pair: &SurfacePair,
+    first_contact: FirstContact,
+    time: f64,
+) -> Result<FirstContact, EngineError> {
+    let motions = pair.bodies.map(|body| scene.bodies[body.0].motion.as_ref());
+    let [start, now] =
+        [MeshAxes::at(motions, 0.0)?.carrier_pose(), MeshAxes::at(motions, time)?.carrier_pose()];
+    let on_carrier = |v: [f64; 3]| [0, 1, 2].map(|k: usize| dot(start.rotation.map(|row| row[k]), v));
+    Ok(FirstContact {
+        point: now.point(on_carrier(minus(first_contact.point, start.origin))),
+        normal: now.direction(on_carrier(first_contact.normal)),
+    })
+}
+
 /// Returns the work of a unit force at a point (m) along a normal out of the first of two bodies on
 /// each DOF, at a time (s).
 fn arms_along_normal(
@@ -174,7 +198,7 @@ fn arms_along_normal(
     bodies: [usize; 2],
     dofs: &[Dof],
     time: f64,
-    (point, normal): ([f64; 3], [f64; 3]),
+    FirstContact { point, normal }: FirstContact,
 ) -> Result<Vec<f64>, EngineError> {
     let arm = |dof: &Dof| {
         let Some(side) = bodies.iter().position(|body| *body == dof.body) else { return Ok(0.0) };

@@ -3,6 +3,7 @@
 
 use crate::derived::DerivedResults;
 use crate::modal::Modes;
+use crate::moving_axes::MovingAxes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{Springs, Tangent, springs};
@@ -13,10 +14,9 @@ use calyx_model::connection_building::build_connections;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::flanks::{add_flanks, spline_contacts};
 use calyx_model::frames::{axes, loads_on, number_dofs, pose, solid_pose};
-use calyx_model::ids::BodyId;
+
 use calyx_model::mechanism::Mechanism;
-use calyx_model::motion::{Orientation, PlanePose, axle, moved_by, point_velocity, rotation_speed};
-use calyx_model::pairs::SurfacePair;
+use calyx_model::motion::{Orientation, PlanePose, axle, moved_by, point_velocity};
 use calyx_model::plan::{BodyPlan, Plan, face_widths};
 use calyx_model::resources::Resources;
 use calyx_model::spline_contact::SplineContact;
@@ -24,7 +24,6 @@ use calyx_model::structure_building::StructureCounts;
 use calyx_model::structure_building::{Structures, build_structures};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_numerics::vec3::{Vector, cross, dot, minus, plus, scaled};
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::{AnyStructure, Structure};
 use std::sync::{Arc, OnceLock};
@@ -44,8 +43,8 @@ pub struct System<'s> {
     pub dofs: Vec<Dof>,
     /// Axis positions by body, see [`axle`].
     axles: Vec<[f64; 3]>,
-    /// Direction of the line of centres of every pair at time 0, rad, if it rotates.
-    lines: Vec<Option<f64>>,
+    /// Moving axes of every pair; `None` for fixed ones.
+    pub(crate) moving_axes: Vec<Option<MovingAxes>>,
     /// Modelled bearings, by index in the scene.
     pub bearings: Vec<usize>,
     /// Modelled elastic connections, by index in the scene.
@@ -184,13 +183,13 @@ impl<'s> System<'s> {
         let interrupt = resources.interrupt.clone();
         let (bearings, connections) = (plan.modelled_bearings(), plan.modelled_connections());
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
-        let (lines, spline_teeth, modes) = (Vec::new(), spline_contacts(scene, plan), Modes::default());
+        let (spline_teeth, modes) = (spline_contacts(scene, plan), Modes::default());
         let mut system = System {
             scene,
             bodies,
             dofs,
             axles,
-            lines,
+            moving_axes: Vec::new(),
             bearings,
             connections,
             elastic_connections: Arc::new(elastic_connections),
@@ -203,9 +202,7 @@ impl<'s> System<'s> {
             left_out: plan.bodies.iter().map(|body| body.left_out).collect(),
             derived: DerivedResults::default(),
         };
-        let turns = |pair: &SurfacePair| pair.mesh.as_ref().is_some_and(|mesh| mesh.orbit != 0.0);
-        let line = |pair| turns(pair).then(|| system.line_of_centres(pair, 0.0));
-        system.lines = scene.pairs.iter().map(line).collect();
+        system.moving_axes = system.find_moving_axes()?;
         Ok(system)
     }
 
@@ -234,7 +231,7 @@ impl<'s> System<'s> {
             bodies: self.bodies.clone(),
             dofs: self.dofs.clone(),
             axles: self.axles.clone(),
-            lines: self.lines.clone(),
+            moving_axes: self.moving_axes.clone(),
             bearings: self.bearings.clone(),
             connections: self.connections.clone(),
             elastic_connections: self.elastic_connections.clone(),
@@ -435,46 +432,6 @@ impl<'s> System<'s> {
             Bodies::Solid(bodies) => solid_pose(self.scene, body, time)
                 .map_or(f64::NAN, |pose| Orientation::of(&pose).angle - bodies.initial[body]),
         }
-    }
-
-    /// Returns the prescribed angular velocity of a body about its own axis, rad/s; NaN if the
-    /// motion is NaN.
-    pub fn speed(&self, body: usize, time: f64) -> f64 {
-        rotation_speed(self.scene.bodies[body].motion.as_ref(), time).unwrap_or(f64::NAN)
-    }
-
-    /// Returns the prescribed direction from the axis of a pair's first body to that of its second
-    /// in the transverse plane of the first body, rad.
-    fn line_of_centres(&self, pair: &SurfacePair, time: f64) -> f64 {
-        let [first, second] = pair.bodies.map(|body| self.origin(body.0, time));
-        let (across, axes) = (minus(second, first), self.axes(pair.bodies[0].0, time));
-        dot(across, axes[1]).atan2(dot(across, axes[0]))
-    }
-
-    /// Returns the rotation of a pair's line of centres since time 0, rad, modulo whole
-    /// revolutions; 0 for gears on fixed axes.
-    pub fn rotated_line_of_centres(&self, pair: usize, time: f64) -> f64 {
-        let since = |start| self.line_of_centres(&self.scene.pairs[pair], time) - start;
-        self.lines[pair].map_or(0.0, since)
-    }
-
-    /// Returns the velocity, at a point in ground coordinates (m), of the frame that rotates with a
-    /// pair's line of centres, m/s: zero for fixed axes. Mesh motions are relative to this frame.
-    pub fn line_velocity(&self, pair: usize, time: f64, point: [f64; 3]) -> [f64; 3] {
-        let SurfacePair { bodies: [first, second], .. } = self.scene.pairs[pair];
-        if self.lines[pair].is_none() {
-            return [0.0; 3];
-        }
-        let at = |body: BodyId| {
-            let place = self.origin(body.0, time);
-            (place, point_velocity(self.scene.bodies[body.0].motion.as_ref(), time, place))
-        };
-        let ([from, velocity], [to, other]) = (at(first).into(), at(second).into());
-        let axis = self.axes(first.0, time)[2];
-        let transverse = |vector: Vector| minus(vector, scaled(axis, dot(vector, axis)));
-        let across = transverse(minus(to, from));
-        let turning = dot(cross(across, minus(other, velocity)), axis) / dot(across, across);
-        plus(transverse(velocity), scaled(cross(axis, minus(point, from)), turning))
     }
 
     /// Extracts the deviations of a body from its prescribed motion from the vector of all DOFs, in

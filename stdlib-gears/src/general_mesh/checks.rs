@@ -4,8 +4,9 @@ use crate::assembly::gear_of;
 use crate::axes::LARGEST_MISALIGNMENT;
 use crate::error::{GeometryError, Refusal, sentence};
 use calyx_runtime::error::EngineError;
+use calyx_runtime::mesh_carrier::{CarrierVelocity, MeshAxes};
 use calyx_runtime::motion::{
-    Motion, Orientation, angular_velocity, axle, point_velocity, rotation_speed, spatial_pose,
+    Motion, Orientation, angular_velocity, point_velocity, rotation_speed, spatial_pose,
 };
 use calyx_runtime::scene::{BodyId, Scene};
 use calyx_runtime::vec3::{cross, dot, length, minus, scaled, unit};
@@ -44,50 +45,90 @@ fn axis(scene: &Scene, id: BodyId) -> Result<[f64; 3], EngineError> {
     Ok(Orientation::of(&spatial_pose(motion(scene, id), 0.0)?).axis())
 }
 
-/// Checks that both bodies rotate about axes at rest.
-///
-/// # Errors
-/// E0886.
-pub(super) fn check_axes(scene: &Scene, ids: [BodyId; 2]) -> Result<(), Refusal> {
-    for (id, argument) in ids.into_iter().zip(["first", "second"]) {
-        let motion = motion(scene, id);
-        let origin = spatial_pose(motion, 0.0)?.point(axle(motion));
-        let turning = angular_velocity(motion, 0.0);
-        let rim = length(turning) * scene.bodies[id.0].prototype.enclosing_radius();
-        let moves = length(point_velocity(motion, 0.0, origin)) > AT_REST * rim;
-        let leans = length(cross(turning, axis(scene, id)?)) > AT_REST * length(turning);
-        if moves || leans {
-            let name = &scene.bodies[id.0].name;
-            return Err(EngineError::new(
-                "E0886",
-                format!("the axis of \"{name}\" moves: meshes on axes that are not parallel need axes at rest"),
-                "let the frame rotate about e3 last, like `Rotate(speed * Time, e3) * Rotate(90 deg, e2) * Translate(...)`; bevel gears on a carrier are not supported",
-            )
-            .blame(argument)
-            .into());
-        }
-    }
-    Ok(())
+/// Axes of two meshing bodies and the motion of their carrier at time 0.
+pub(super) struct Carried<'a> {
+    motions: [&'a dyn Motion; 2],
+    axes: MeshAxes,
+    velocity: CarrierVelocity,
+    /// True if the carrier moves.
+    moves: bool,
 }
 
-/// Returns the speeds of both bodies about their axes if they match the numbers of teeth.
+impl<'a> Carried<'a> {
+    /// Determines the carrier in which both axes are at rest.
+    ///
+    /// # Errors
+    /// E0710: a frame is NaN or infinite. E0886: the axes move relative to each other.
+    pub fn of(scene: &'a Scene, ids: [BodyId; 2]) -> Result<Carried<'a>, Refusal> {
+        let motions = ids.map(|id| motion(scene, id));
+        let axes = MeshAxes::at(motions, 0.0)?;
+        let velocity = axes.carrier_velocity(motions, 0.0);
+        let mut moves = false;
+        for (side, argument) in [(0, "first"), (1, "second")] {
+            let body = &scene.bodies[ids[side].0];
+            let (point, direction) = (axes.points[side], axes.directions[side]);
+            let turning = angular_velocity(motions[side], 0.0);
+            let fastest = length(turning).max(length(velocity.angular));
+            let rim = fastest * body.prototype.enclosing_radius().max(length(minus(point, axes.points[0])));
+            let moving = point_velocity(motions[side], 0.0, point);
+            let leans = cross(minus(turning, velocity.angular), direction);
+            let apart = length(minus(moving, velocity.at(point))) > AT_REST * rim;
+            if apart || length(leans) > AT_REST * fastest {
+                return Err(EngineError::new(
+                    "E0886",
+                    format!("the axis of \"{}\" moves relative to that of its mate", body.name),
+                    "begin the product of each frame with the rotation about its axis, e3, and end both with the motion of the same carrier, like `Rotate(speed * Time, e3) * Rotate(90 deg, e2) * Translate(...) * Rotate(carrier * Time, e3)`",
+                )
+                .blame(argument)
+                .into());
+            }
+            // Rounding errors of fixed axes count as zero.
+            moves |= length(moving) > AT_REST * rim
+                || length(cross(turning, direction)) > AT_REST * length(turning);
+        }
+        Ok(Carried { motions, axes, velocity, moves })
+    }
+
+    /// Returns the angular velocity of the carrier along ground axes, rad/s; zero if the axes are
+    /// at rest.
+    pub fn angular_velocity(&self) -> [f64; 3] {
+        if self.moves { self.velocity.angular } else { [0.0; 3] }
+    }
+
+    /// Returns the speed of a member about its own axis relative to the carrier, rad/s.
+    fn speed(&self, side: usize) -> Result<f64, EngineError> {
+        if !self.moves {
+            return rotation_speed(self.motions[side], 0.0);
+        }
+        let relative = minus(angular_velocity(self.motions[side], 0.0), self.velocity.angular);
+        Ok(dot(relative, self.axes.directions[side]))
+    }
+}
+
+/// Returns the speeds of both bodies about their axes, relative to their carrier, if they match the
+/// numbers of teeth.
 ///
 /// # Errors
 /// E0650, E0651.
-pub(super) fn check_speeds(scene: &Scene, ids: [BodyId; 2], teeth: [u32; 2]) -> Result<[f64; 2], Refusal> {
-    let speeds = [rotation_speed(motion(scene, ids[0]), 0.0)?, rotation_speed(motion(scene, ids[1]), 0.0)?];
+pub(super) fn check_speeds(carried: &Carried<'_>, teeth: [u32; 2]) -> Result<[f64; 2], Refusal> {
+    let speeds = [carried.speed(0)?, carried.speed(1)?];
     let ratio = f64::from(teeth[0]) / f64::from(teeth[1]);
-    if speeds[0] == 0.0 {
+    let carrier = length(carried.angular_velocity());
+    if speeds[0].abs() <= SAME_SPEED * carrier {
         return Err(GeometryError::error(
             "E0650",
             "first",
-            sentence!["the first gear does not rotate, so its mesh has no cycle"],
+            match carried.moves {
+                true => sentence!["the first gear does not rotate relative to the carrier of both axes, so its mesh has no cycle"],
+                false => sentence!["the first gear does not rotate, so its mesh has no cycle"],
+            },
             sentence!["let the frames rotate with Time, like `Rotate(3 rpm * Time, e3) * ...`"],
         )
         .into());
     }
     let fitting = (speeds[0] * ratio).abs();
-    if (speeds[1].abs() - fitting).abs() > SAME_SPEED * fitting {
+    // Speeds relative to a carrier are differences.
+    if (speeds[1].abs() - fitting).abs() > SAME_SPEED * fitting.max(carrier) {
         return Err(GeometryError::error(
             "E0651",
             "second",

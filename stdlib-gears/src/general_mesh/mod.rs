@@ -14,7 +14,7 @@ mod flank_contact;
 pub mod tooth_chart;
 pub mod topography;
 
-use self::checks::{check_axes, check_speeds, no_contact, trace_angle};
+use self::checks::{Carried, check_speeds, no_contact, trace_angle};
 use self::flank_contact::{Driver, FlankContact, Mate, arm_about_z, nearest, seen_from};
 use crate::assembly::{MeshOptions, Misalignment, drive_sense, meet_once};
 use crate::error::{GeometryError, Refusal};
@@ -198,7 +198,7 @@ fn bisected(
 ///
 /// # Errors
 /// E0650, E0651: the speeds do not match the numbers of teeth. E0653: a body has no teeth. E0884:
-/// the flanks do not come into contact. E0885: a misalignment is given. E0886: an axis moves.
+/// the flanks do not come into contact. E0885: a misalignment is given. E0886: the axes move relative to each other.
 /// E0887: the mesh closes a loop whose teeth do not fit. E0648: the teeth of two helical gears
 /// cross.
 pub fn general_mesh(
@@ -211,10 +211,11 @@ pub fn general_mesh(
     }
     meet_once(scene, ids)?;
     let bodies = Bodies::of(scene, ids)?;
-    check_axes(scene, ids)?;
+    let carried = Carried::of(scene, ids)?;
+    let carrier = carried.angular_velocity();
     trace_angle(scene, ids)?;
     let teeth = [0, 1].map(|member: usize| bodies.flanks[member].teeth);
-    let speeds = check_speeds(scene, ids, teeth)?;
+    let speeds = check_speeds(&carried, teeth)?;
     let sign = -(speeds[0] * speeds[1]).signum();
     let sense = drive_sense(scene, ids, sign, speeds[0])?;
     let surfaces = surfaces(sense, sign);
@@ -248,7 +249,7 @@ pub fn general_mesh(
             }
         }
     }
-    let cycle = Cycle { bodies: &bodies, teeth, speeds, sign, phases, left };
+    let cycle = Cycle { bodies: &bodies, teeth, speeds, carrier, sign, phases, left };
     let (mesh, contact_ratio) = cycle.mesh(surfaces, sense, &touching);
     warnings.extend(contact_ratio.and_then(|ratio| checks::low_contact_ratio(ratio, tabulated)));
     if contact_ratio.is_none() {
@@ -313,7 +314,10 @@ impl Bodies {
 struct Cycle<'a> {
     bodies: &'a Bodies,
     teeth: [u32; 2],
+    /// Speeds of both bodies relative to their carrier, rad/s.
     speeds: [f64; 2],
+    /// Angular velocity of the carrier, rad/s.
+    carrier: [f64; 3],
     sign: f64,
     phases: [f64; 2],
     left: f64,
@@ -322,7 +326,7 @@ struct Cycle<'a> {
 impl Cycle<'_> {
     /// Returns the mesh of these flanks, and its contact ratio if flanks touch away from edges.
     fn mesh(&self, surfaces: [usize; 2], sense: f64, touching: &ToothContact) -> (GearMesh, Option<f64>) {
-        let Cycle { bodies, teeth, speeds, sign, phases, left } = *self;
+        let Cycle { bodies, teeth, speeds, carrier, sign, phases, left } = *self;
         let [pitch, second_pitch] = bodies.pitches;
         let path = bodies.path(surfaces, phases[0], sense, touching).ends;
         let [begin, end] = path.unwrap_or([-0.5 * pitch, 0.5 * pitch]);
@@ -362,7 +366,7 @@ impl Cycle<'_> {
             overlap_ratio: 0.0,
             twist: 0.0,
             roll_at_zero: 0.0,
-            orbit: 0.0,
+            carrier,
             phase_offset: left,
             first_contact: Some(FirstContact {
                 point: second.point(touching.contact.point),

@@ -100,6 +100,11 @@ impl TabulatedGear {
         &self.tooth
     }
 
+    /// Axial position of the middle of the bore, relative to the origin of the gear, m.
+    pub fn mid_bore(&self) -> f64 {
+        self.tooth.placed(0.0, [self.bore.height, 0.0]).position[2]
+    }
+
     /// Bore of the rim.
     pub fn bore(&self) -> &Bore {
         &self.bore

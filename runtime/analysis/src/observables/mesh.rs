@@ -5,7 +5,7 @@
 use super::{Equilibrium, Needs, Observable, Quantity};
 use calyx_contact::load_boundary::added_compliances;
 use calyx_model::dof::Dof;
-use calyx_model::ids::{BodyId, PairId};
+use calyx_model::ids::PairId;
 use calyx_model::observed::Observed;
 use calyx_numerics::dense::Interruptible;
 use calyx_solve::step::Participating;
@@ -19,7 +19,8 @@ const THETA_Z: usize = 5;
 /// Transmission error: lag of the second gear behind the drive flanks of the first gear, `sense
 /// (theta_1 N1/N2 + sign theta_2)`, rad. Angles are measured from rigid unmodified contact and
 /// relative to the line of centres, which rotates if the axes move. On general axes they are
-/// rotations of the bodies about their own axes, measured from rigid contact at time 0.
+/// rotations of the bodies about their own axes relative to the carrier of the mesh, measured from
+/// rigid contact at time 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransmissionError(pub PairId);
 
@@ -37,9 +38,8 @@ impl Observable for TransmissionError {
             return Observed::number(f64::NAN);
         };
         let ratio = f64::from(mesh.teeth[0]) / f64::from(mesh.teeth[1]);
-        let line = at.system.rotated_line_of_centres(at.front(self.0).0, at.time());
-        let turned = |body: BodyId| at.system.turned(body.0, at.time()) - line;
-        let kinematic = turned(first) * ratio + mesh.sign * turned(second);
+        let turned = |side| at.system.turned_on_carrier(at.front(self.0).0, side, at.time());
+        let kinematic = turned(0) * ratio + mesh.sign * turned(1);
         // Angles are determined modulo whole revolutions, and a mesh repeats with every tooth of
         // the second gear.
         let pitch = 2.0 * PI / f64::from(mesh.teeth[1]);

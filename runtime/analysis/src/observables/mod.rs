@@ -18,6 +18,7 @@ mod loads;
 mod maximum_location;
 mod mesh;
 mod mesh_cycle;
+mod misalignment;
 mod mode_kind;
 mod pressure;
 mod rolling;
@@ -47,6 +48,7 @@ pub use load_factors::{DynamicFactor, FaceLoadFactor, RootFaceLoadFactor, Transv
 pub use loads::{LoadShare, LoadedFace, MaxLineLoad, MeshForce, PairLoad, PairsInContact};
 pub use maximum_location::{Coordinate, Maximum, MaximumLocation};
 pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransmissionError};
+pub use misalignment::{Misalignment, MisalignmentComponent};
 pub use mode_kind::{
     ModeClassification, ModeEnergyShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet,
 };

@@ -131,14 +131,15 @@ impl Contact<'_> {
     /// centres, W: the power that the mesh transmits.
     fn power(&self, side: usize) -> f64 {
         if self.at.mesh(self.pair()).is_some_and(|(mesh, _)| mesh.first_contact.is_some()) {
-            // Cells act in different directions; axes on general meshes are at rest.
-            return self.torque(side) * self.at.system.speed(self.bodies()[side].0, self.at.time());
+            // Cells act in different directions.
+            return self.torque(side)
+                * self.at.system.speed_on_carrier(self.patch.pair, side, self.at.time());
         }
         let normal = self.normal();
         let sense = if side == 0 { -1.0 } else { 1.0 };
         let of = |point: [f64; 3]| -> f64 {
             let own = self.at.velocity(self.bodies()[side], point);
-            let along = self.at.system.line_velocity(self.pair().0, self.at.time(), point);
+            let along = self.at.system.carrier_velocity(self.pair().0, self.at.time(), point);
             (0..3).map(|k| (own[k] - along[k]) * normal[k]).sum()
         };
         self.slices().iter().map(|slice| sense * slice.force * of(slice.point)).sum()

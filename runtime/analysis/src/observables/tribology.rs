@@ -195,7 +195,7 @@ impl Contact<'_> {
     /// Returns the components of the velocities of both surfaces in a direction, m/s, as
     /// [`Contact::rolling`].
     fn velocities(&self, point: [f64; 3], direction: [f64; 3]) -> [f64; 2] {
-        let line = self.at.system.line_velocity(self.patch.pair, self.at.time(), point);
+        let line = self.at.system.carrier_velocity(self.patch.pair, self.at.time(), point);
         self.bodies().map(|body| {
             let velocity = self.at.velocity(body, point);
             (0..3).map(|k| (velocity[k] - line[k]) * direction[k]).sum()

@@ -16,6 +16,7 @@ mod fillets;
 mod flanks;
 mod gear_data;
 mod k_chart;
+mod power_flow;
 mod projection;
 mod read;
 pub mod sweep;
@@ -86,6 +87,7 @@ fn page(run: &Run) -> Markup {
     let sections: Vec<Section> = [
         // A wrong datum of a gear invalidates all results, so the data come first.
         ("gears", "Gear data", gear_data::section(run)),
+        ("power-flow", "Power flow", power_flow::section(run)),
         ("outputs", "Outputs", summary(run)),
         ("accuracy", "Error estimates", accuracy::section(run)),
         ("cycle", plots_heading(run), plots(run)),

@@ -58,7 +58,7 @@ fn a_uniform_load_on_oblique_contact_lines_has_a_face_load_factor_of_one() {
         overlap_ratio,
         twist: 0.0,
         roll_at_zero: 0.0,
-        orbit: 0.0,
+        carrier: [0.0; 3],
         phase_offset: 0.0,
         first_contact: None,
     };
