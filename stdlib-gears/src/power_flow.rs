@@ -34,8 +34,8 @@ pub struct ConnectionPower {
     pub kind: String,
     /// Names of both rotors.
     pub rotors: [String; 2],
-    /// Power from the first to the second rotor, relative to the carrier, W; NaN if it depends on
-    /// the stiffness of a closed loop.
+    /// Power from the first to the second rotor in ground coordinates, before losses, W; NaN if it
+    /// depends on the stiffness of a closed loop.
     pub power: f64,
     /// Power loss, W.
     pub loss: f64,

@@ -35,5 +35,6 @@ mod same_scene;
 mod shafts;
 mod theory;
 mod tooth_contact;
+mod transmission;
 mod tribology;
 mod whirl;

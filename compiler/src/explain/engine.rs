@@ -195,6 +195,7 @@ pub const CODES: &[Explanation] = codes! {
     "E0813" "a redundant speed of a gear train" "The connections and the other given speeds determine this speed already. Leave out one of the speeds."
     "E0814" "a locked gear train" "The connections of a closed loop fix the ratio of two speeds to different values, so that the rotors cannot rotate. Check the numbers of teeth, or disengage a coupling."
     "E0815" "torques of a gear train that are not in equilibrium" "The number of unknown external torques is the degree of mobility. They act on the rotors in `reactions`, and on rotors with a given speed and no given torque. Connections of closed loops, whose power flow depends on stiffness, have no efficiency."
+    "E0816" "parts of a transmission that do not fit together" "`transmission.assemble` finds gears by their names, of which each occurs once. A rotor with several gears needs a shaft that joins them. External torques act on rotors whose axes are at rest."
     "E0820" "points that cannot be interpolated" "`interpolate` requires at least two points, as many `ys` as `xs`, and ascending `xs`. Sort the table by `xs` and remove duplicates."
     "E0821" "an interpolation outside of its points" "`interpolate` supports values between the first and the last of its `xs`. Extend the table, or limit the argument with `min` and `max`."
     "E0822" "a power at zero speed" "Power is torque times speed, so no torque gives a power at zero speed. Give the speed of the body."

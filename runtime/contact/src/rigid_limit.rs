@@ -14,6 +14,16 @@ use super::problem::ContactError;
 use calyx_numerics::interrupt::Interrupt;
 use nalgebra::{DMatrix, DVector};
 
+/// Overlap that counts, relative to the motions and to the largest gap: rounding is smaller, also
+/// next to a position in which all teeth touch.
+const OVERLAP: f64 = 1e-13;
+/// Least pivot relative to the largest one: with smaller ones, contacts of the basis depend on each
+/// other.
+const LEAST_PIVOT: f64 = 1e-9;
+/// Difference of ratios, relative to that of the largest force and the largest pivot, that is due to
+/// rounding.
+const SAME_RATIO: f64 = 1e-12;
+
 /// Rigid bodies in contact under a vanishing load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidLimit {
@@ -103,6 +113,7 @@ fn simplex(
 ) -> Result<(Vec<f64>, Vec<usize>), ContactError> {
     let (n, m) = arms.shape();
     let limit = 50 * (n + m);
+    let largest_gap = gaps.iter().fold(0.0, |largest: f64, gap| largest.max(gap.abs()));
     for iteration in 0..limit {
         interrupt.check().map_err(ContactError::Interrupted)?;
         let matrix = DMatrix::from_fn(m, m, |r, k| arms[(basis[r], k)]);
@@ -113,7 +124,7 @@ fn simplex(
         let violation = |i: usize| {
             let rigid: f64 = arms.row(i).iter().zip(&motion).map(|(c, y)| (c * y).abs()).sum();
             let gap = row_product(arms, i, &motion) + gaps[i];
-            if gap < -1e-14 * (rigid + gaps[i].abs()) { -gap } else { 0.0 }
+            if gap < -OVERLAP * (rigid + largest_gap) { -gap } else { 0.0 }
         };
         let candidates = (0..n).filter(|i| !basis.contains(i) && violation(*i) > 0.0);
         // The largest overlap enters the basis. If this cycles, Bland's rule (first index)
@@ -131,16 +142,30 @@ fn simplex(
         let Some(relief) = solve(DVector::from_fn(m, |k, _| arms[(entering, k)])) else {
             return Err(ContactError::NotConverged);
         };
-        let leaving = (0..m)
-            .filter(|&r| relief[r] > 1e-12)
-            .map(|r| (forces[r].max(0.0) / relief[r], basis[r], r))
-            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        match leaving {
-            Some((_, _, r)) => basis[r] = entering,
+        let bland = iteration >= limit / 2;
+        match leaving(&forces, &relief, &basis, bland) {
+            Some(row) => basis[row] = entering,
             None => return Err(ContactError::Jammed),
         }
     }
     Err(ContactError::NotConverged)
+}
+
+/// Returns the row of the basis that leaves it: that of the smallest ratio of force to relief.
+///
+/// Planets that carry no load have equal ratios of zero. Among equal ones, the largest pivot keeps
+/// the basis well-conditioned; Bland's rule takes the first contact instead.
+fn leaving(forces: &DVector<f64>, relief: &DVector<f64>, basis: &[usize], bland: bool) -> Option<usize> {
+    let largest = relief.iter().copied().fold(0.0, f64::max);
+    let ratio = |row: usize| forces[row].max(0.0) / relief[row];
+    let rows: Vec<usize> = (0..relief.len()).filter(|&row| relief[row] > LEAST_PIVOT * largest).collect();
+    let least = rows.iter().map(|&row| ratio(row)).fold(f64::INFINITY, f64::min);
+    let scale = forces.iter().fold(0.0, |scale: f64, force| scale.max(force.abs()));
+    let equal = rows.into_iter().filter(|&row| ratio(row) <= least + SAME_RATIO * scale / largest);
+    match bland {
+        true => equal.min_by_key(|&row| basis[row]),
+        false => equal.max_by(|&i, &j| relief[i].total_cmp(&relief[j]).then(basis[j].cmp(&basis[i]))),
+    }
 }
 
 #[cfg(test)]
@@ -187,6 +212,47 @@ mod tests {
             let (ended, asked) = run(last);
             assert!(matches!(ended, Err(ContactError::Interrupted(_))), "{ended:?}");
             assert_eq!(asked, last + 1);
+        }
+    }
+
+    /// A sun drives planets in a ring, each with several pairs of teeth: the planet with the least
+    /// play stops the sun. Equal planets make the solution degenerate.
+    #[test]
+    fn equal_planets_stop_the_sun_at_their_least_play() {
+        let mut seed = 1_u64;
+        let mut random = move || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for case in 0..400 {
+            let planets = 2 + case % 5;
+            let noise = [0.0, 1e-17, 1e-12, 1e-6][case / 5 % 4];
+            let nearest = if case % 2 == 0 { 2e-5 } else { 0.0 };
+            let (sun, planet) = (0.03 + 0.02 * random(), 0.01 + 0.02 * random());
+            let (mut gaps, mut arms) = (Vec::new(), Vec::new());
+            let mut play = f64::INFINITY;
+            for index in 0..planets {
+                let mut add = |of_sun: f64, of_planet: f64, gap: f64| {
+                    let mut row = vec![0.0; 1 + planets];
+                    (row[0], row[1 + index]) = (of_sun, of_planet);
+                    arms.extend(row);
+                    gaps.push(gap);
+                    gap
+                };
+                let mut least = [f64::INFINITY; 2];
+                for pair in 0..3 {
+                    let gap = nearest + f64::from(pair) * 1e-5;
+                    least[0] = least[0].min(add(-sun, planet, gap + noise * random()));
+                    least[1] = least[1].min(add(0.0, -planet, gap + noise * random()));
+                }
+                play = play.min(least[0] + least[1]);
+            }
+            let mut load = vec![0.0; 1 + planets];
+            load[0] = 350.0;
+            let limit = rigid_limit(&gaps, &arms, &load, &Interrupt::never());
+            let limit = limit.unwrap_or_else(|error| panic!("case {case}: {error:?}"));
+            let error = (limit.motion[0] * sun - play).abs();
+            assert!(error < 1e-11 * (play + 1e-5), "case {case}: {error:e}");
         }
     }
 

@@ -72,6 +72,7 @@ const OF_FORMULAS: [&str; 28] = [
     "gear_train",
     "gear_train_equations",
     "linear_equations",
+    "transmission",
     "envelope",
     "bevel",
     "bevel_checks",

@@ -12,9 +12,11 @@ use std::f64::consts::TAU;
 /// Size of the box of a rotor, px.
 const BOX: [f64; 2] = [150.0, 58.0];
 /// Distances of columns and rows, px.
-const SPACING: [f64; 2] = [270.0, 100.0];
+const SPACING: [f64; 2] = [310.0, 104.0];
 /// Margin for the arrows of external power, px.
-const MARGIN: f64 = 110.0;
+const MARGIN: f64 = 90.0;
+/// Length of these arrows, px.
+const ARROW: f64 = 70.0;
 /// Width of the line of the largest power, and of the smallest, px.
 const WIDTHS: [f64; 2] = [14.0, 1.5];
 /// Fraction of the largest power below which no power is drawn: rounding.
@@ -42,7 +44,8 @@ struct Connection<'a> {
     name: &'a str,
     kind: &'a str,
     rotors: [usize; 2],
-    /// Power from the first to the second rotor, W; `None` if it is unknown.
+    /// Power from the first to the second rotor in ground coordinates before losses, W; `None` if
+    /// it is unknown.
     power: Option<f64>,
     /// Power loss, W.
     loss: f64,
@@ -62,7 +65,7 @@ pub fn section(run: &Run) -> Markup {
     }
     html! {
         p.note {
-            "By the numbers of teeth. Lines are as wide as the power, relative to the carrier of the gears; "
+            "By the numbers of teeth. Lines are as wide as the power in ground coordinates; "
             "arrows at the left and right are external power. Dashed lines transmit no power, or one that depends on the stiffness of teeth and shafts."
         }
         @for train in &trains { (diagram(train)) (tables(train)) }
@@ -236,8 +239,8 @@ fn external_power(rotor: &Rotor<'_>, [x, y]: [f64; 2], largest: f64, width: impl
     // Along the upper edge of the box, apart from the lines of the connections.
     let y = y - 0.3 * BOX[1];
     let (from, to) = match power > 0.0 {
-        true => (x - 0.5 * BOX[0] - 85.0, x - 0.5 * BOX[0]),
-        false => (x + 0.5 * BOX[0], x + 0.5 * BOX[0] + 85.0),
+        true => (x - 0.5 * BOX[0] - ARROW, x - 0.5 * BOX[0]),
+        false => (x + 0.5 * BOX[0], x + 0.5 * BOX[0] + ARROW),
     };
     html! {
         line x1=(from) y1=(y) x2=(to - 6.0) y2=(y) stroke="#268756" stroke-opacity="0.6" stroke-width=(width(power)) {}
