@@ -45,7 +45,7 @@ calyx_abi::externs! {
     Scene fn calyx_gear_train_record_power_flow(
         context, names: Vec<String>, carriers: Vec<String>, speeds: Vec<f64>, torques: Vec<f64>,
         connections: Vec<String>, kinds: Vec<String>, first: Vec<String>, second: Vec<String>,
-        powers: Vec<f64>, losses: Vec<f64>,
+        powers: Vec<f64>, losses: Vec<f64>, unknown: Vec<String>,
     ) -> () {
         let rotors = names.into_iter().zip(carriers).zip(speeds.into_iter().zip(torques));
         let ends = first.into_iter().zip(second);
@@ -55,8 +55,9 @@ calyx_abi::externs! {
                 .map(|((name, carrier), (speed, torque))| RotorPower { name, carrier, speed, torque })
                 .collect(),
             connections: connections
-                .map(|(((name, kind), (first, second)), (power, loss))| ConnectionPower {
-                    name, kind, rotors: [first, second], power, loss,
+                .map(|(((name, kind), (first, second)), (power, loss))| {
+                    let power = if unknown.contains(&name) { f64::NAN } else { power };
+                    ConnectionPower { name, kind, rotors: [first, second], power, loss }
                 })
                 .collect(),
         });

@@ -19,6 +19,10 @@ const MARGIN: f64 = 90.0;
 const ARROW: f64 = 70.0;
 /// Width of the line of the largest power, and of the smallest, px.
 const WIDTHS: [f64; 2] = [14.0, 1.5];
+/// Number of letters of a connection's name that fit between two boxes.
+const LONGEST_NAME: usize = 26;
+/// Number of letters of a rotor's name above which it is written smaller.
+const LONG_NAME: usize = 18;
 /// Fraction of the largest power below which no power is drawn: rounding.
 const NO_POWER: f64 = 1e-9;
 
@@ -199,10 +203,6 @@ fn line(
     let [[x0, y0], [x3, y3]] = ends;
     let [[x1, y1], [x2, y2]] = controls;
     let path = format!("M{x0:.1} {y0:.1}C{x1:.1} {y1:.1} {x2:.1} {y2:.1} {x3:.1} {y3:.1}");
-    let text = match power {
-        Some(power) => format!("{} kW", number(power.abs() * 1e-3)),
-        None => String::new(),
-    };
     html! {
         path d=(path) fill="none" stroke="#1F5FA8" stroke-opacity="0.45"
             stroke-width=(power.map_or(WIDTHS[1], &width))
@@ -210,10 +210,22 @@ fn line(
             title { (connection.name) }
         }
         @if power.is_some() { (arrow_head([x3, y3], if same { -1.0 } else { side })) }
-        text x=(label[0]) y=(label[1] - 4.0) text-anchor="middle" font-size="12" fill="#000000" { (text) }
-        text x=(label[0]) y=(label[1] + 12.0) text-anchor="middle" font-size="11" fill="#000000" fill-opacity="0.65" {
-            (connection.name)
+        @if let Some(power) = power {
+            text x=(label[0]) y=(label[1] - 4.0) text-anchor="middle" font-size="12" fill="#000000" {
+                (number(power.abs() * 1e-3)) " kW"
+            }
+            text x=(label[0]) y=(label[1] + 12.0) text-anchor="middle" font-size="11" fill="#000000" fill-opacity="0.65" {
+                (clipped(connection.name))
+            }
         }
+    }
+}
+
+/// Name that fits between two boxes.
+fn clipped(name: &str) -> String {
+    match name.chars().count() > LONGEST_NAME {
+        true => name.chars().take(LONGEST_NAME - 1).chain(['…']).collect(),
+        false => name.to_owned(),
     }
 }
 
@@ -255,7 +267,8 @@ fn rotor_box(rotor: &Rotor<'_>, [x, y]: [f64; 2]) -> Markup {
     let [left, top] = [x - 0.5 * BOX[0], y - 0.5 * BOX[1]];
     html! {
         rect x=(left) y=(top) width=(BOX[0]) height=(BOX[1]) rx="6" style="fill:var(--card)" stroke="#000000" stroke-opacity="0.35" {}
-        text x=(x) y=(y - 8.0) text-anchor="middle" font-size="13" font-weight="600" fill="#000000" { (rotor.name) }
+        text x=(x) y=(y - 8.0) text-anchor="middle" font-size=(if rotor.name.chars().count() > LONG_NAME { "10" } else { "13" })
+            font-weight="600" fill="#000000" { (rotor.name) }
         text x=(x) y=(y + 8.0) text-anchor="middle" font-size="12" fill="#000000" { (rpm(rotor.speed)) " rpm" }
         @if rotor.torque != 0.0 && rotor.torque.is_finite() {
             text x=(x) y=(y + 23.0) text-anchor="middle" font-size="12" fill="#000000" { (number(rotor.torque)) " N·m" }
