@@ -51,7 +51,7 @@ impl PlannedCost {
     }
 
     fn analysis_lines(&self) -> Vec<String> {
-        let AnalysisCost { structures, positions, count, errors } = &self.analysis;
+        let AnalysisCost { structures, positions, count, of_load_factors, errors } = &self.analysis;
         let mut lines = vec!["Predicted for this machine, without cached structures".to_owned()];
         for (bodies, cost) in structures {
             let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
@@ -63,8 +63,16 @@ impl PlannedCost {
             ));
         }
         if *count > 0 {
-            let each = positions.time / *count as f64;
-            lines.push(format!("{count} positions: {}, {} each", seconds(positions.time), seconds(each)));
+            let each = positions.time / (count + of_load_factors) as f64;
+            let more = match of_load_factors {
+                0 => String::new(),
+                more => format!(", and {more} over mesh cycles for load factors"),
+            };
+            lines.push(format!(
+                "{count} positions{more}: {}, {} each",
+                seconds(positions.time),
+                seconds(each)
+            ));
         }
         if self.estimates != Estimates::None {
             lines.push(format!("\"{}\" error estimates: {}", self.estimates.name(), seconds(errors.time)));

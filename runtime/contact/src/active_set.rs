@@ -11,7 +11,7 @@
 //! final equations are always those of the cells in ascending order with one step of iterative
 //! refinement, so the bits of the solution do not depend on the start.
 
-use super::dense::{ActiveEquations, Singular, dot, null_motion, row_product};
+use super::dense::{ActiveEquations, Singular, arms_of, dot, null_motion, row_product};
 use super::feasibility::{Balance, balance};
 use super::interior_point;
 use super::problem::{ContactError, ContactProblem, FreeMotion, Method, Solution};
@@ -127,11 +127,11 @@ impl Scaled<'_> {
     /// springs resist.
     fn resistance(&self, cells: impl Iterator<Item = usize>) -> DMatrix<f64> {
         let mut sum = self.stiffness.clone();
-        for i in cells {
-            let row = self.arms.row(i);
-            for k in 0..row.len() {
-                for l in 0..row.len() {
-                    sum[(k, l)] += row[k] * row[l];
+        for cell in cells {
+            let own: Vec<(usize, f64)> = arms_of(&self.arms, cell).collect();
+            for &(k, arm) in &own {
+                for &(l, other) in &own {
+                    sum[(k, l)] += arm * other;
                 }
             }
         }

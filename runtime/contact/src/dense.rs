@@ -19,6 +19,11 @@ pub(super) fn row_product(matrix: &DMatrix<f64>, i: usize, vector: &[f64]) -> f6
     matrix.row(i).iter().zip(vector).map(|(x, y)| x * y).sum()
 }
 
+/// Returns the DOFs that a cell acts on, with its arms: those of its two bodies.
+pub(super) fn arms_of(arms: &DMatrix<f64>, cell: usize) -> impl Iterator<Item = (usize, f64)> {
+    (0..arms.ncols()).map(move |k| (k, arms[(cell, k)])).filter(|(_, arm)| *arm != 0.0)
+}
+
 /// Reason why the equations of an active set have no unique solution.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Singular {
@@ -163,9 +168,18 @@ impl ActiveEquations {
         let active_arms = Mat::from_fn(n, m, |i, k| arms[(active[i], k)]);
         let mut solved_arms = active_arms.clone();
         solve_in_place(&factor, &mut solved_arms);
-        let mut schur = Mat::from_fn(m, m, |k, l| {
-            stiffness[(k, l)] + (0..n).map(|i| active_arms[(i, k)] * solved_arms[(i, l)]).sum::<f64>()
-        });
+        // The arms of a cell are zero except for the DOFs of its two bodies.
+        let mut sums = DMatrix::<f64>::zeros(m, m);
+        let mut solved = vec![0.0; m];
+        for (i, &cell) in active.iter().enumerate() {
+            solved.iter_mut().enumerate().for_each(|(l, entry)| *entry = solved_arms[(i, l)]);
+            for (k, arm) in arms_of(arms, cell) {
+                for (sum, entry) in sums.column_mut(k).iter_mut().zip(&solved) {
+                    *sum += arm * entry;
+                }
+            }
+        }
+        let mut schur = Mat::from_fn(m, m, |k, l| stiffness[(k, l)] + sums[(l, k)]);
         let whole = DMatrix::from_fn(m, m, |k, l| schur[(k, l)]);
         if let Some(motion) = null_motion(&whole, RANK_TOLERANCE) {
             return Err(Singular::Dofs(motion));

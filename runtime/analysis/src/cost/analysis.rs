@@ -2,11 +2,12 @@
 
 use super::{Cost, Flanks, Rates, elastic_body, positions, structure};
 use crate::estimate::{Estimates, PerturbedSolve, perturbed_solves_of};
+use crate::observables::positions_of_cycle;
 use crate::scene::{Component, Scene};
 use calyx_model::connection::{CondensedShaft, ElasticConnection};
 use calyx_model::elastic_body::ElasticBodySize;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
-use calyx_model::ids::BodyId;
+use calyx_model::ids::{BodyId, PairId};
 use calyx_model::observed::OutputRequest;
 use calyx_model::pairs::{GearMesh, SurfacePair};
 use calyx_model::plan::{ConnectionPlan, Plan};
@@ -41,6 +42,8 @@ pub struct AnalysisCost {
     pub positions: Cost,
     /// Number of positions or time steps.
     pub count: usize,
+    /// Number of positions that load factors solve over mesh cycles of their own.
+    pub of_load_factors: usize,
     /// Cost of the error estimates, including structures of other meshes.
     pub errors: Cost,
 }
@@ -88,7 +91,8 @@ impl Task<'_> {
                 let repeated = if is_displaced(scene) { REPEATED } else { 1.0 };
                 Cost { time: repeated * cost.time, ..cost }
             };
-        let own = solve(fidelity, three_dimensional, flanks, false, self.positions);
+        let of_load_factors = self.positions_of_load_factors();
+        let own = solve(fidelity, three_dimensional, flanks, false, self.positions + of_load_factors);
         let mut errors = Cost::default();
         let mut add = |cost: Cost| {
             errors.time += cost.time;
@@ -118,12 +122,34 @@ impl Task<'_> {
                         three_dimensional,
                         flanks,
                         perturbed_solve.coarse_grid,
-                        perturbed_solve.positions,
+                        perturbed_solve.positions + of_load_factors,
                     ));
                 }
             }
         }
-        Ok(AnalysisCost { structures, positions: own, count: self.positions, errors })
+        Ok(AnalysisCost { structures, positions: own, count: self.positions, of_load_factors, errors })
+    }
+
+    /// Returns the number of positions that the load factors of the outputs solve over mesh cycles.
+    /// The positions of a quasi-static analysis are assumed to be in one cycle of the only mesh, or
+    /// in parts of two cycles of each. Those of a transient analysis are not counted: their number
+    /// depends on the time.
+    fn positions_of_load_factors(&self) -> usize {
+        if self.in_time {
+            return 0;
+        }
+        let needed = |pair: &PairId| {
+            let needs = |index: usize| {
+                self.scene.observables.get(index).is_some_and(|one| one.cycle_of() == Some(*pair))
+            };
+            self.outputs.iter().any(|output| output.observes(needs))
+        };
+        let meshes: Vec<&GearMesh> = (0..self.scene.pairs.len())
+            .filter(|&pair| needed(&PairId(pair)))
+            .filter_map(|pair| self.scene.pairs[pair].mesh.as_ref())
+            .collect();
+        let cycles = if meshes.len() > 1 { 2 } else { 1 };
+        meshes.into_iter().map(|mesh| cycles * positions_of_cycle(mesh)).sum()
     }
 
     /// Returns the structures of a perturbed solve and its fidelity: the first of those that

@@ -32,6 +32,10 @@ impl Observable for FaceLoadFactor {
     fn pair_of(&self) -> Option<PairId> {
         Some(self.0)
     }
+
+    fn cycle_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// Face load factor of the tooth root `K_Fbeta = K_Hbeta^N_F` (ISO 6336-1:2019, 7.5).
@@ -62,6 +66,10 @@ impl Observable for RootFaceLoadFactor {
     fn pair_of(&self) -> Option<PairId> {
         Some(self.pair)
     }
+
+    fn cycle_of(&self) -> Option<PairId> {
+        Some(self.pair)
+    }
 }
 
 /// Transverse load factor `K_Halpha`: largest share of the load on a tooth pair in the mesh cycle,
@@ -86,6 +94,10 @@ impl Observable for TransverseLoadFactor {
     fn pair_of(&self) -> Option<PairId> {
         Some(self.0)
     }
+
+    fn cycle_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
 }
 
 /// Dynamic factor: mesh force over the mean static mesh force of the mesh cycle in which the
@@ -106,6 +118,10 @@ impl Observable for DynamicFactor {
     }
 
     fn pair_of(&self) -> Option<PairId> {
+        Some(self.0)
+    }
+
+    fn cycle_of(&self) -> Option<PairId> {
         Some(self.0)
     }
 }

@@ -72,7 +72,7 @@ pub(super) fn static_cycle(at: &Equilibrium<'_>, pair: PairId) -> Option<Vec<Cyc
         return None;
     }
     let cycle = (passed + ROUNDING).floor();
-    let count = count(mesh);
+    let count = positions_of_cycle(mesh);
     let create =
         || Solutions { next: AtomicUsize::new(0), positions: (0..count).map(|_| OnceLock::new()).collect() };
     let solutions: Arc<Solutions> = system.derived.get_or_create((pair.0, cycle as i64), create)?;
@@ -96,8 +96,8 @@ pub(super) fn static_cycle(at: &Equilibrium<'_>, pair: PairId) -> Option<Vec<Cyc
     solutions.positions.iter().enumerate().map(solved).collect()
 }
 
-/// Returns the number of positions over the cycle of a mesh.
-pub(super) fn count(mesh: &GearMesh) -> usize {
+/// Returns the number of positions over the cycle of a mesh that load factors solve.
+pub fn positions_of_cycle(mesh: &GearMesh) -> usize {
     let [fewest, most] = POSITIONS;
     match mesh.overlap_ratio > 0.0 {
         true => ((POSITIONS_OF_OVERLAP / mesh.overlap_ratio).ceil() as usize).clamp(fewest, most),
@@ -115,7 +115,7 @@ pub(super) fn window(mesh: &GearMesh, face: f64) -> f64 {
     if mesh.overlap_ratio <= 0.0 {
         return NARROW * face;
     }
-    let spacing = face / (mesh.overlap_ratio * count(mesh) as f64);
+    let spacing = face / (mesh.overlap_ratio * positions_of_cycle(mesh) as f64);
     let wide = (NARROW * face / spacing - ROUNDING).ceil().max(1.0) * spacing;
     if wide <= (WIDE + ROUNDING) * face { wide } else { NARROW * face }
 }

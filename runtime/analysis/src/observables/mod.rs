@@ -48,6 +48,7 @@ pub use load_factors::{DynamicFactor, FaceLoadFactor, RootFaceLoadFactor, Transv
 pub use loads::{LoadShare, LoadedFace, MaxLineLoad, MeshForce, PairLoad, PairsInContact};
 pub use maximum_location::{Coordinate, Maximum, MaximumLocation};
 pub use mesh::{MeshStiffness, SecantStiffness, TransmissionError, UnloadedTransmissionError};
+pub use mesh_cycle::positions_of_cycle;
 pub use misalignment::{Misalignment, MisalignmentComponent};
 pub use mode_kind::{
     ModeClassification, ModeEnergyShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet,
@@ -159,6 +160,12 @@ pub trait Observable: Comparable + Debug + Send + Sync {
 
     /// Returns the bearing that it depends on.
     fn bearing_of(&self) -> Option<BearingId> {
+        None
+    }
+
+    /// Returns the mesh over whose cycle it is defined: it solves positions of its own there, see
+    /// [`positions_of_cycle`].
+    fn cycle_of(&self) -> Option<PairId> {
         None
     }
 
