@@ -58,6 +58,9 @@ pub struct MeshOptions {
     pub coast_side_contact: bool,
     /// Lubrication, for observables of friction, temperature and film thickness.
     pub lubrication: Option<Lubrication>,
+    /// Expected torque of the mesh on the first gear about its axis, N m; its sign selects the drive
+    /// flanks. Zero if they follow from the loads.
+    pub torque_on_first: f64,
 }
 
 /// Misalignment of the second gear's axis relative to the first one's, given by two angles (rad)
@@ -84,6 +87,7 @@ impl Default for MeshOptions {
             misalignment: Misalignment::default(),
             coast_side_contact: false,
             lubrication: None,
+            torque_on_first: 0.0,
         }
     }
 }
@@ -106,7 +110,8 @@ pub struct MeshResult {
 /// together. The second gear is phased so that they touch; if it already has a mesh, the first gear
 /// is phased; if both have one, neither is.
 ///
-/// The drive flanks follow from the first gear's moment about z at time 0. If it is zero, they
+/// The drive flanks follow from [`MeshOptions::torque_on_first`], if it is given, and otherwise from
+/// the first gear's moment about z at time 0. If it is zero, they
 /// follow from the second gear's moment, which the first gear resists; otherwise from the effect of
 /// an earlier mesh on either gear that is free to rotate; otherwise from the first gear's speed.
 ///
@@ -201,7 +206,10 @@ impl Pairing {
         let (geometry, mut warnings) = check(driver, mate, self.center_distance(), self.axes.common_width)?;
         phase_check::clears_neighbours(scene, self.bodies).map_err(|error| vec![error])?;
         let gears = [driver.form(), mate.form()];
-        let sense = drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?;
+        let sense = match options.torque_on_first {
+            0.0 => drive_sense(scene, self.bodies, gears[1].sense(), self.speeds[0])?,
+            torque => -torque.signum(),
+        };
         // Teeth are phased by their positions at the middle of the common face.
         let twists = [driver.twist_per_length(), mate.twist_per_length()];
         let [first_section, second_section] = [0, 1].map(|member| {

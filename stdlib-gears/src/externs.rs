@@ -43,6 +43,7 @@ calyx_abi::externs! {
         context, first: Handle, second: Handle, tip_corner_contact: bool, contact_cells: Option<f64>,
         grid_width: Option<f64>, contact_slices: f64, friction: f64, misalignment: f64,
         misalignment_out_of_plane: f64, coast_side_contact: bool, lubrication: Option<Handle>,
+        torque_on_first: Option<f64>,
     ) -> Handle {
         before_analysis(context, "the mesh")?;
         for (argument, count) in [("contact_cells", contact_cells), ("contact_slices", Some(contact_slices))] {
@@ -72,6 +73,7 @@ calyx_abi::externs! {
             misalignment: Misalignment { in_action: misalignment, off_action: misalignment_out_of_plane },
             coast_side_contact,
             lubrication,
+            torque_on_first: torque_on_first.unwrap_or(0.0),
         };
         if is_general(&host.scene, ids).map_err(engine)? {
             let meshed = general_mesh(&mut host.scene, ids, &options);

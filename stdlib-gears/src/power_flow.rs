@@ -34,18 +34,20 @@ pub struct ConnectionPower {
     pub kind: String,
     /// Names of both rotors.
     pub rotors: [String; 2],
-    /// Power from the first to the second rotor in ground coordinates, before losses, W; NaN if it
-    /// depends on the stiffness of a closed loop.
+    /// Power from the first to the second rotor in ground coordinates, before losses, W.
     pub power: f64,
     /// Power loss, W.
     pub loss: f64,
+    /// True in a closed loop, where the power depends on the stiffness of teeth and shafts, and is
+    /// distributed equally among equal planets and paths.
+    pub is_assumed: bool,
 }
 
 calyx_abi::externs! {
     Scene fn calyx_gear_train_record_power_flow(
         context, names: Vec<String>, carriers: Vec<String>, speeds: Vec<f64>, torques: Vec<f64>,
         connections: Vec<String>, kinds: Vec<String>, first: Vec<String>, second: Vec<String>,
-        powers: Vec<f64>, losses: Vec<f64>, unknown: Vec<String>,
+        powers: Vec<f64>, losses: Vec<f64>, assumed: Vec<String>,
     ) -> () {
         let rotors = names.into_iter().zip(carriers).zip(speeds.into_iter().zip(torques));
         let ends = first.into_iter().zip(second);
@@ -56,8 +58,8 @@ calyx_abi::externs! {
                 .collect(),
             connections: connections
                 .map(|(((name, kind), (first, second)), (power, loss))| {
-                    let power = if unknown.contains(&name) { f64::NAN } else { power };
-                    ConnectionPower { name, kind, rotors: [first, second], power, loss }
+                    let is_assumed = assumed.contains(&name);
+                    ConnectionPower { name, kind, rotors: [first, second], power, loss, is_assumed }
                 })
                 .collect(),
         });

@@ -214,3 +214,89 @@ fn alignment_errors_of_a_bevel_pair_are_displacements_of_its_axes() {
     near("gear_axial", -found["gz"] - found["ux"]);
     near("shaft_angle", found["turned"] - found["gear_turned"]);
 }
+
+/// A pair whose pinion is loaded by itself or through a clutch, in some direction of the line of
+/// centres.
+fn driven_pair(moment: &str, rest: &str, direction: &str) -> String {
+    format!(
+        "{GEARS}
+var pinion = gears.body(
+    \"pinion\", small, free = [\"theta_z\"], moment = {moment}, frame := Rotate(1500 rpm * Time, e3));
+var wheel = gears.body(
+    \"wheel\", large, frame := Rotate(-1500 rpm * 25 / 47 * Time, e3) * Translate(distance * {direction}));
+var mesh = gears.mesh(pinion, wheel, contact_slices = 3, contact_cells = 8{rest}
+output error := gears.transmission_error(mesh);
+output force := gears.mesh_force(mesh);
+analyze(\"quasi_static\", over = gears.times(0.3 ms, 0.5 ms, 2), fidelity = \"analytic\", error_estimates = \"none\");
+"
+    )
+}
+
+/// Contact grids have the size of the load, wherever it acts.
+#[test]
+fn a_load_through_a_clutch_is_the_same_as_on_the_gear() {
+    for torque in ["120", "-120"] {
+        let on_gear = means(&driven_pair(&format!("{torque} N*m * e3"), ");", "e1"));
+        let clutch = format!(
+            ", torque_on_first = -{torque} * 1 N*m);
+var motor = gears.rigid_body(
+    \"motor\", free = [\"theta_z\"], moment = {torque} N*m * e3, frame := Rotate(1500 rpm * Time, e3));
+gears.bearing(\"clutch\", motor, to = pinion, torsional_stiffness = 1e7 N*m/rad);"
+        )
+        .replace("--", "");
+        for direction in ["e1", "e2", "(0.6 * e1 + 0.8 * e2)"] {
+            let found = means(&driven_pair("0 N*m * e3", &clutch, direction));
+            // The teeth touch at another phase of the same mesh.
+            let tolerance = if direction == "e1" { 2e-3 } else { 0.1 };
+            for name in ["error", "force"] {
+                close(&format!("{torque} N*m, {direction}, {name}"), found[name], on_gear[name], tolerance);
+            }
+        }
+    }
+}
+
+/// A planetary set that the sun drives, with the torque on the sun or on the carrier.
+#[test]
+fn a_torque_on_the_carrier_loads_a_planetary_set_as_one_on_the_sun() {
+    let set = |loads: &str| {
+        format!(
+            "import gears;
+import transmission;
+units mm_N_s;
+function blank(in count) {{
+    return gears.external(count, module = 2 mm, face_width = 20 mm, tooth_thickness = 3.08 mm);
+}}
+var carrier = transmission.rotor(\"carrier\", free = [\"theta_z\"]);
+var sun = transmission.rotor(\"sun\", gears = [transmission.gear(\"sun gear\", blank(30))], free = [\"theta_z\"]);
+var ring = transmission.rotor(
+    \"ring\", free = [],
+    gears = [transmission.gear(\"ring gear\", gears.internal(
+        72, module = 2 mm, face_width = 20 mm, tooth_thickness = 3.08 mm, minor_diameter = 140.6 mm))]);
+var planets = transmission.planets(\"planet\", blank(21), carrier, 51 mm, free = [\"u_x\", \"u_y\", \"theta_z\"]);
+var rotors = [carrier, sun, ring];
+for (planet in planets) push(rotors, planet);
+var meshes = transmission.planet_meshes(planets, \"sun gear\", contact_slices = 2, contact_cells = 5);
+for (mesh in transmission.planet_meshes(
+    planets, \"ring gear\", internal = TRUE, contact_slices = 2, contact_cells = 5)) push(meshes, mesh);
+var box = transmission.assemble(
+    rotors, meshes = meshes, speeds = [transmission.Speed(sun, 1000 rpm), transmission.Speed(ring, 0 rpm)], {loads});
+function pin(in name: String, in body: Body, in to: Body, in at: Vector(Length)) {{
+    return gears.bearing(name, body, to = to, at = at, radial_stiffness = 3e8 N/m);
+}}
+for (planet in planets)
+    transmission.connect(
+        box, \"pin of {{planet.rotor.name}}\", pin, planet, at = 0 mm, to = transmission.body(box, carrier));
+output lag := transmission.transmission_error(box, sun, carrier);
+output force := gears.mesh_force(box.meshes[1]);
+output pressure := gears.max_contact_pressure(box.meshes[4]);
+analyze(\"quasi_static\", over = gears.times(0.3 ms, 0.5 ms, 2), fidelity = \"analytic\", error_estimates = \"none\");
+"
+        )
+    };
+    let on_sun = means(&set("torques = [transmission.Torque(sun, 90 N*m)], reactions = [carrier]"));
+    let on_carrier = means(&set("torques = [transmission.Torque(carrier, -306 N*m)], reactions = [sun]"));
+    for (name, expected) in &on_sun {
+        // The mesh efficiency is 1, but the ratio of the torques varies with the transmission error.
+        close(name, on_carrier[name], *expected, 0.02);
+    }
+}

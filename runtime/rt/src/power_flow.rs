@@ -22,6 +22,7 @@ pub(crate) fn json(flows: &[PowerFlow]) -> Value {
                 "rotors": connection.rotors,
                 "power": known(connection.power),
                 "loss": known(connection.loss),
+                "assumed": connection.is_assumed,
             })
         });
         json!({

@@ -138,7 +138,7 @@ pub(super) fn check_speeds(carried: &Carried<'_>, teeth: [u32; 2]) -> Result<[f6
                 number ratio, " times"
             ],
             sentence![
-                "rotate the second frame about its own axis by the angle of the first, times the teeth of the first gear over those of the second"
+                "rotate the second frame about its own axis by the angle of the first, times the teeth of the first gear over those of the second; on a carrier, such as the case of a differential, both frames end with its motion"
             ],
         )
         .into());
@@ -160,6 +160,11 @@ pub(super) fn trace_angle(scene: &Scene, ids: [BodyId; 2]) -> Result<(), Refusal
             .into());
     }
     let axes = [axis(scene, ids[0])?, axis(scene, ids[1])?];
+    if length(cross(axes[0], axes[1])) <= LARGEST_MISALIGNMENT {
+        let message = "the axes of the two gears have opposite directions";
+        let help = "let e3 of both frames have the same direction; then the gears rotate in opposite senses";
+        return Err(EngineError::new("E0648", message, help).blame("second").into());
+    }
     let origin = |id: BodyId| spatial_pose(motion(scene, id), 0.0).map(|pose| pose.origin);
     let apart = minus(origin(ids[1])?, origin(ids[0])?);
     let crossing = unit(cross(axes[0], axes[1]));

@@ -217,7 +217,10 @@ pub fn general_mesh(
     let teeth = [0, 1].map(|member: usize| bodies.flanks[member].teeth);
     let speeds = check_speeds(&carried, teeth)?;
     let sign = -(speeds[0] * speeds[1]).signum();
-    let sense = drive_sense(scene, ids, sign, speeds[0])?;
+    let sense = match options.torque_on_first {
+        0.0 => drive_sense(scene, ids, sign, speeds[0])?,
+        torque => -torque.signum(),
+    };
     let surfaces = surfaces(sense, sign);
     let mut phases = ids.map(|id| scene.bodies[id.0].phase);
     let pitch = bodies.pitches[1];

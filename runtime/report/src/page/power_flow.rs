@@ -53,6 +53,8 @@ struct Connection<'a> {
     power: Option<f64>,
     /// Power loss, W.
     loss: f64,
+    /// True if the power depends on the stiffness of a closed loop.
+    is_assumed: bool,
 }
 
 /// Gear train of a run.
@@ -70,7 +72,8 @@ pub fn section(run: &Run) -> Markup {
     html! {
         p.note {
             "By the numbers of teeth. Lines are as wide as the power in ground coordinates; "
-            "arrows at the left and right are external power. Dashed lines transmit no power, or one that depends on the stiffness of teeth and shafts."
+            "arrows at the left and right are external power. The power of dashed lines depends on the stiffness of teeth and shafts; "
+            "it is shown for equal planets and paths."
         }
         @for train in &trains { (diagram(train)) (tables(train)) }
     }
@@ -97,6 +100,7 @@ fn train(value: &Value) -> Train<'_> {
             rotors: [index(&connection["rotors"][0])?, index(&connection["rotors"][1])?],
             power: connection["power"].as_f64(),
             loss: connection["loss"].as_f64().unwrap_or(0.0),
+            is_assumed: connection["assumed"].as_bool().unwrap_or(false),
         })
     });
     let connections = connections.collect();
@@ -206,12 +210,13 @@ fn line(
     html! {
         path d=(path) fill="none" stroke="#1F5FA8" stroke-opacity="0.45"
             stroke-width=(power.map_or(WIDTHS[1], &width))
-            stroke-dasharray=[power.is_none().then_some("5 5")] {
+            stroke-dasharray=[(connection.is_assumed || power.is_none()).then_some("6 4")] {
             title { (connection.name) }
         }
         @if power.is_some() { (arrow_head([x3, y3], if same { -1.0 } else { side })) }
         @if let Some(power) = power {
             text x=(label[0]) y=(label[1] - 4.0) text-anchor="middle" font-size="12" fill="#000000" {
+                @if connection.is_assumed { "≈ " }
                 (number(power.abs() * 1e-3)) " kW"
             }
             text x=(label[0]) y=(label[1] + 12.0) text-anchor="middle" font-size="11" fill="#000000" fill-opacity="0.65" {
@@ -289,7 +294,7 @@ fn tables(train: &Train<'_>) -> Markup {
                 td.word { @if rotor.carrier.is_empty() { "ground" } @else { (rotor.carrier) } }
                 td.value { (rpm(rotor.speed)) }
                 td.value { (number(rotor.torque)) }
-                td.value { (number(rotor.power() * 1e-3)) }
+                td.value { (number(rotor.power() * 1e-3 + 0.0)) }
             } } }
         }
         table.numbers.data {
@@ -302,7 +307,7 @@ fn tables(train: &Train<'_>) -> Markup {
                     td.word { (connection.kind) }
                     td.word { (from) }
                     td.word { (to) }
-                    td.value { @match connection.power { Some(power) => { (number(power.abs() * 1e-3)) } None => { "depends on stiffness" } } }
+                    td.value { @match connection.power { Some(power) => { @if connection.is_assumed { "≈ " } (number(power.abs() * 1e-3)) } None => { "unknown" } } }
                     td.value { (number(connection.loss * 1e-3)) }
                 }
             } }
@@ -324,7 +329,7 @@ mod tests {
             ],
             "connections": [
                 { "name": "first", "kind": "external mesh", "rotors": ["layshaft", "input"], "power": -1e4, "loss": 0.0 },
-                { "name": "second", "kind": "external mesh", "rotors": ["layshaft", "output"], "power": null, "loss": 0.0 },
+                { "name": "second", "kind": "external mesh", "rotors": ["layshaft", "output"], "power": 4e3, "loss": 0.0, "assumed": true },
             ],
         })
     }
@@ -343,11 +348,14 @@ mod tests {
     }
 
     #[test]
-    fn powers_and_unknown_powers_are_shown() {
+    fn powers_and_assumed_powers_are_shown() {
         let value = countershaft();
         let drawn = diagram(&train(&value)).into_string();
-        assert!(drawn.contains("10 kW") && drawn.contains("stroke-dasharray"), "{drawn}");
+        assert!(
+            drawn.contains("10 kW") && drawn.contains("≈ 4 kW") && drawn.contains("stroke-dasharray"),
+            "{drawn}"
+        );
         let listed = tables(&train(&value)).into_string();
-        assert!(listed.contains("depends on stiffness") && listed.contains("954.9"), "{listed}");
+        assert!(listed.contains("≈ 4") && listed.contains("954.9"), "{listed}");
     }
 }

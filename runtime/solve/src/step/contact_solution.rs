@@ -303,18 +303,31 @@ impl<S: ContactGeometry> Solver<'_, S> {
             balancing.map(|((arm, load), (_, meshes))| (load / arm).abs() / meshes).fold(0.0, f64::max)
         };
         let mut forces: Vec<f64> = candidates.iter().map(alone).collect();
-        // Without load, the overlaps determine the size of the forces.
+        // Loads that act on other bodies, such as the carrier of a planet, reach the teeth through
+        // bearings; without load, the overlaps determine the size of the forces.
         let pressed = |candidate: &&Candidate<S::Site>| {
             self.space.force_of_overlap(candidate, (-candidate.nearest.gap).max(0.0))
         };
         let largest = match forces.iter().copied().fold(0.0, f64::max) {
-            0.0 => candidates.iter().map(pressed).fold(0.0, f64::max),
+            0.0 => candidates.iter().map(pressed).fold(self.transmitted(load, candidates), f64::max),
             loaded => loaded,
         };
         for force in forces.iter_mut().filter(|force| **force == 0.0) {
             *force = largest;
         }
         forces
+    }
+
+    /// Returns the force on teeth that the largest load causes, if it acts at their smallest base
+    /// radius.
+    fn transmitted(&self, load: &[f64], candidates: &[&Candidate<S::Site>]) -> f64 {
+        let meshes = candidates.iter().filter_map(|candidate| {
+            let (pair, _) = candidate.teeth;
+            self.system.scene.pairs[pair].mesh.as_ref()
+        });
+        let radius = meshes.flat_map(|mesh| mesh.base_radii).fold(f64::INFINITY, f64::min);
+        let force = |(dof, load): (&Dof, &f64)| load.abs() / if dof.component < 3 { 1.0 } else { radius };
+        self.system.dofs.iter().zip(load).map(force).fold(0.0, f64::max)
     }
 
     /// Returns the load with the torque on every elastic connection acting on each of its bodies: a
