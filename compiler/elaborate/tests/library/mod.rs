@@ -54,7 +54,7 @@ const OF_FILES: [&str; 7] =
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 28] = [
+const OF_FORMULAS: [&str; 29] = [
     "iso1328",
     "deviations",
     "inspection",
