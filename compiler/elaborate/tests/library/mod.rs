@@ -184,9 +184,11 @@ fn is_number(ty: &TypeExpr) -> bool {
     }
 }
 
-/// Functions that need a planetary set, a splined rim, a dynamic analysis or bearings on their
-/// result; [`samples::SCENE`] has none of them.
-pub const NOT_IN_SCENE: [&str; 8] = [
+/// Functions that need a planetary set, a splined rim, axes that are not parallel, a dynamic
+/// analysis or bearings on their result; [`samples::SCENE`] has none of them.
+pub const NOT_IN_SCENE: [&str; 10] = [
+    "alignment_error",
+    "shaft_angle_error",
     "shaft",
     "mode_type",
     "lumped_natural_frequency",
