@@ -8,6 +8,7 @@ use calyx_abi::Fingerprint;
 use calyx_codegen::{ObjectOptions, compile_object};
 use serde_json::Value;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -307,7 +308,13 @@ fn without_the_runtime_library_an_executable_is_a_copy() {
         command.args(["build", "model.cx"]).current_dir(folder.path()).env("HOME", folder.path());
         command.env_remove("XDG_DATA_HOME").env_remove("CALYX_RT_LIBRARY");
         library.map(|library| command.env("CALYX_RT_LIBRARY", library));
-        let output = command.output().expect("calyx starts");
+        // A process that another test starts meanwhile may have the copy open for writing.
+        let output = loop {
+            match command.output() {
+                Err(error) if error.kind() == ErrorKind::ExecutableFileBusy => thread::yield_now(),
+                output => break output.expect("calyx starts"),
+            }
+        };
         (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     };
     // An explicitly named library has no fallback.

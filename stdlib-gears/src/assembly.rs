@@ -58,8 +58,8 @@ pub struct MeshOptions {
     pub coast_side_contact: bool,
     /// Lubrication, for observables of friction, temperature and film thickness.
     pub lubrication: Option<Lubrication>,
-    /// Expected torque of the mesh on the first gear about its axis, N m; its sign selects the drive
-    /// flanks. Zero if they follow from the loads.
+    /// Expected torque of the mesh on the first gear about its axis, N m; its sign selects the
+    /// drive flanks. Zero if they follow from the loads.
     pub torque_on_first: f64,
 }
 
@@ -110,10 +110,10 @@ pub struct MeshResult {
 /// together. The second gear is phased so that they touch; if it already has a mesh, the first gear
 /// is phased; if both have one, neither is.
 ///
-/// The drive flanks follow from [`MeshOptions::torque_on_first`], if it is given, and otherwise from
-/// the first gear's moment about z at time 0. If it is zero, they
-/// follow from the second gear's moment, which the first gear resists; otherwise from the effect of
-/// an earlier mesh on either gear that is free to rotate; otherwise from the first gear's speed.
+/// The drive flanks follow from [`MeshOptions::torque_on_first`], if it is given, and otherwise
+/// from the first gear's moment about z at time 0. If it is zero, they follow from the second
+/// gear's moment, which the first gear resists; otherwise from the effect of an earlier mesh on
+/// either gear that is free to rotate; otherwise from the first gear's speed.
 ///
 /// # Errors
 /// See [`Pairing::of`] and [`Pairing::mesh`].
@@ -141,8 +141,9 @@ impl Pairing {
     /// Determines the relative position of two bodies of a scene.
     ///
     /// # Errors
-    /// E0610: one of them does not rotate about its own axis. E0648: their axes cross. E0652: they are one body, or already in mesh. E0653: one of them is
-    /// not in the scene or carries no gear. E0658: their axes approach each other. E0692: one of
+    /// E0610: one of them does not rotate about its own axis. E0648: their axes cross. E0652: they
+    /// are one body, or already in mesh. E0653: one of them is not in the scene or carries no gear.
+    /// E0658: their axes approach each other. E0692: one of
     /// them rotates about an axis far from its own. E0710: a frame is NaN or infinite.
     pub fn of(scene: &Scene, bodies: [BodyId; 2]) -> Result<Pairing, Refusal> {
         let mut half_widths = [0.0; 2];

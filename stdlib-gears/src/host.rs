@@ -91,8 +91,8 @@ impl GearModel {
         }
     }
 
-    /// Returns the axial position at which the gear is joined to a shaft, relative to its origin, m:
-    /// the middle of the face, or of the bore.
+    /// Returns the axial position at which the gear is joined to a shaft, relative to its origin,
+    /// m: the middle of the face, or of the bore.
     pub(crate) fn mid_bore(&self) -> f64 {
         match self {
             GearModel::Cylindrical(_) => 0.0,

@@ -20,8 +20,8 @@ const OVERLAP: f64 = 1e-13;
 /// Least pivot relative to the largest one: with smaller ones, contacts of the basis depend on each
 /// other.
 const LEAST_PIVOT: f64 = 1e-9;
-/// Difference of ratios, relative to that of the largest force and the largest pivot, that is due to
-/// rounding.
+/// Difference of ratios, relative to that of the largest force and the largest pivot, that is due
+/// to rounding.
 const SAME_RATIO: f64 = 1e-12;
 
 /// Rigid bodies in contact under a vanishing load.

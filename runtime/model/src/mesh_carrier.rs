@@ -29,6 +29,21 @@ pub struct MeshAxes {
     across: [Vector; 2],
 }
 
+/// Axes of a mesh on a moving carrier at time 0.
+#[derive(Clone, Copy, Debug)]
+pub enum MovingAxes {
+    /// Parallel axes.
+    Parallel {
+        /// Direction of the line of centres, rad.
+        line_of_centres: f64,
+    },
+    /// Axes of any directions.
+    General {
+        /// Rotations of both members relative to the carrier, rad.
+        rotations: [f64; 2],
+    },
+}
+
 /// Velocity field of the carrier of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarrierVelocity {

@@ -129,8 +129,8 @@ pub struct GearMesh {
     /// Roll angle of the contact on tooth 0 of the first gear (extrapolated if out of contact) at
     /// gear angle 0 and with the line of centres in its position at time 0, rad.
     pub roll_at_zero: f64,
-    /// Angular velocity of the carrier of both axes at time 0, along ground axes, rad/s: that of the
-    /// line of centres of parallel axes. Zero if both axes are fixed.
+    /// Angular velocity of the carrier of both axes at time 0, along ground axes, rad/s: that of
+    /// the line of centres of parallel axes. Zero if both axes are fixed.
     pub carrier: [f64; 3],
     /// Angle, not a distance: rotation of the second gear from its prescribed position that brings
     /// rigid teeth into contact, rad. Zero for a mesh that determined the phase of a gear. A mesh

@@ -1,23 +1,14 @@
-//! Meshes whose axes move: rotations, speeds and velocities relative to the carrier of the mesh, see
-//! [`calyx_model::mesh_carrier`].
+//! Meshes whose axes move: rotations, speeds and velocities relative to the carrier of the mesh,
+//! see [`calyx_model::mesh_carrier`].
 
 use crate::system::System;
 use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
-use calyx_model::mesh_carrier::MeshAxes;
+use calyx_model::mesh_carrier::{MeshAxes, MovingAxes};
 use calyx_model::motion::{Motion, angular_velocity, point_velocity, rotation_speed};
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{Vector, cross, dot, minus, plus, scaled};
-
-/// Axes of a mesh on a moving carrier at time 0.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum MovingAxes {
-    /// Parallel axes, and the direction of the line of centres, rad.
-    Parallel { line_of_centres: f64 },
-    /// Axes of any directions, and the rotations of both members relative to the carrier, rad.
-    General { rotations: [f64; 2] },
-}
 
 /// Returns the prescribed motions of the bodies of a pair.
 fn motions<'a>(scene: &'a Mechanism, pair: &SurfacePair) -> [&'a dyn Motion; 2] {
@@ -63,7 +54,8 @@ impl System<'_> {
     }
 
     /// Returns the prescribed rotation of a member of a pair since time 0 about its own axis and
-    /// relative to the carrier of the mesh, rad, modulo whole revolutions; NaN if the motion is NaN.
+    /// relative to the carrier of the mesh, rad, modulo whole revolutions; NaN if the motion is
+    /// NaN.
     pub fn turned_on_carrier(&self, pair: usize, side: usize, time: f64) -> f64 {
         let surfaces = &self.scene.pairs[pair];
         match self.moving_axes[pair] {
@@ -88,8 +80,8 @@ impl System<'_> {
         MeshAxes::at(motions, time).map_or(f64::NAN, speed)
     }
 
-    /// Returns the velocity of the carrier of a mesh at a point in ground coordinates (m), m/s: zero
-    /// for fixed axes. Mesh motions are relative to it.
+    /// Returns the velocity of the carrier of a mesh at a point in ground coordinates (m), m/s:
+    /// zero for fixed axes. Mesh motions are relative to it.
     pub fn carrier_velocity(&self, pair: usize, time: f64, point: [f64; 3]) -> [f64; 3] {
         let SurfacePair { bodies: [first, second], .. } = self.scene.pairs[pair];
         match self.moving_axes[pair] {

@@ -3,7 +3,6 @@
 
 use crate::derived::DerivedResults;
 use crate::modal::Modes;
-use crate::moving_axes::MovingAxes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{Springs, Tangent, springs};
@@ -14,8 +13,8 @@ use calyx_model::connection_building::build_connections;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::flanks::{add_flanks, spline_contacts};
 use calyx_model::frames::{axes, loads_on, number_dofs, pose, solid_pose};
-
 use calyx_model::mechanism::Mechanism;
+use calyx_model::mesh_carrier::MovingAxes;
 use calyx_model::motion::{Orientation, PlanePose, axle, moved_by, point_velocity};
 use calyx_model::plan::{BodyPlan, Plan, face_widths};
 use calyx_model::resources::Resources;

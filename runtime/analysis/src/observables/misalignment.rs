@@ -16,8 +16,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Component of a misalignment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MisalignmentComponent {
-    /// Slope in the plane of action, rad: positive if it brings the drive flanks together at the end
-    /// of the face towards e3.
+    /// Slope in the plane of action, rad: positive if it brings the drive flanks together at the
+    /// end of the face towards e3.
     SlopeInPlane,
     /// Slope in the plane normal to it, rad: positive if it brings the axes together at that end.
     SlopeOutOfPlane,
