@@ -250,7 +250,7 @@ fn arrow_head([x, y]: [f64; 2], side: f64) -> Markup {
 /// External power of a rotor: supplied from the left, delivered to the right.
 fn external_power(rotor: &Rotor<'_>, [x, y]: [f64; 2], largest: f64, width: impl Fn(f64) -> f64) -> Markup {
     let power = rotor.power();
-    if !(power.abs() > NO_POWER * largest) {
+    if power.is_nan() || power.abs() <= NO_POWER * largest {
         return PreEscaped(String::new());
     }
     // Along the upper edge of the box, apart from the lines of the connections.
