@@ -296,7 +296,7 @@ analyze(\"quasi_static\", over = gears.times(0.3 ms, 0.5 ms, 2), fidelity = \"an
     let on_sun = means(&set("torques = [transmission.Torque(sun, 90 N*m)], reactions = [carrier]"));
     let on_carrier = means(&set("torques = [transmission.Torque(carrier, -306 N*m)], reactions = [sun]"));
     for (name, expected) in &on_sun {
-        // The mesh efficiency is 1, but the ratio of the torques varies with the transmission error.
+        // The ratio of the torques varies with the transmission error.
         close(name, on_carrier[name], *expected, 0.02);
     }
 }

@@ -198,7 +198,8 @@ fn bisected(
 ///
 /// # Errors
 /// E0650, E0651: the speeds do not match the numbers of teeth. E0653: a body has no teeth. E0884:
-/// the flanks do not come into contact. E0885: a misalignment is given. E0886: the axes move relative to each other.
+/// the flanks do not come into contact. E0885: a misalignment is given. E0886: the axes move
+/// relative to each other.
 /// E0887: the mesh closes a loop whose teeth do not fit. E0648: the teeth of two helical gears
 /// cross.
 pub fn general_mesh(
