@@ -8,7 +8,7 @@
 //! W = a1 x a1' + s a1,   s = (a2' - (a1 x a1') x a2) . (a1 x a2) / |a1 x a2|^2
 //! ```
 //!
-//! Of parallel axes, the line of centres takes the place of the second axis.
+//! For parallel axes, the line of centres takes the place of the second axis.
 
 use crate::motion::{Motion, angular_velocity, axle, point_velocity, spatial_pose};
 use calyx_contact::solid::Pose;

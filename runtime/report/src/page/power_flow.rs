@@ -191,7 +191,7 @@ fn line(
 ) -> Markup {
     let power = connection.power.filter(|power| power.abs() > NO_POWER * largest);
     let (from, to) = if power.is_some_and(|power| power < 0.0) { (to, from) } else { (from, to) };
-    // Rotors of one column are joined by an arc beside it, others by a line between their boxes.
+    // An arc to the right of a column joins two of its rotors; a line joins those of two columns.
     let same = (to[0] - from[0]).abs() < 1.0;
     let side = if same { 1.0 } else { (to[0] - from[0]).signum() };
     let ends = [

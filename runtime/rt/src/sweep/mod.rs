@@ -51,8 +51,8 @@ pub struct Sweep {
 pub struct Outcome {
     /// Solved and failed cases, in order.
     pub table: SweepTable,
-    /// Number of all cases. It is larger than that of the table if the sweep was cancelled; then the
-    /// same sweep continues.
+    /// Number of all cases. It is larger than that of the table if the sweep was cancelled; then
+    /// the same sweep continues.
     pub count: usize,
     /// Number of cases that an earlier sweep has solved.
     pub earlier: usize,
