@@ -204,3 +204,185 @@ fn the_response_is_invariant() {
         }
     }
 }
+
+/// A two-stage spur train in the plane: the mesh frequencies have the ratio 8 to 5. A torsional
+/// spring is the intermediate shaft, and dampers are the only damping.
+fn train(speed: f64, end: &str) -> String {
+    format!(
+        "import gears;
+units mm_N_s;
+var rack = gears.rack(module = 2.54 mm, tip_radius = 0.5 mm);
+function blank(in teeth, in bore) {{
+    var diameter = teeth * 2.54 mm;
+    return gears.external(
+        teeth = teeth, rack = rack, tooth_thickness = 3.96 mm, face_width = 25 mm,
+        outer_diameter = diameter + 4.6 mm, root_diameter = diameter - 6.1 mm,
+        material = gears.material(206 GPa, 0.3, density = 7850 kg/m^3),
+        rim = gears.simple_rim(diameter - 14 mm, bore));
+}}
+function damped(in name: String, in body: Body, in damping) {{
+    gears.bearing(name, body, torsional_damping = damping);
+}}
+var input = gears.body(\"input\", blank(20, 30 mm), frame := Rotate({speed} rpm * Time, e3));
+var wheel = gears.body(
+    \"wheel\", blank(40, 60 mm), free = [\"theta_z\"],
+    frame := Rotate(-{speed} rpm / 2 * Time, e3) * Translate(76.2 mm * e1));
+var pinion = gears.body(
+    \"pinion\", blank(25, 40 mm), free = [\"theta_z\"],
+    frame := Rotate(-{speed} rpm / 2 * Time, e3) * Translate(76.2 mm * e1));
+var output_gear = gears.body(
+    \"output\", blank(50, 60 mm), free = [\"theta_z\"], moment = -300 N*m * e3, inertia = 0.004 kg*m^2,
+    frame := Rotate({speed} rpm / 4 * Time, e3) * Translate(171.45 mm * e1));
+gears.bearing(\"shaft\", wheel, to = pinion, torsional_stiffness = 4e4 N*m/rad, torsional_damping = 1 N*m*s/rad);
+damped(\"wheel damper\", wheel, damping = 3 N*m*s/rad);
+damped(\"pinion damper\", pinion, damping = 1 N*m*s/rad);
+damped(\"output damper\", output_gear, damping = 15 N*m*s/rad);
+var first = gears.mesh(input, wheel, coast_side_contact = TRUE, contact_cells = 8);
+var second = gears.mesh(pinion, output_gear, coast_side_contact = TRUE, contact_cells = 8);
+output first_error := gears.transmission_error(first);
+output second_error := gears.transmission_error(second);
+output first_force := gears.mesh_force(first);
+output second_force := gears.mesh_force(second);
+{end}"
+    )
+}
+
+/// Two mesh frequencies: below and above the resonances, the response agrees with the last common
+/// period of a time integration, and its lines with the harmonics of both meshes.
+#[test]
+fn two_mesh_frequencies_agree_with_time_integration() {
+    for speed in [1500.0, 6000.0] {
+        // Eight cycles of the first mesh are five of the second.
+        let cycle = 60.0 / speed / 20.0;
+        let integrated = format!(
+            "analyze(\"dynamic\", over = gears.time_ranges([gears.time_range({} s, step = {} s)]), fidelity = \"analytic\", error_estimates = \"none\");\n",
+            64.0 * cycle,
+            cycle / 128.0
+        );
+        let (rows, _) = solved(&train(speed, &integrated));
+        let last = &rows[rows.len() - 8 * 128..];
+        let column = |k: usize| last.iter().map(|row| row[k]).collect::<Vec<f64>>();
+        assert!(
+            column(2).iter().chain(&column(3)).all(|force| *force > 0.0),
+            "teeth separate at {speed} rpm"
+        );
+        let request = format!(
+            "gears.forced_response(first, highest_speed = {} rpm, lowest_speed = {speed} rpm, speeds = 2, harmonics = 8, damping_ratio = 0);
+analyze(\"quasi_static\", over = gears.mesh_cycle(first, 8), fidelity = \"analytic\", error_estimates = \"none\");
+",
+            speed + 1.0
+        );
+        let (_, response) = solved(&train(speed, &request));
+        let response = response.expect("a response");
+        assert!(response.points[0].growth < 1.0, "{}", response.points[0].growth);
+        let errors = response.quantities.iter().enumerate();
+        let errors: Vec<usize> = errors
+            .filter(|(_, quantity)| quantity.name.starts_with("transmission_error"))
+            .map(|(index, _)| index)
+            .collect();
+        for (mesh, &quantity) in errors.iter().enumerate() {
+            let (found, expected) = (response.points[0].rms(quantity), rms(&column(mesh)));
+            assert!(
+                (found / expected - 1.0).abs() < 0.02,
+                "mesh {mesh} at {speed} rpm: {found:e} instead of {expected:e}"
+            );
+        }
+        for line in &response.lines {
+            // The eighth harmonic of the second mesh is the fifth of the first.
+            let order = line.harmonic as f64 * if line.mesh == "input, wheel" { 20.0 } else { 12.5 };
+            assert!((line.order - order).abs() < 1e-9, "{line:?}");
+        }
+        assert_eq!(response.lines.len(), 1 + 8 + 8 - 1);
+    }
+}
+
+/// A planetary set of which sun and planets move on springs, at a speed of the carrier, rpm. The
+/// planets are in sequential phase, so that the mesh cycle moves the sun.
+fn planetary(speed: f64, end: &str) -> String {
+    format!(
+        "import gears;
+units mm_N_s;
+var rack = gears.rack(module = 2.5 mm, tip_radius = 0.5 mm);
+function blank(in teeth) {{
+    var diameter = teeth * 2.5 mm;
+    return gears.external(
+        teeth = teeth, rack = rack, tooth_thickness = 3.88 mm, face_width = 25 mm,
+        outer_diameter = diameter + 5 mm, root_diameter = diameter - 6.25 mm,
+        material = gears.material(206 GPa, 0.3, density = 7850 kg/m^3),
+        rim = gears.simple_rim(diameter - 12 mm, 0.4 * diameter));
+}}
+var ring = gears.internal(
+    teeth = 71, shaper = gears.shaper(teeth = 23, module = 2.5 mm, tip_radius = 0.5 mm, addendum = 3.1 mm),
+    tooth_thickness = 3.88 mm, face_width = 25 mm, minor_diameter = 173 mm, root_diameter = 183.7 mm,
+    material = gears.material(206 GPa, 0.3, density = 7850 kg/m^3),
+    rim = gears.outer_rim(diameter = 188 mm, outer_diameter = 228 mm));
+var set = gears.planetary(
+    sun = blank(25), planet = blank(23), ring = ring, center_distance = 60 mm, planets = 3,
+    sun_speed = {speed} rpm * 96 / 25, sun_torque = 400 N*m,
+    pin_stiffness = 2e8 N/m, pin_damping = 3e3 N*s/m, sun_stiffness = 2e7 N/m, sun_damping = 1e3 N*s/m,
+    contact_cells = 8, tip_corner_contact = FALSE, coast_side_contact = TRUE);
+gears.bearing(\"damper\", set.sun, torsional_damping = 1 N*m*s/rad);
+for (i in 0 .. 3) gears.bearing(\"damper {{i}}\", set.planets[i], to = set.carrier, torsional_damping = 1 N*m*s/rad);
+output error := gears.transmission_error(set.sun_meshes[0]);
+output sun_x := gears.displacement(set.sun, \"x\");
+output sun_y := gears.displacement(set.sun, \"y\");
+output forces := [gears.mesh_force(mesh) for mesh in set.sun_meshes];
+{end}"
+    )
+}
+
+/// With a carrier that rotates, the displacements of the sun have the sidebands of the mesh
+/// frequency, and the transmission error has none; both agree with time integration.
+#[test]
+fn a_planetary_set_agrees_with_time_integration() {
+    for speed in [200.0, 700.0] {
+        let cycle = 60.0 / speed / 71.0;
+        let integrated = format!(
+            "analyze(\"dynamic\", over = gears.time_ranges([gears.time_range({} s, step = {} s)]), fidelity = \"analytic\", error_estimates = \"none\");\n",
+            24.0 * cycle,
+            cycle / 128.0
+        );
+        let (rows, _) = solved(&planetary(speed, &integrated));
+        let last = &rows[rows.len() - 128..];
+        let column = |k: usize| last.iter().map(|row| row[k]).collect::<Vec<f64>>();
+        assert!(
+            (3..6).all(|mesh| column(mesh).iter().all(|force| *force > 0.0)),
+            "teeth separate at {speed} rpm"
+        );
+        let request = format!(
+            "gears.forced_response(set.sun_meshes[0], highest_speed = {} rpm, lowest_speed = {} rpm, speeds = 2, harmonics = 6, damping_ratio = 0);
+analyze(\"quasi_static\", over = gears.mesh_cycle(set.sun_meshes[0], 8), fidelity = \"analytic\", error_estimates = \"none\");
+",
+            speed * 96.0 / 25.0 + 1.0,
+            speed * 96.0 / 25.0,
+        );
+        let (_, response) = solved(&planetary(speed, &request));
+        let response = response.expect("a response");
+        let point = &response.points[0];
+        let index = |name: &str| {
+            let found = response.quantities.iter().position(|quantity| quantity.name.starts_with(name));
+            found.unwrap_or_else(|| panic!("no {name}"))
+        };
+        let error = index("transmission_error(sun");
+        let square =
+            |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64;
+        let sun = [index("u_x(sun"), index("u_y(sun")].map(|quantity| point.rms(quantity).powi(2));
+        for (what, found, expected) in [
+            ("transmission error", point.rms(error), rms(&column(0))),
+            ("sun", (sun[0] + sun[1]).sqrt(), (square(&column(1)) + square(&column(2))).sqrt()),
+        ] {
+            assert!(
+                (found / expected - 1.0).abs() < 0.02,
+                "{what} at {speed} rpm of the carrier: {found:e} instead of {expected:e}"
+            );
+        }
+        let largest = |quantity: usize, sideband: bool| {
+            let lines = response.lines.iter().zip(&point.amplitudes[quantity]).skip(1);
+            let of_kind = lines.filter(|(line, _)| (line.sideband != 0) == sideband);
+            of_kind.map(|(_, amplitude)| amplitude.norm()).fold(0.0, f64::max)
+        };
+        assert!(largest(error, true) < 1e-3 * largest(error, false), "sidebands of the transmission error");
+        let sun = index("u_x(sun");
+        assert!(largest(sun, false) < 1e-3 * largest(sun, true), "mesh frequency of the sun's displacement");
+    }
+}

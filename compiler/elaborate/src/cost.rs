@@ -51,7 +51,8 @@ impl PlannedCost {
     }
 
     fn analysis_lines(&self) -> Vec<String> {
-        let AnalysisCost { structures, positions, count, of_load_factors, errors } = &self.analysis;
+        let AnalysisCost { structures, positions, count, of_load_factors, of_forced_response, errors } =
+            &self.analysis;
         let mut lines = vec!["Predicted for this machine, without cached structures".to_owned()];
         for (bodies, cost) in structures {
             let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
@@ -63,11 +64,14 @@ impl PlannedCost {
             ));
         }
         if *count > 0 {
-            let each = positions.time / (count + of_load_factors) as f64;
-            let more = match of_load_factors {
-                0 => String::new(),
-                more => format!(", and {more} over mesh cycles for load factors"),
-            };
+            let each = positions.time / (count + of_load_factors + of_forced_response) as f64;
+            let mut more = String::new();
+            if *of_load_factors > 0 {
+                more += &format!(", and {of_load_factors} over mesh cycles for load factors");
+            }
+            if *of_forced_response > 0 {
+                more += &format!(", and {of_forced_response} for the forced response");
+            }
             lines.push(format!(
                 "{count} positions{more}: {}, {} each",
                 seconds(positions.time),

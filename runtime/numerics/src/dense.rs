@@ -10,8 +10,6 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{
     ComputeEigenvectors, SelfAdjointEvdParams, self_adjoint_evd, self_adjoint_evd_scratch,
 };
-use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
-use faer::linalg::lu::partial_pivoting::solve::{solve_in_place, solve_in_place_scratch};
 use faer::{Mat, MatMut, MatRef, Par, Spec, c64};
 use std::convert::Infallible;
 
@@ -280,22 +278,6 @@ pub fn skew_symmetric_eigen(matrix: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<c6
         .ok()?;
     let values: Vec<f64> = values.column_vector().iter().map(|value| value.re).collect();
     values.iter().all(|value| value.is_finite()).then_some((values, vectors))
-}
-
-/// Solves `A x = b` with a complex matrix by LU decomposition with partial pivoting, in the memory
-/// of both, on one thread. `None` if the solution is not finite.
-pub fn solve_complex(mut matrix: Mat<c64>, mut right: Mat<c64>) -> Option<Mat<c64>> {
-    let (size, columns) = (matrix.nrows(), right.ncols());
-    let (mut rows, mut inverse) = (vec![0_usize; size], vec![0_usize; size]);
-    let params = Spec::default();
-    let factor = lu_in_place_scratch::<usize, c64>(size, size, Par::Seq, params);
-    let solve = solve_in_place_scratch::<usize, c64>(size, columns, Par::Seq);
-    let mut memory = MemBuffer::new(factor.or(solve));
-    let stack = MemStack::new(&mut memory);
-    let (_, rows) = lu_in_place(matrix.as_mut(), &mut rows, &mut inverse, Par::Seq, stack, params);
-    solve_in_place(matrix.as_ref(), matrix.as_ref(), rows, right.as_mut(), Par::Seq, stack);
-    let finite = |k: usize| (0..size).all(|i| right[(i, k)].re.is_finite() && right[(i, k)].im.is_finite());
-    (0..columns).all(finite).then_some(right)
 }
 
 /// Copies the lower triangle of a matrix that is symmetric up to rounding onto the upper one.

@@ -3,6 +3,7 @@
 
 #![warn(missing_docs)]
 
+pub mod complex;
 pub mod dense;
 pub mod error;
 pub mod fourier;

@@ -247,6 +247,7 @@ fn write_results(
     }
     if let Some(response) = result.and_then(|result| result.forced_response.as_ref()) {
         directory.claim(forced_response::NAME)?;
+        directory.claim(forced_response::MODES)?;
         forced_response::write(path, response)?;
     }
     results.flank_tables().write(path)?;

@@ -129,7 +129,7 @@ impl Kind {
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-const FILES_OF_A_RUN: [&str; 32] = [
+const FILES_OF_A_RUN: [&str; 33] = [
     "run.json",
     "journal.jsonl",
     "run.json.part",
@@ -159,6 +159,7 @@ const FILES_OF_A_RUN: [&str; 32] = [
     "ease_off.csv.part",
     "campbell.csv",
     "forced_response.csv",
+    "forced_response_modes.csv",
     "modes.csv",
     REPORT,
     "report.html.part",

@@ -2,6 +2,7 @@
 
 use super::{Cost, Flanks, Rates, elastic_body, positions, structure};
 use crate::estimate::{Estimates, PerturbedSolve, perturbed_solves_of};
+use crate::forced_response::position_count;
 use crate::observables::positions_of_cycle;
 use crate::scene::{Component, Scene};
 use calyx_model::connection::{CondensedShaft, ElasticConnection};
@@ -44,6 +45,8 @@ pub struct AnalysisCost {
     pub count: usize,
     /// Number of positions that load factors solve over mesh cycles of their own.
     pub of_load_factors: usize,
+    /// Number of positions that a forced response solves.
+    pub of_forced_response: usize,
     /// Cost of the error estimates, including structures of other meshes.
     pub errors: Cost,
 }
@@ -92,7 +95,10 @@ impl Task<'_> {
                 Cost { time: repeated * cost.time, ..cost }
             };
         let of_load_factors = self.positions_of_load_factors();
-        let own = solve(fidelity, three_dimensional, flanks, false, self.positions + of_load_factors);
+        let request = scene.forced_response.as_ref().filter(|_| !in_time);
+        let of_forced_response = request.map_or(0, |request| position_count(scene, request));
+        let own = self.positions + of_load_factors + of_forced_response;
+        let own = solve(fidelity, three_dimensional, flanks, false, own);
         let mut errors = Cost::default();
         let mut add = |cost: Cost| {
             errors.time += cost.time;
@@ -127,7 +133,14 @@ impl Task<'_> {
                 }
             }
         }
-        Ok(AnalysisCost { structures, positions: own, count: self.positions, of_load_factors, errors })
+        Ok(AnalysisCost {
+            structures,
+            positions: own,
+            count: self.positions,
+            of_load_factors,
+            of_forced_response,
+            errors,
+        })
     }
 
     /// Returns the number of positions that the load factors of the outputs solve over mesh cycles.

@@ -22,6 +22,7 @@ mod read;
 pub mod sweep;
 mod units;
 mod vibration;
+mod waterfall;
 
 use crate::directory::REPORT;
 use crate::summary_table::{variation, without_rounding};

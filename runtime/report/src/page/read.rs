@@ -60,6 +60,8 @@ pub struct Run {
     pub bodies: Vec<(BodyPicture, String)>,
     /// Forced response over the speed.
     pub forced_response: Vec<ResponseRow>,
+    /// Natural frequencies of the forced response, Hz.
+    pub natural_frequencies: Vec<f64>,
     /// Table of modes with its header.
     pub modes: Vec<Vec<String>>,
     /// Results of the trade-off command for this model.
@@ -293,6 +295,7 @@ impl Run {
             pictures: pictures(directory, &head)?,
             bodies: bodies(directory),
             forced_response: forced_response::read(directory)?,
+            natural_frequencies: forced_response::read_modes(directory)?,
             modes: table(&directory.join(modes_table::NAME))?,
             tradeoff: tradeoff(directory),
             files: files(directory)?,

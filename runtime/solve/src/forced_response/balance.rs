@@ -1,0 +1,176 @@
+//! Linear system of harmonic balance at a speed.
+//!
+//! Its unknowns are the complex amplitudes of all modes at all orders. Small systems are solved
+//! directly. In larger ones the varying stiffness is iterated: an iterative method whose
+//! preconditioner solves the system of each harmonic with its sidebands, which only the variation
+//! of the stiffness over the mesh cycles couples.
+
+use super::orders::Orders;
+use calyx_numerics::complex::{ComplexLu, solve_complex, solve_iteratively};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatMut, MatRef, Par, c64};
+use nalgebra::{Complex, DMatrix};
+use std::collections::BTreeMap;
+
+/// Largest number of unknowns of a system that is solved directly.
+const DIRECT: usize = 120;
+/// Residual relative to the right-hand side at which the iteration ends.
+const RESIDUAL: f64 = 1e-11;
+/// Largest number of iterations; after it the system is solved directly.
+const ITERATIONS: usize = 100;
+/// Coefficients of the stiffness that are smaller than this fraction of the largest one are left
+/// out: rounding.
+const NEGLIGIBLE: f64 = 1e-15;
+
+/// Coupling of orders by coefficients of the stiffness.
+pub(super) struct Couplings {
+    modes: usize,
+    orders: Vec<i64>,
+    clusters: Vec<Vec<usize>>,
+    all: Vec<Coupling>,
+}
+
+/// Coefficient of the stiffness at an order, and the pairs of orders of the response that differ by
+/// it: the row, then the column.
+struct Coupling {
+    coefficient: Mat<c64>,
+    pairs: Vec<(usize, usize)>,
+}
+
+impl Couplings {
+    /// Collects the coefficients of the stiffness by order from zero.
+    pub fn new(orders: &Orders, stiffness: &BTreeMap<i64, DMatrix<Complex<f64>>>) -> Couplings {
+        let response = orders.response();
+        let largest = stiffness.values().map(amplitude).fold(0.0, f64::max);
+        let mut all = Vec::new();
+        for (&order, coefficient) in stiffness {
+            if amplitude(coefficient) <= NEGLIGIBLE * largest && order != 0 {
+                continue;
+            }
+            for signed in if order == 0 { vec![0] } else { vec![-order, order] } {
+                let pair = |(row, of_row): (usize, &i64)| {
+                    response.binary_search(&(of_row - signed)).ok().map(|column| (row, column))
+                };
+                let pairs: Vec<(usize, usize)> = response.iter().enumerate().filter_map(pair).collect();
+                let entry = |i: usize, j: usize| {
+                    let value = coefficient[(i, j)];
+                    c64::new(value.re, if signed < 0 { -value.im } else { value.im })
+                };
+                let coefficient = Mat::from_fn(coefficient.nrows(), coefficient.ncols(), entry);
+                if !pairs.is_empty() {
+                    all.push(Coupling { coefficient, pairs });
+                }
+            }
+        }
+        let modes = stiffness.values().next().map_or(0, DMatrix::nrows);
+        Couplings { modes, orders: response.to_vec(), clusters: orders.clusters().to_vec(), all }
+    }
+
+    /// Solves the system at a frequency of the common period (rad/s) with the damping and
+    /// gyroscopic matrix of the modes at this speed. `extra` is added to the diagonal of the mean
+    /// values. The columns of the right-hand side and of the solution are those of the orders.
+    /// `None` if the solution is not finite.
+    pub fn solve(
+        &self,
+        frequency: f64,
+        rates: &DMatrix<f64>,
+        extra: &[f64],
+        right: &Mat<c64>,
+    ) -> Option<Mat<c64>> {
+        let blocks = self.orders.len();
+        let own: Vec<Mat<c64>> =
+            self.orders.iter().map(|&order| self.inertia(order as f64 * frequency, rates, extra)).collect();
+        let column = Mat::from_fn(blocks * self.modes, 1, |k, _| right[(k % self.modes, k / self.modes)]);
+        let found = match blocks * self.modes {
+            ..=DIRECT => None,
+            _ => self.iterated(&own, &column),
+        };
+        let every: Vec<usize> = (0..blocks).collect();
+        let found = match found {
+            Some(found) => found,
+            None => solve_complex(self.assembled(&own, &every), column)?,
+        };
+        Some(Mat::from_fn(self.modes, blocks, |i, block| found[(block * self.modes + i, 0)]))
+    }
+
+    /// Returns the block of an order without stiffness.
+    fn inertia(&self, omega: f64, rates: &DMatrix<f64>, extra: &[f64]) -> Mat<c64> {
+        Mat::from_fn(self.modes, self.modes, |i, j| {
+            let rate = c64::new(0.0, omega * rates[(i, j)]);
+            match (i == j, omega == 0.0) {
+                (true, true) => rate + c64::new(extra[i], 0.0),
+                (true, false) => rate - c64::new(omega * omega, 0.0),
+                (false, _) => rate,
+            }
+        })
+    }
+
+    /// Assembles the matrix of some orders.
+    fn assembled(&self, own: &[Mat<c64>], of: &[usize]) -> Mat<c64> {
+        let size = self.modes;
+        let mut place = vec![None; self.orders.len()];
+        for (index, &order) in of.iter().enumerate() {
+            place[order] = Some(index);
+        }
+        let mut matrix = Mat::<c64>::zeros(of.len() * size, of.len() * size);
+        for (index, &order) in of.iter().enumerate() {
+            let mut block = matrix.as_mut().submatrix_mut(index * size, index * size, size, size);
+            block += &own[order];
+        }
+        for coupling in &self.all {
+            for &(row, column) in &coupling.pairs {
+                let (Some(row), Some(column)) = (place[row], place[column]) else { continue };
+                let mut block = matrix.as_mut().submatrix_mut(row * size, column * size, size, size);
+                block += &coupling.coefficient;
+            }
+        }
+        matrix
+    }
+
+    /// Solves the system with the harmonics as preconditioner; `None` without convergence.
+    fn iterated(&self, own: &[Mat<c64>], right: &Mat<c64>) -> Option<Mat<c64>> {
+        let size = self.modes;
+        let factors: Vec<ComplexLu> =
+            self.clusters.iter().map(|cluster| ComplexLu::new(self.assembled(own, cluster))).collect();
+        let apply = |from: MatRef<'_, c64>, mut to: MatMut<'_, c64>| {
+            for (block, own) in own.iter().enumerate() {
+                let part = to.as_mut().submatrix_mut(block * size, 0, size, 1);
+                let from = from.submatrix(block * size, 0, size, 1);
+                matmul(part, Accum::Replace, own, from, c64::new(1.0, 0.0), Par::Seq);
+            }
+            self.add_stiffness(from, to);
+        };
+        let precondition = |from: MatRef<'_, c64>, mut to: MatMut<'_, c64>| {
+            for (cluster, factor) in self.clusters.iter().zip(&factors) {
+                let gathered = |k: usize, _: usize| from[(cluster[k / size] * size + k % size, 0)];
+                let mut part = Mat::from_fn(cluster.len() * size, 1, gathered);
+                factor.solve_in_place(part.as_mut());
+                for (k, value) in part.col(0).iter().enumerate() {
+                    to[(cluster[k / size] * size + k % size, 0)] = *value;
+                }
+            }
+        };
+        solve_iteratively(&apply, &precondition, right.as_ref(), (RESIDUAL, ITERATIONS))
+    }
+
+    /// Adds the product of the stiffness and a column of all orders.
+    fn add_stiffness(&self, from: MatRef<'_, c64>, mut to: MatMut<'_, c64>) {
+        let size = self.modes;
+        for Coupling { coefficient, pairs } in &self.all {
+            let gathered = Mat::from_fn(size, pairs.len(), |i, k| from[(pairs[k].1 * size + i, 0)]);
+            let mut product = Mat::<c64>::zeros(size, pairs.len());
+            let one = c64::new(1.0, 0.0);
+            matmul(product.as_mut(), Accum::Replace, coefficient, &gathered, one, Par::Seq);
+            for (k, &(row, _)) in pairs.iter().enumerate() {
+                for i in 0..size {
+                    to[(row * size + i, 0)] += product[(i, k)];
+                }
+            }
+        }
+    }
+}
+
+/// Returns the largest magnitude of an entry.
+fn amplitude(matrix: &DMatrix<Complex<f64>>) -> f64 {
+    matrix.iter().map(|entry| entry.norm()).fold(0.0, f64::max)
+}
