@@ -23,6 +23,9 @@ use std::f64::consts::TAU;
 /// Relative difference of the equilibrium after a period above which it does not repeat, and of the
 /// mass and damping matrices of its positions above which they vary.
 const REPEATS: f64 = 1e-5;
+/// Fractions of the period at which the equilibrium is compared until it repeats at one: where a pair
+/// of teeth enters contact, it depends on rounding.
+const PLACES: [f64; 4] = [0.11, 0.38, 0.59, 0.84];
 /// Largest number of complex unknowns of a speed: 150 MB, and some seconds.
 const LARGEST: usize = 3000;
 /// Multiple of the difference from half of the positions that is the estimated error. The
@@ -60,7 +63,7 @@ pub struct ForcedResponse {
     /// Spectral lines of all quantities, by ascending frequency from the mean value.
     pub lines: Vec<ResponseLine>,
     /// Natural frequencies of the mean stiffness without gyroscopic moments, Hz, ascending, up to
-    /// six times the highest frequency of a line.
+    /// six times the highest frequency of a line; empty if carriers rotate.
     pub natural_frequencies: Vec<f64>,
     /// Quantities.
     pub quantities: Vec<ResponseQuantity>,
@@ -68,17 +71,16 @@ pub struct ForcedResponse {
     pub points: Vec<ForcedPoint>,
 }
 
-/// Spectral line of a forced response: a harmonic of a mesh frequency, shifted by multiples of the
-/// rotational frequency of a carrier.
+/// Spectral line of a forced response: a harmonic of a mesh frequency, or one of its sidebands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseLine {
     /// Names of the gears of the first mesh with this frequency; empty for harmonic 0.
     pub mesh: String,
     /// Harmonic of the mesh frequency; 0 is the mean value and its sidebands.
     pub harmonic: usize,
-    /// Name of the carrier; empty for sideband 0.
-    pub carrier: String,
-    /// Multiple of the rotational frequency of the carrier, -1 to 1.
+    /// Name of the carrier or of the other mesh that modulates the harmonic; empty for sideband 0.
+    pub modulation: String,
+    /// Multiple of the carrier's rotational frequency or of the other mesh frequency that is added.
     pub sideband: i64,
     /// Frequency over the rotational frequency of the gear whose speed is the abscissa.
     pub order: f64,
@@ -224,7 +226,7 @@ pub(crate) fn check(
 /// Returns the number of positions that a forced response solves, for the prediction of the time;
 /// zero if it is rejected.
 pub(crate) fn position_count(scene: &Mechanism, request: &ForcedResponseRequest) -> usize {
-    Excitation::new(scene, request).map_or(0, |excitation| excitation.positions + 1)
+    Excitation::new(scene, request).map_or(0, |excitation| excitation.positions + 2)
 }
 
 /// Computes the requested forced response.
@@ -243,7 +245,7 @@ pub(crate) fn forced_response(
     let excitation = Excitation::new(scene, request)?;
     let measures = measures(system, scene);
     let frequency = TAU / excitation.period;
-    let own = TAU / mesh.period / f64::from(mesh.teeth[0]);
+    let own = excitation.speed;
     let highest = request.speeds[1] / own;
     let count = excitation.positions;
     // Positions off the start of the cycle, where the stiffness jumps.
@@ -252,8 +254,16 @@ pub(crate) fn forced_response(
         resources.interrupt.check()?;
         sample(system, &system.solve(time(k))?, &measures).ok_or_else(singular)
     };
-    let (first, again) = (solve(0)?, solve(count)?);
-    if !repeats(&first, &again) {
+    let mut first = solve(0)?;
+    let mut repeats_somewhere = false;
+    for place in PLACES.map(|place| (place * count as f64) as usize) {
+        first = solve(place)?;
+        repeats_somewhere = repeats(&first, &solve(place + count)?);
+        if repeats_somewhere {
+            break;
+        }
+    }
+    if !repeats_somewhere {
         let message =
             "the equilibrium does not repeat after a mesh cycle, so its forced response is not periodic";
         let help = "a forced response needs equal teeth, concentric gears and constant loads; use time integration for other models";
@@ -279,12 +289,11 @@ pub(crate) fn forced_response(
         let help = "give fewer `harmonics`, a lower `highest_speed`, or a lower `highest_frequency` of the component modes";
         return Err(EngineError::new("E0774", message, help));
     }
-    let others = || (1..count).into_par_iter().map(solve).collect::<Result<Vec<Sample>, _>>();
-    let others = resources.install(others)?;
-    let samples: Vec<&Sample> = std::iter::once(&first).chain(&others).collect();
-    check_mass(&samples)?;
+    let all = || (0..count).into_par_iter().map(solve).collect::<Result<Vec<Sample>, _>>();
+    let samples = resources.install(all)?;
+    check_mass(&first, &samples)?;
     let prepared = |stride: usize| {
-        let used: Vec<&Sample> = samples.iter().copied().step_by(stride).collect();
+        let used: Vec<&Sample> = samples.iter().step_by(stride).collect();
         let quantities: Vec<LinearQuantity> =
             (0..measures.len()).map(|k| linear(&used, measures[k], k)).collect();
         ForcedVibration::new(&periodic(&used), &quantities, highest).ok_or_else(singular)
@@ -305,10 +314,19 @@ pub(crate) fn forced_response(
     Ok(ForcedResponse {
         body: scene.bodies[pair.bodies[0].0].name.clone(),
         lines: lines(&excitation, frequency / own),
-        natural_frequencies: vibrations[0].natural_frequencies().iter().map(|own| own / TAU).collect(),
+        natural_frequencies: natural_frequencies(&vibrations[0]),
         quantities: measures.iter().map(|measure| label(system, scene, *measure)).collect(),
         points: resources.install(all)?,
     })
+}
+
+/// Returns the natural frequencies, Hz. With carriers that rotate, the mean stiffness along ground
+/// axes has no meaning.
+fn natural_frequencies(vibration: &ForcedVibration) -> Vec<f64> {
+    match vibration.rotates() {
+        true => Vec::new(),
+        false => vibration.natural_frequencies().iter().map(|own| own / TAU).collect(),
+    }
 }
 
 fn singular() -> EngineError {
@@ -320,9 +338,9 @@ fn singular() -> EngineError {
 /// frequency of the gear whose speed is the abscissa.
 fn lines(excitation: &Excitation, order: f64) -> Vec<ResponseLine> {
     let line = |(multiple, line)| {
-        let [mesh, carrier] = excitation.names(line);
+        let [mesh, modulation] = excitation.names(line);
         let (harmonic, sideband) = (line.harmonic, line.sideband);
-        ResponseLine { mesh, harmonic, carrier, sideband, order: multiple as f64 * order }
+        ResponseLine { mesh, harmonic, modulation, sideband, order: multiple as f64 * order }
     };
     excitation.orders.lines().map(line).collect()
 }
@@ -350,9 +368,9 @@ fn repeats(first: &Sample, again: &Sample) -> bool {
 }
 
 /// Checks that the mass matrix is that of the first position at all others.
-fn check_mass(samples: &[&Sample]) -> Result<(), EngineError> {
-    let root = roots(&samples[0].mass);
-    if samples.iter().all(|sample| are_equal(&samples[0].mass, &sample.mass, &root)) {
+fn check_mass(first: &Sample, samples: &[Sample]) -> Result<(), EngineError> {
+    let root = roots(&first.mass);
+    if samples.iter().all(|sample| are_equal(&first.mass, &sample.mass, &root)) {
         return Ok(());
     }
     let message = "the mass matrix varies as the bodies rotate, so the forced response is not periodic";

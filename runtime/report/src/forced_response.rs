@@ -24,9 +24,9 @@ pub struct ResponseRow {
     pub mesh: String,
     /// Harmonic of the mesh frequency; 0 is the mean value and its sidebands.
     pub harmonic: usize,
-    /// Carrier whose rotation shifts the frequency; empty without a shift.
-    pub carrier: String,
-    /// Multiple of the rotational frequency of the carrier that is added.
+    /// Carrier or other mesh that modulates the harmonic; empty for sideband 0.
+    pub modulation: String,
+    /// Multiple of the carrier's rotational frequency or of the other mesh frequency that is added.
     pub sideband: i64,
     /// Frequency, Hz.
     pub frequency: f64,
@@ -64,7 +64,7 @@ pub fn write(directory: &Path, response: &ForcedResponse) -> io::Result<()> {
                     unit: quantity.unit.to_owned(),
                     mesh: line.mesh.clone(),
                     harmonic: line.harmonic,
-                    carrier: line.carrier.clone(),
+                    modulation: line.modulation.clone(),
                     sideband: line.sideband,
                     frequency: line.order * point.speed / TAU,
                     amplitude: if mean { amplitude.re } else { amplitude.norm() },

@@ -26,7 +26,7 @@ mod basis;
 mod growth;
 pub mod orders;
 
-use balance::Couplings;
+use balance::{Coefficients, Couplings};
 use basis::Basis;
 use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, DVector};
@@ -58,7 +58,8 @@ pub struct PeriodicSystem {
     pub orders: Orders,
     /// Frequency of the period at the reference speed, rad/s.
     pub frequency: f64,
-    /// Damping ratio of all modes of the mean stiffness.
+    /// Damping ratio of all modes of the mean stiffness; if carriers rotate, of all modes at each
+    /// position.
     pub damping_ratio: f64,
 }
 
@@ -83,11 +84,13 @@ pub struct ForcedVibration {
     frequencies: Vec<f64>,
     /// One for modes without stiffness: no spring determines their mean position.
     rigid: Vec<f64>,
-    damping_ratio: f64,
+    /// Damping by bearings.
     damping: DMatrix<f64>,
     gyroscopic: DMatrix<f64>,
+    /// Fourier coefficients of the damping by the damping ratio.
+    modal_damping: Coefficients,
     /// Fourier coefficients of the stiffness.
-    stiffness: Series<DMatrix<Complex<f64>>>,
+    stiffness: Coefficients,
     couplings: Couplings,
     /// Fourier coefficients of the static equilibrium by order of the response.
     statics: Vec<DVector<Complex<f64>>>,
@@ -133,6 +136,15 @@ fn vector_coefficient(samples: &[DVector<f64>], order: i64) -> DVector<Complex<f
     found
 }
 
+/// Returns the coefficient of the static equilibrium at an order: zero for the interactions that
+/// samples do not determine.
+fn static_coefficient(samples: &[DVector<f64>], order: i64, orders: &Orders) -> DVector<Complex<f64>> {
+    match orders.is_sampled(order) {
+        true => vector_coefficient(samples, order),
+        false => DVector::zeros(samples.first().map_or(0, |first| first.len())),
+    }
+}
+
 fn matrix_coefficient(samples: &[DMatrix<f64>], order: i64) -> DMatrix<Complex<f64>> {
     let size = samples.first().map_or(0, |first| first.nrows());
     let mut found = DMatrix::zeros(size, size);
@@ -153,7 +165,11 @@ fn row_series(rows: &[DVector<f64>], orders: &Orders) -> Series<DVector<Complex<
 
 /// Returns the amplitudes of real samples at the orders from zero.
 fn amplitudes(samples: &[f64], orders: &Orders) -> Amplitudes {
-    orders.lines().map(|(order, _)| one_sided(order) * number_coefficient(samples, order)).collect()
+    let amplitude = |(order, _): (i64, orders::Line)| match orders.is_sampled(order) {
+        true => one_sided(order) * number_coefficient(samples, order),
+        false => Complex::new(0.0, 0.0),
+    };
+    orders.lines().map(amplitude).collect()
 }
 
 /// Returns the factor of an amplitude over the coefficient of a positive order: two, as the
@@ -165,8 +181,7 @@ fn one_sided(order: i64) -> f64 {
 /// Returns the number of unknowns of a system up to a speed relative to the reference speed; `None`
 /// if a matrix is invalid.
 pub fn unknowns(system: &PeriodicSystem, highest: f64) -> Option<usize> {
-    let highest = system.orders.highest() as f64 * highest * system.frequency;
-    let basis = Basis::of(&system.mass, &system.stiffness, highest)?;
+    let basis = Basis::of(&system.mass, &system.stiffness, highest_frequency(system, highest))?;
     Some(basis.dynamic * system.orders.response().len())
 }
 
@@ -179,16 +194,19 @@ impl ForcedVibration {
         highest: f64,
     ) -> Option<ForcedVibration> {
         let orders = system.orders.clone();
-        let highest = orders.highest() as f64 * highest * system.frequency;
-        let all = Basis::of(&system.mass, &system.stiffness, highest)?;
+        let all = Basis::of(&system.mass, &system.stiffness, highest_frequency(system, highest))?;
         let (basis, others) = (all.with_inertia(), all.without_inertia());
         let condensed: Vec<(DMatrix<f64>, DMatrix<f64>)> =
             system.stiffness.iter().map(|stiffness| all.condensed(stiffness)).collect::<Option<_>>()?;
         let (stiffness, followed): (Vec<_>, Vec<_>) = condensed.into_iter().unzip();
-        let stiffness: Series<_> =
+        let modal_damping = modal_damping(system, &stiffness, &all.frequencies[..all.dynamic])?;
+        let stiffness: Coefficients =
             orders.coupling().iter().map(|&order| (order, matrix_coefficient(&stiffness, order))).collect();
-        let statics: Vec<DVector<Complex<f64>>> =
-            orders.response().iter().map(|&order| vector_coefficient(&system.statics, order)).collect();
+        let statics: Vec<DVector<Complex<f64>>> = orders
+            .response()
+            .iter()
+            .map(|&order| static_coefficient(&system.statics, order, &orders))
+            .collect();
         let projected = |matrix: &DMatrix<f64>| -> Vec<DVector<Complex<f64>>> {
             let onto = (basis.transpose() * matrix).map(Complex::from);
             statics.iter().map(|at| &onto * at).collect()
@@ -211,15 +229,13 @@ impl ForcedVibration {
         let frequencies = all.frequencies[..all.dynamic].to_vec();
         let largest = all.frequencies.last().copied().unwrap_or_default();
         let is_rigid = |frequency: &f64| f64::from(u8::from(*frequency <= RIGID * largest));
-        let own = frequencies.iter().map(|frequency| 2.0 * system.damping_ratio * frequency);
         Some(ForcedVibration {
             frequency: system.frequency,
-            damping_ratio: system.damping_ratio,
             rigid: frequencies.iter().map(is_rigid).collect(),
-            damping: basis.transpose() * &system.damping * &basis
-                + DMatrix::from_diagonal(&DVector::from_iterator(all.dynamic, own)),
+            damping: basis.transpose() * &system.damping * &basis,
             gyroscopic: basis.transpose() * &system.gyroscopic * &basis,
-            couplings: Couplings::new(&orders, &stiffness),
+            couplings: Couplings::new(&orders, &stiffness, &modal_damping),
+            modal_damping,
             stiffness,
             static_rates: [projected(&system.damping), projected(&system.gyroscopic)],
             quantities: quantities.iter().map(quantity).collect(),
@@ -239,6 +255,11 @@ impl ForcedVibration {
     /// ascending.
     pub fn natural_frequencies(&self) -> &[f64] {
         &self.frequencies
+    }
+
+    /// Returns true if carriers rotate.
+    pub fn rotates(&self) -> bool {
+        self.orders.rotates()
     }
 
     /// Returns the static values: the limit of slow rotation.
@@ -265,7 +286,8 @@ impl ForcedVibration {
         if self.orders.rotates() {
             return f64::NAN;
         }
-        let rates = &self.damping + speed * &self.gyroscopic;
+        let modal = self.modal_damping[&0].map(|value| value.re);
+        let rates = &self.damping + modal + speed * &self.gyroscopic;
         let of_mesh = |&cycles: &i64| {
             let harmonics = 0..=2 * self.orders.harmonics() as i64;
             let stiffness: Vec<_> =
@@ -281,25 +303,37 @@ impl ForcedVibration {
         )
     }
 
-    /// Returns the damping of a mode by the damping ratio, rad/s.
-    fn modal_damping(&self, mode: usize) -> f64 {
-        2.0 * self.damping_ratio * self.frequencies[mode]
-    }
-
     /// Returns the deviation from static equilibrium in modal coordinates by order of the response.
     fn deviation(&self, speed: f64) -> Option<Mat<c64>> {
         let frequency = speed * self.frequency;
         let rates = &self.damping + speed * &self.gyroscopic;
         let response = self.orders.response();
         let [damped, turned] = &self.static_rates;
+        let modal = self.static_modal_damping(frequency);
         let right = Mat::from_fn(rates.nrows(), response.len(), |i, block| {
             let omega = response[block] as f64 * frequency;
-            let statics = self.statics[block][i];
-            let rated = damped[block][i] + turned[block][i] * speed + statics * self.modal_damping(i);
-            let force = statics * (omega * omega) - rated * Complex::new(0.0, omega);
+            let rated = damped[block][i] + turned[block][i] * speed;
+            let statics = self.statics[block][i] * (omega * omega);
+            let force = statics - rated * Complex::new(0.0, omega) - modal[block][i];
             c64::new(force.re, force.im)
         });
         self.couplings.solve(frequency, &rates, &self.rigid, &right)
+    }
+
+    /// Returns the product of the modal damping and the rate of the static equilibrium by order of
+    /// the response.
+    fn static_modal_damping(&self, frequency: f64) -> Vec<DVector<Complex<f64>>> {
+        let response = self.orders.response();
+        let of = |&order: &i64| {
+            let mut sum = DVector::zeros(self.damping.nrows());
+            for (block, &of_block) in response.iter().enumerate() {
+                let Some(coefficient) = self.modal_damping.get(&(order - of_block).abs()) else { continue };
+                let rate = &self.statics[block] * Complex::new(0.0, of_block as f64 * frequency);
+                sum += if order < of_block { coefficient.conjugate() * rate } else { coefficient * rate };
+            }
+            sum
+        };
+        response.iter().map(of).collect()
     }
 
     /// Returns the amplitudes of a quantity from the deviation by order of the response.
@@ -324,6 +358,36 @@ impl ForcedVibration {
         };
         self.orders.lines().enumerate().map(amplitude).collect()
     }
+}
+
+/// Returns the highest frequency of a response up to a speed relative to the reference speed, rad/s.
+/// It is infinite if carriers rotate: the mean stiffness along ground axes is not that of the modes,
+/// so all modes need inertia.
+fn highest_frequency(system: &PeriodicSystem, highest: f64) -> f64 {
+    match system.orders.rotates() {
+        true => f64::INFINITY,
+        false => system.orders.highest() as f64 * highest * system.frequency,
+    }
+}
+
+/// Returns the Fourier coefficients of the damping by the damping ratio in modal coordinates with
+/// these frequencies (rad/s), rad/s. With the stiffness `kappa` at a position it is `2 zeta kappa^(1/2)`
+/// for rotating carriers, and its mean over the mesh cycles counts. `None` if the stiffness is not
+/// finite.
+fn modal_damping(
+    system: &PeriodicSystem,
+    stiffness: &[DMatrix<f64>],
+    frequencies: &[f64],
+) -> Option<Coefficients> {
+    let factor = 2.0 * system.damping_ratio;
+    if !system.orders.rotates() || factor == 0.0 {
+        let own = frequencies.iter().map(|frequency| Complex::from(factor * frequency));
+        let diagonal = DVector::from_iterator(frequencies.len(), own);
+        return Some(Coefficients::from([(0, DMatrix::from_diagonal(&diagonal))]));
+    }
+    let root = |stiffness: &DMatrix<f64>| basis::square_root(stiffness).map(|root| factor * root);
+    let samples: Vec<DMatrix<f64>> = stiffness.iter().map(root).collect::<Option<_>>()?;
+    Some(system.orders.turning().iter().map(|&order| (order, matrix_coefficient(&samples, order))).collect())
 }
 
 /// Returns the amplitudes of the product of a row and the rate of the static equilibrium at the unit

@@ -8,7 +8,7 @@ use calyx_model::motion::angular_velocity;
 use calyx_model::pairs::{GearMesh, SurfacePair};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{dot, length, minus};
-use calyx_solve::forced_response::orders::{Line, Orders};
+use calyx_solve::forced_response::orders::{Line, Modulation, Orders};
 use std::f64::consts::TAU;
 
 /// Relative difference of frequencies that counts as rounding.
@@ -26,6 +26,8 @@ const LATER: [f64; 2] = [0.13, 0.38];
 
 /// Frequencies that excite a scene, and the orders of its vibration.
 pub(super) struct Excitation {
+    /// Speed of the first gear of the request, rad/s.
+    pub speed: f64,
     /// Time after which all meshes and carriers repeat, s.
     pub period: f64,
     /// Number of positions over the period.
@@ -50,6 +52,14 @@ impl Excitation {
         let Some(own_mesh) = own.mesh.as_ref() else {
             return Err(refused("the mesh of the forced response has no gears", "give a mesh of two gears"));
         };
+        let first = &scene.bodies[own.bodies[0].0];
+        let speed = length(angular_velocity(first.motion.as_ref(), own_mesh.start));
+        if speed == 0.0 {
+            let message =
+                format!("the gear \"{}\" does not rotate, and its speed is the abscissa", first.name);
+            let help = "give a mesh whose first gear rotates, such as that of the sun with a planet";
+            return Err(refused(&message, help));
+        }
         let mut meshes: Vec<(f64, PairId)> = vec![(1.0 / own_mesh.period, request.mesh)];
         let mut carriers: Vec<(f64, String)> = Vec::new();
         for (index, pair) in scene.pairs.iter().enumerate().filter(|(_, pair)| pair.front.is_none()) {
@@ -85,6 +95,7 @@ impl Excitation {
             return Err(refused(&message, "give fewer `harmonics`"));
         };
         Ok(Excitation {
+            speed,
             period: own_mesh.period * of_meshes[0] as f64,
             positions,
             orders,
@@ -93,16 +104,15 @@ impl Excitation {
         })
     }
 
-    /// Returns the names of mesh and carrier of a line, empty if it does not depend on them.
+    /// Returns the names of a line's mesh, and of the carrier or the mesh that causes its sidebands;
+    /// empty if it does not depend on them.
     pub fn names(&self, line: Line) -> [String; 2] {
-        let name = |names: &[String], index: usize, depends: bool| match depends {
-            true => names.get(index).cloned().unwrap_or_default(),
-            false => String::new(),
-        };
-        [
-            name(&self.meshes, line.mesh, line.harmonic > 0),
-            name(&self.carriers, line.carrier, line.sideband != 0),
-        ]
+        let mesh = if line.harmonic > 0 { self.meshes[line.mesh].clone() } else { String::new() };
+        let modulation = line.modulation.map_or(String::new(), |modulation| match modulation {
+            Modulation::Carrier(index) => self.carriers[index].clone(),
+            Modulation::Mesh(index) => self.meshes[index].clone(),
+        });
+        [mesh, modulation]
     }
 }
 

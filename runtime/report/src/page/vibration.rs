@@ -93,13 +93,13 @@ fn lines<'r>(speeds: &[&[&'r ResponseRow]]) -> Vec<Line<'r>> {
         let row = rows[0];
         let is_mean = row.harmonic == 0 && row.sideband == 0;
         (!is_mean)
-            .then(|| Line { name: name(row, several(|row| &row.mesh), several(|row| &row.carrier)), rows })
+            .then(|| Line { name: name(row, several(|row| &row.mesh), several(|row| &row.modulation)), rows })
     };
     (0..count).filter_map(line).collect()
 }
 
-/// Returns the name of a line, with mesh and carrier if there are several.
-fn name(row: &ResponseRow, several_meshes: bool, several_carriers: bool) -> String {
+/// Returns the name of a line, with mesh and modulation if there are several.
+fn name(row: &ResponseRow, several_meshes: bool, several_modulations: bool) -> String {
     let mut name = match row.harmonic {
         0 => "mean value".to_owned(),
         harmonic if several_meshes => format!("harmonic {harmonic} of {}", row.mesh),
@@ -107,8 +107,8 @@ fn name(row: &ResponseRow, several_meshes: bool, several_carriers: bool) -> Stri
     };
     if row.sideband != 0 {
         name += &format!(", sideband {:+}", row.sideband);
-        if several_carriers {
-            name += &format!(" of {}", row.carrier);
+        if several_modulations {
+            name += &format!(" of {}", row.modulation);
         }
     }
     name
@@ -142,7 +142,7 @@ mod tests {
             unit: "N*m".into(),
             mesh: "pinion, gear".into(),
             harmonic,
-            carrier: String::new(),
+            modulation: String::new(),
             sideband: 0,
             frequency: 0.0,
             amplitude,

@@ -19,8 +19,8 @@ const RESIDUAL: f64 = 1e-11;
 /// Largest number of iterations; after it the system is solved directly.
 const ITERATIONS: usize = 100;
 /// Coefficients of the stiffness that are smaller than this fraction of the largest one are left
-/// out: rounding.
-const NEGLIGIBLE: f64 = 1e-15;
+/// out.
+const NEGLIGIBLE: f64 = 1e-9;
 
 /// Coupling of orders by coefficients of the stiffness.
 pub(super) struct Couplings {
@@ -30,44 +30,46 @@ pub(super) struct Couplings {
     all: Vec<Coupling>,
 }
 
-/// Coefficient of the stiffness at an order, and the pairs of orders of the response that differ by
-/// it: the row, then the column.
+/// Coefficient of a matrix at an order, and the pairs of orders of the response that differ by it:
+/// the row, then the column.
 struct Coupling {
     coefficient: Mat<c64>,
     pairs: Vec<(usize, usize)>,
+    /// True for damping, which multiplies the rate.
+    is_damping: bool,
+}
+
+/// Fourier coefficients of a matrix by order from zero.
+pub(super) type Coefficients = BTreeMap<i64, DMatrix<Complex<f64>>>;
+
+/// Blocks of the orders without their coupling, at a speed.
+struct Blocks {
+    own: Vec<Mat<c64>>,
+    /// Frequencies of the orders, rad/s.
+    omegas: Vec<f64>,
+}
+
+impl Blocks {
+    /// Returns the factor of a coupling at the column of an order: that of the rate for damping.
+    fn factor(&self, coupling: &Coupling, column: usize) -> c64 {
+        if coupling.is_damping { c64::new(0.0, self.omegas[column]) } else { c64::new(1.0, 0.0) }
+    }
 }
 
 impl Couplings {
-    /// Collects the coefficients of the stiffness by order from zero.
-    pub fn new(orders: &Orders, stiffness: &BTreeMap<i64, DMatrix<Complex<f64>>>) -> Couplings {
+    /// Collects the coefficients of the stiffness and of the modal damping.
+    pub fn new(orders: &Orders, stiffness: &Coefficients, damping: &Coefficients) -> Couplings {
         let response = orders.response();
-        let largest = stiffness.values().map(amplitude).fold(0.0, f64::max);
         let mut all = Vec::new();
-        for (&order, coefficient) in stiffness {
-            if amplitude(coefficient) <= NEGLIGIBLE * largest && order != 0 {
-                continue;
-            }
-            for signed in if order == 0 { vec![0] } else { vec![-order, order] } {
-                let pair = |(row, of_row): (usize, &i64)| {
-                    response.binary_search(&(of_row - signed)).ok().map(|column| (row, column))
-                };
-                let pairs: Vec<(usize, usize)> = response.iter().enumerate().filter_map(pair).collect();
-                let entry = |i: usize, j: usize| {
-                    let value = coefficient[(i, j)];
-                    c64::new(value.re, if signed < 0 { -value.im } else { value.im })
-                };
-                let coefficient = Mat::from_fn(coefficient.nrows(), coefficient.ncols(), entry);
-                if !pairs.is_empty() {
-                    all.push(Coupling { coefficient, pairs });
-                }
-            }
+        for (series, is_damping) in [(stiffness, false), (damping, true)] {
+            all.extend(couplings(response, series, is_damping));
         }
         let modes = stiffness.values().next().map_or(0, DMatrix::nrows);
         Couplings { modes, orders: response.to_vec(), clusters: orders.clusters().to_vec(), all }
     }
 
-    /// Solves the system at a frequency of the common period (rad/s) with the damping and
-    /// gyroscopic matrix of the modes at this speed. `extra` is added to the diagonal of the mean
+    /// Solves the system at a frequency of the common period (rad/s) with the matrix of bearings'
+    /// damping and gyroscopic moments of the modes at this speed. `extra` is added to the diagonal of the mean
     /// values. The columns of the right-hand side and of the solution are those of the orders.
     /// `None` if the solution is not finite.
     pub fn solve(
@@ -78,8 +80,9 @@ impl Couplings {
         right: &Mat<c64>,
     ) -> Option<Mat<c64>> {
         let blocks = self.orders.len();
-        let own: Vec<Mat<c64>> =
-            self.orders.iter().map(|&order| self.inertia(order as f64 * frequency, rates, extra)).collect();
+        let omegas: Vec<f64> = self.orders.iter().map(|&order| order as f64 * frequency).collect();
+        let own: Vec<Mat<c64>> = omegas.iter().map(|&omega| self.inertia(omega, rates, extra)).collect();
+        let own = Blocks { own, omegas };
         let column = Mat::from_fn(blocks * self.modes, 1, |k, _| right[(k % self.modes, k / self.modes)]);
         let found = match blocks * self.modes {
             ..=DIRECT => None,
@@ -93,7 +96,7 @@ impl Couplings {
         Some(Mat::from_fn(self.modes, blocks, |i, block| found[(block * self.modes + i, 0)]))
     }
 
-    /// Returns the block of an order without stiffness.
+    /// Returns the block of an order without stiffness and modal damping.
     fn inertia(&self, omega: f64, rates: &DMatrix<f64>, extra: &[f64]) -> Mat<c64> {
         Mat::from_fn(self.modes, self.modes, |i, j| {
             let rate = c64::new(0.0, omega * rates[(i, j)]);
@@ -106,7 +109,7 @@ impl Couplings {
     }
 
     /// Assembles the matrix of some orders.
-    fn assembled(&self, own: &[Mat<c64>], of: &[usize]) -> Mat<c64> {
+    fn assembled(&self, blocks: &Blocks, of: &[usize]) -> Mat<c64> {
         let size = self.modes;
         let mut place = vec![None; self.orders.len()];
         for (index, &order) in of.iter().enumerate() {
@@ -115,30 +118,35 @@ impl Couplings {
         let mut matrix = Mat::<c64>::zeros(of.len() * size, of.len() * size);
         for (index, &order) in of.iter().enumerate() {
             let mut block = matrix.as_mut().submatrix_mut(index * size, index * size, size, size);
-            block += &own[order];
+            block += &blocks.own[order];
         }
         for coupling in &self.all {
-            for &(row, column) in &coupling.pairs {
-                let (Some(row), Some(column)) = (place[row], place[column]) else { continue };
+            for &(row, of_column) in &coupling.pairs {
+                let (Some(row), Some(column)) = (place[row], place[of_column]) else { continue };
+                let factor = blocks.factor(coupling, of_column);
                 let mut block = matrix.as_mut().submatrix_mut(row * size, column * size, size, size);
-                block += &coupling.coefficient;
+                for j in 0..size {
+                    for i in 0..size {
+                        block[(i, j)] += factor * coupling.coefficient[(i, j)];
+                    }
+                }
             }
         }
         matrix
     }
 
     /// Solves the system with the harmonics as preconditioner; `None` without convergence.
-    fn iterated(&self, own: &[Mat<c64>], right: &Mat<c64>) -> Option<Mat<c64>> {
+    fn iterated(&self, blocks: &Blocks, right: &Mat<c64>) -> Option<Mat<c64>> {
         let size = self.modes;
         let factors: Vec<ComplexLu> =
-            self.clusters.iter().map(|cluster| ComplexLu::new(self.assembled(own, cluster))).collect();
+            self.clusters.iter().map(|cluster| ComplexLu::new(self.assembled(blocks, cluster))).collect();
         let apply = |from: MatRef<'_, c64>, mut to: MatMut<'_, c64>| {
-            for (block, own) in own.iter().enumerate() {
+            for (block, own) in blocks.own.iter().enumerate() {
                 let part = to.as_mut().submatrix_mut(block * size, 0, size, 1);
                 let from = from.submatrix(block * size, 0, size, 1);
                 matmul(part, Accum::Replace, own, from, c64::new(1.0, 0.0), Par::Seq);
             }
-            self.add_stiffness(from, to);
+            self.add_couplings(blocks, from, to);
         };
         let precondition = |from: MatRef<'_, c64>, mut to: MatMut<'_, c64>| {
             for (cluster, factor) in self.clusters.iter().zip(&factors) {
@@ -153,11 +161,14 @@ impl Couplings {
         solve_iteratively(&apply, &precondition, right.as_ref(), (RESIDUAL, ITERATIONS))
     }
 
-    /// Adds the product of the stiffness and a column of all orders.
-    fn add_stiffness(&self, from: MatRef<'_, c64>, mut to: MatMut<'_, c64>) {
+    /// Adds the product of stiffness and modal damping and a column of all orders.
+    fn add_couplings(&self, blocks: &Blocks, from: MatRef<'_, c64>, mut to: MatMut<'_, c64>) {
         let size = self.modes;
-        for Coupling { coefficient, pairs } in &self.all {
-            let gathered = Mat::from_fn(size, pairs.len(), |i, k| from[(pairs[k].1 * size + i, 0)]);
+        for coupling in &self.all {
+            let Coupling { coefficient, pairs, .. } = coupling;
+            let gathered = Mat::from_fn(size, pairs.len(), |i, k| {
+                from[(pairs[k].1 * size + i, 0)] * blocks.factor(coupling, pairs[k].1)
+            });
             let mut product = Mat::<c64>::zeros(size, pairs.len());
             let one = c64::new(1.0, 0.0);
             matmul(product.as_mut(), Accum::Replace, coefficient, &gathered, one, Par::Seq);
@@ -168,6 +179,32 @@ impl Couplings {
             }
         }
     }
+}
+
+/// Returns the couplings of orders of the response by the coefficients of a series.
+fn couplings(response: &[i64], series: &Coefficients, is_damping: bool) -> Vec<Coupling> {
+    let largest = series.values().map(amplitude).fold(0.0, f64::max);
+    let counts = |(order, coefficient): &(&i64, &DMatrix<Complex<f64>>)| {
+        **order == 0 || amplitude(coefficient) > NEGLIGIBLE * largest
+    };
+    let mut all = Vec::new();
+    for (&order, coefficient) in series.iter().filter(counts) {
+        for signed in if order == 0 { vec![0] } else { vec![-order, order] } {
+            let pair = |(row, of_row): (usize, &i64)| {
+                response.binary_search(&(of_row - signed)).ok().map(|column| (row, column))
+            };
+            let pairs: Vec<(usize, usize)> = response.iter().enumerate().filter_map(pair).collect();
+            let entry = |i: usize, j: usize| {
+                let value = coefficient[(i, j)];
+                c64::new(value.re, if signed < 0 { -value.im } else { value.im })
+            };
+            let coefficient = Mat::from_fn(coefficient.nrows(), coefficient.ncols(), entry);
+            if !pairs.is_empty() {
+                all.push(Coupling { coefficient, pairs, is_damping });
+            }
+        }
+    }
+    all
 }
 
 /// Returns the largest magnitude of an entry.

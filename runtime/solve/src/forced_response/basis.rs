@@ -74,3 +74,14 @@ pub(super) fn modes(mass: &DMatrix<f64>, stiffness: &DMatrix<f64>) -> Option<(Ve
     let shapes = DMatrix::from_fn(size, size, |i, j| scale[i] * shapes[(i, j)]);
     Some((squares.iter().map(|square| square.max(0.0).sqrt()).collect(), shapes))
 }
+
+/// Returns the square root of a symmetric matrix, without its negative part; `None` if an entry is
+/// not finite.
+pub(super) fn square_root(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let size = matrix.nrows();
+    let symmetric = Mat::from_fn(size, size, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
+    let (values, vectors) = symmetric_eigen(symmetric.as_ref())?;
+    let vectors = DMatrix::from_fn(size, size, |i, j| vectors[(i, j)]);
+    let roots = DVector::from_fn(size, |k, _| values[k].max(0.0).sqrt());
+    Some(&vectors * DMatrix::from_diagonal(&roots) * vectors.transpose())
+}

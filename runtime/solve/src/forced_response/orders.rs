@@ -3,31 +3,41 @@
 //!
 //! Meshes of other frequencies, and carriers that rotate, repeat together after a common period,
 //! which may last thousands of mesh cycles. Of its many harmonics only few matter: those of each
-//! mesh frequency, with sidebands at the rotational frequency of the carriers. Samples at equal
-//! distances over the common period determine them, although there are far fewer than one in each
-//! mesh cycle, if no two of these orders are equal modulo the number of samples. In the phases of
-//! the meshes such samples are a lattice (rank-1 lattice rule).
+//! mesh frequency, with sidebands at the rotational frequency of the carriers and at the harmonics
+//! of other meshes, whose stiffness modulates them. Samples at equal distances over the common
+//! period determine the coefficients of the stiffness, although there are far fewer than one in
+//! each mesh cycle, if no two of their orders are equal modulo the number of samples. In the phases
+//! of the meshes such samples are a lattice (rank-1 lattice rule).
 
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Largest order of a sideband in the stiffness: the displacements of central members and planets
 /// have the sidebands -1 to 1 in ground coordinates.
 const SIDEBANDS: i64 = 2;
-/// Harmonics of two meshes whose sums and differences are kept apart from all orders.
+/// Harmonics of two meshes whose sums and differences the static equilibrium may have.
 const INTERACTIONS: i64 = 2;
 
-/// Origin of an order: `harmonic` times the frequency of a mesh plus `sideband` times the
-/// rotational frequency of a carrier.
+/// Origin of an order: `harmonic` times the frequency of a mesh plus `sideband` times the frequency
+/// of what modulates it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Line {
     /// Index of the mesh frequency; meaningless for harmonic 0.
     pub mesh: usize,
     /// Harmonic of the mesh frequency; at least 0.
     pub harmonic: usize,
-    /// Index of the carrier; meaningless for sideband 0.
-    pub carrier: usize,
-    /// Order of the sideband, -1 to 1.
+    /// What modulates the harmonic; `None` for sideband 0.
+    pub modulation: Option<Modulation>,
+    /// Order of the sideband.
     pub sideband: i64,
+}
+
+/// What causes sidebands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Modulation {
+    /// Index of a carrier, whose rotation turns displacements.
+    Carrier(usize),
+    /// Index of another mesh frequency, of lower harmonic.
+    Mesh(usize),
 }
 
 /// Orders of the response of a system, as whole multiples of the frequency of the common period.
@@ -44,10 +54,10 @@ pub struct Orders {
     /// Cycles of each mesh frequency within the common period.
     meshes: Vec<i64>,
     harmonics: usize,
-    /// True if carriers rotate.
-    rotates: bool,
-    /// Orders that samples have to distinguish: those of the stiffness, and interactions of meshes.
-    distinct: BTreeSet<i64>,
+    /// Orders from zero of what rotates with a carrier and does not vary over a mesh cycle.
+    turning: BTreeSet<i64>,
+    /// Orders that samples distinguish: those of the stiffness, and of the static equilibrium.
+    sampled: BTreeSet<i64>,
 }
 
 impl Orders {
@@ -71,14 +81,24 @@ impl Orders {
         };
         for (carrier, sideband, shift) in sidebands(1) {
             if sideband >= 0 {
-                keep(shift, Line { carrier, sideband, ..Line::default() });
+                keep(shift, Line { modulation: modulation(carrier, sideband), sideband, ..Line::default() });
             }
             for harmonic in 1..=highest {
                 for (mesh, cycles) in meshes.iter().enumerate() {
-                    let line = Line { mesh, harmonic: harmonic as usize, carrier, sideband };
+                    let modulation = modulation(carrier, sideband);
+                    let line = Line { mesh, harmonic: harmonic as usize, modulation, sideband };
                     keep(harmonic * cycles + shift, line);
                 }
             }
+        }
+        for (mesh, harmonic, other, sideband) in interactions(meshes.len(), highest) {
+            let line = Line {
+                mesh,
+                harmonic: harmonic as usize,
+                modulation: Some(Modulation::Mesh(other)),
+                sideband,
+            };
+            keep(harmonic * meshes[mesh] + sideband * meshes[other], line);
         }
         let mut coupling = BTreeSet::new();
         for (_, _, shift) in sidebands(SIDEBANDS) {
@@ -89,11 +109,11 @@ impl Orders {
                 }
             }
         }
-        let mut distinct = coupling.clone();
+        let mut sampled = coupling.clone();
         for (index, one) in meshes.iter().enumerate() {
             for other in &meshes[index + 1..] {
                 for (h, k) in (1..=INTERACTIONS).flat_map(|h| (1..=INTERACTIONS).map(move |k| (h, k))) {
-                    distinct.extend([h * one + k * other, (h * one - k * other).abs()]);
+                    sampled.extend([h * one + k * other, (h * one - k * other).abs()]);
                 }
             }
         }
@@ -108,8 +128,8 @@ impl Orders {
             clusters,
             meshes: meshes.to_vec(),
             harmonics,
-            rotates: !carriers.is_empty(),
-            distinct,
+            turning: sidebands(SIDEBANDS).map(|(_, _, shift)| shift.abs()).collect(),
+            sampled,
         }
     }
 
@@ -126,8 +146,8 @@ impl Orders {
     /// Returns the smallest even number of samples, at least `least`, of which every second one
     /// distinguishes all orders; `None` if it would exceed `most`.
     pub fn sample_count(&self, least: usize, most: usize) -> Option<usize> {
-        let signed = || self.distinct.iter().flat_map(|&order| [-order, order]);
-        let first = least.div_ceil(2).max(2 * self.distinct.len() - 1).max(1);
+        let signed = || self.sampled.iter().flat_map(|&order| [-order, order]);
+        let first = least.div_ceil(2).max(2 * self.sampled.len() - 1).max(1);
         let separates = |count: &usize| {
             let mut taken = vec![false; *count];
             let mut free = |order: i64| {
@@ -147,6 +167,12 @@ impl Orders {
     /// Returns the orders from zero of the stiffness.
     pub(super) fn coupling(&self) -> &BTreeSet<i64> {
         &self.coupling
+    }
+
+    /// Returns true for an order whose coefficients samples determine. The static equilibrium has no
+    /// others.
+    pub(super) fn is_sampled(&self, order: i64) -> bool {
+        self.sampled.contains(&order.abs())
     }
 
     /// Returns the indices of orders of the response by harmonic of a mesh.
@@ -173,7 +199,13 @@ impl Orders {
 
     /// Returns true if carriers rotate.
     pub(super) fn rotates(&self) -> bool {
-        self.rotates
+        self.turning.len() > 1
+    }
+
+    /// Returns the orders from zero of what rotates with a carrier and does not vary over a mesh
+    /// cycle.
+    pub(super) fn turning(&self) -> &BTreeSet<i64> {
+        &self.turning
     }
 
     /// Returns the highest order of the response.
@@ -182,14 +214,39 @@ impl Orders {
     }
 }
 
+fn modulation(carrier: usize, sideband: i64) -> Option<Modulation> {
+    (sideband != 0).then_some(Modulation::Carrier(carrier))
+}
+
+/// Returns the interactions of meshes: a mesh and its harmonic, then another mesh and its signed
+/// harmonic, which is not higher. Of the products of both series, those are kept whose harmonics `h`
+/// and `k` have `(1 + h) (1 + k)` up to twice the number of harmonics plus two (hyperbolic cross):
+/// all harmonics with the first one of the other mesh, and fewer of the higher ones.
+fn interactions(meshes: usize, highest: i64) -> impl Iterator<Item = (usize, i64, usize, i64)> {
+    let pairs = (0..meshes).flat_map(move |mesh| (0..meshes).map(move |other| (mesh, other)));
+    let pairs = pairs.filter(|(mesh, other)| mesh != other);
+    pairs.flat_map(move |(mesh, other)| {
+        let harmonics = (1..=highest).flat_map(|h| (1..=h).map(move |k| (h, k)));
+        let kept =
+            harmonics.filter(move |(h, k)| (1 + h) * (1 + k) <= 2 * (highest + 1) && (k < h || mesh < other));
+        kept.flat_map(move |(h, k)| [(mesh, h, other, -k), (mesh, h, other, k)])
+    })
+}
+
 /// Returns the indices of the orders of the response by mesh and signed harmonic: the sidebands of
-/// a harmonic are strongly coupled by bodies that rotate with a carrier.
+/// a harmonic are strongly coupled by bodies that rotate with a carrier. Interactions of meshes are
+/// on their own.
 fn clusters(response: &[i64], lines: &BTreeMap<i64, Line>) -> Vec<Vec<usize>> {
-    let mut found: BTreeMap<(usize, i64), Vec<usize>> = BTreeMap::new();
+    let mut found: BTreeMap<(usize, i64, i64), Vec<usize>> = BTreeMap::new();
     for (index, order) in response.iter().enumerate() {
         let line = lines[&order.abs()];
         let harmonic = line.harmonic as i64 * order.signum();
-        found.entry((if harmonic == 0 { 0 } else { line.mesh }, harmonic)).or_default().push(index);
+        let key = match line.modulation {
+            Some(Modulation::Mesh(_)) => (0, 0, *order),
+            _ if harmonic == 0 => (0, 0, 0),
+            _ => (line.mesh, harmonic, 0),
+        };
+        found.entry(key).or_default().push(index);
     }
     found.into_values().collect()
 }
@@ -214,7 +271,7 @@ mod tests {
         let orders = Orders::new(&[8, 3], &[], 8);
         let line = orders.lines().find(|(order, _)| *order == 24).expect("the order").1;
         assert_eq!((line.mesh, line.harmonic), (0, 3));
-        assert_eq!(orders.count(), 1 + 8 + 8 - 1);
+        assert_eq!(orders.lines().filter(|(_, line)| line.modulation.is_none()).count(), 1 + 8 + 8 - 1);
     }
 
     #[test]
@@ -228,6 +285,20 @@ mod tests {
         assert!(orders.clusters().iter().all(|cluster| cluster.len() == 3));
         let sideband = orders.lines().find(|(order, _)| *order == 98).expect("the order").1;
         assert_eq!((sideband.harmonic, sideband.sideband), (1, -1));
+        assert_eq!(sideband.modulation, Some(Modulation::Carrier(0)));
+    }
+
+    #[test]
+    fn meshes_modulate_each_other() {
+        let orders = Orders::new(&[1000, 1], &[], 3);
+        let line = |order: i64| orders.lines().find(|(own, _)| *own == order).map(|(_, line)| line);
+        let [below, above] = [1999, 2001].map(|order| line(order).expect("the order"));
+        for (line, sideband) in [(below, -1), (above, 1)] {
+            assert_eq!((line.mesh, line.harmonic, line.sideband), (0, 2, sideband));
+            assert_eq!(line.modulation, Some(Modulation::Mesh(1)));
+        }
+        assert_eq!(line(997).map(|line| (line.mesh, line.harmonic, line.sideband)), Some((1, 3, -1)));
+        assert_eq!(line(2002), None);
     }
 
     /// Few samples of a long period determine all orders: each has a place of its own.
