@@ -90,3 +90,147 @@ fn failed_cases_and_those_of_changed_tables_are_solved_again() {
     let (status, largest, told) = sweep();
     assert_eq!((status, &largest[..]), (Some(0), &["3".to_owned(), "11".to_owned()][..]), "{told}");
 }
+
+/// A pair on two ball bearings and springs, with outputs of some of the recorded loads.
+fn on_bearings() -> String {
+    let gears = "import gears;
+units mm_N_s;
+param torque = 20 N*m in 0 N*m .. 50 N*m;
+param speed = 60 rpm in 0 rpm .. 6000 rpm;
+print(\"torque\", torque);
+var blank = gears.external(24, module = 2 mm, face_width = 10 mm, tooth_thickness = 3.1 mm);
+var shaft = gears.shaft(
+    \"shaft\",
+    segments = [gears.shaft_segment(length = 80 mm, diameter = 30 mm)],
+    material = \"steel\",
+    frame := Translate(-40 mm * e3) * Rotate(speed * Time, e3));
+gears.shaft_load(shaft, at = 0 mm, moment = torque * e3);
+var pinion = gears.mount(\"pinion\", blank, on = shaft, at = 40 mm, hub_width = 10 mm);
+function ball(in name, in at) {
+    return gears.ball_bearing(
+        name, shaft, at = at * e3, count = 8, ball_diameter = 8 mm, pitch_diameter = 45 mm);
+}
+var left = ball(\"left\", 10 mm);
+var right = ball(\"right\", 70 mm);
+var guide = gears.bearing(\"guide\", shaft, at = 5 mm * e3, radial_stiffness = 1e6 N/m, axial_stiffness = 1e6 N/m);
+var gear = gears.body(\"gear\", blank, frame := Rotate(-speed * Time, e3) * Translate(48.05 mm * e1));
+var mesh = gears.mesh(pinion, gear, tip_corner_contact = FALSE);
+output radial_force := gears.bearing_force(left, \"radial\");
+output moment := gears.bearing_moment(right, \"x\");
+output transmission_error := gears.transmission_error(mesh);
+output pressure := gears.max_contact_pressure(mesh);
+output slope := gears.misalignment_slope(mesh);
+output life := gears.bearing_life(left);
+output loss := gears.friction_loss(mesh, 0.05);
+";
+    let analysis = "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 4), fidelity = \"analytic\", error_estimates = \"none\");\n";
+    format!("{gears}{analysis}")
+}
+
+/// Rows of a CSV file by column.
+fn table(path: &Path) -> Vec<std::collections::BTreeMap<String, String>> {
+    let mut reader = csv::Reader::from_path(path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
+    reader.deserialize().map(|row| row.expect("a row")).collect()
+}
+
+#[test]
+fn loads_of_components_are_those_of_outputs_and_a_duty_cycle_follows_from_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    fs::write(at.join("pair.cx"), on_bearings()).expect("written");
+    let cases = "name,torque,speed,duration\nlow,10 N*m,3000 rpm,3\nhigh,40 N*m,1000 rpm,1\n";
+    fs::write(at.join("cases.csv"), cases).expect("written");
+    let (status, told) =
+        calyx(at, &["sweep", "pair.cx", "--over", "torque=10,40", "--set", "speed=3000 rpm"]);
+    assert_eq!(status, Some(0), "{told}");
+    let directory = at.join("pair.cx.sweep");
+    assert!(!directory.join("component_loads.csv").exists());
+    let arguments =
+        ["sweep", "pair.cx", "--cases", "cases.csv", "--damage-slope", "6.61", "--damage-slope", "2"];
+    let (status, told) = calyx(at, &arguments);
+    assert_eq!(status, Some(0), "{told}");
+    // The first sweep has recorded no loads, so that its case is solved again.
+    assert!(!told.contains("solved before"), "{told}");
+
+    let number = |text: &str| text.parse::<f64>().unwrap_or_else(|_| panic!("`{text}`"));
+    let close = |value: f64, expected: f64, what: &str| {
+        assert!((value - expected).abs() <= 1e-12 * expected.abs(), "{what}: {value} is not {expected}");
+    };
+    let rows = table(&directory.join("sweep.csv"));
+    let loads = table(&directory.join("component_loads.csv"));
+    let load = |name: &str, quantity: &str, case: &str| {
+        let row = loads.iter().find(|row| row["component"] == name && row["quantity"] == quantity);
+        number(&row.unwrap_or_else(|| panic!("no {quantity} of {name}: {loads:?}"))[case])
+    };
+    for (row, case) in rows.iter().zip(["low", "high"]) {
+        let output = |column: &str| number(&row[column]);
+        close(load("left", "radial_force", case), output("radial_force.mean [N]"), "radial force");
+        close(load("left", "radial_force_max", case), output("radial_force.max [N]"), "radial force");
+        let mesh = "pinion / gear";
+        close(load(mesh, "contact_pressure", case), output("pressure.max [MPa]"), "pressure");
+        close(load(mesh, "friction_loss", case), output("loss.mean [W]"), "loss");
+        let slope = load(mesh, "misalignment_slope", case);
+        close(slope, output("slope.mean [urad]"), "slope");
+        // The torque of the contact is that on the shaft.
+        let torque = if case == "low" { 10.0 } else { 40.0 };
+        assert!((load(mesh, "torque", case) / torque - 1.0).abs() < 1e-9);
+        assert!(
+            (load("right", "speed", case) / if case == "low" { 3000.0 } else { 1000.0 } - 1.0).abs() < 1e-9
+        );
+        assert!(
+            (load(mesh, "transmission_error", case) > 0.0) && (load("guide", "radial_force", case) > 0.0)
+        );
+    }
+
+    let values = table(&directory.join("duty_cycle.csv"));
+    let value = |name: &str, quantity: &str, exponent: &str| {
+        let is = |row: &&std::collections::BTreeMap<String, String>| {
+            row["name"] == name && row["quantity"] == quantity && row["exponent"] == exponent
+        };
+        number(
+            &values.iter().find(is).unwrap_or_else(|| panic!("no {quantity} of {name}: {values:?}"))["value"],
+        )
+    };
+    // Three quarters of the time at 3000 rpm and one quarter at 1000 rpm: nine to one.
+    let mean = |low: f64, high: f64, p: f64| ((9.0 * low.powf(p) + high.powf(p)) / 10.0).powf(1.0 / p);
+    let (low, high) = (load("left", "equivalent_load", "low"), load("left", "equivalent_load", "high"));
+    let tolerant =
+        |value: f64, expected: f64| assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+    tolerant(value("left", "equivalent_load", "3"), mean(low, high, 3.0));
+    tolerant(value("pinion / gear", "equivalent_torque", "6.61"), mean(10.0, 40.0, 6.61));
+    tolerant(value("pinion / gear", "equivalent_torque", "2"), mean(10.0, 40.0, 2.0));
+    let hours = |case: &str, rpm: f64| load("left", "life", case) / (60.0 * rpm);
+    let life = 1.0 / (0.75 / hours("low", 3000.0) + 0.25 / hours("high", 1000.0));
+    tolerant(value("left", "life", ""), life);
+    tolerant(value("left", "mean_speed", ""), 2500.0);
+    // L = (C/P)^3 with one C. Both are means over the positions, of P and of 1/L.
+    let [one, other] =
+        [("low", low), ("high", high)].map(|(case, force)| force.powi(3) * load("left", "life", case));
+    assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
+    let page = fs::read_to_string(directory.join("sweep.html")).expect("a page");
+    assert!(page.contains("guide has springs instead of rolling elements"), "the page has no reason");
+    assert!(page.contains("right has no life"), "the page has no reason");
+    let printed = fs::read_to_string(directory.join("printed.txt")).expect("printed text");
+    assert!(printed.starts_with("# case 1 low\n") && printed.contains("\n# case 2 high\n"), "{printed}");
+
+    // After a kill, or with all cases in the journal, the files have the same bytes.
+    let names = ["sweep.csv", "component_loads.csv", "duty_cycle.csv", "printed.txt", "sweep.html"];
+    let files = || names.map(|name| fs::read(directory.join(name)).expect(name));
+    let whole = files();
+    let journal = directory.join("cases.jsonl");
+    let text = fs::read_to_string(&journal).expect("a journal");
+    let cut = text.len() - 50;
+    fs::write(&journal, &text[..cut]).expect("written");
+    let (status, told) = calyx(at, &arguments);
+    assert!(status == Some(0) && told.contains("1 case was solved before"), "{told}");
+    assert!(files() == whole);
+    // A journal of another format is replaced.
+    fs::write(&journal, text.replace("\"journal\":2", "\"journal\":1")).expect("written");
+    let (status, told) = calyx(at, &arguments);
+    assert!(status == Some(0) && !told.contains("solved before"), "{told}");
+    assert!(files() == whole);
+    // A sweep without load cases has none of their files.
+    let (status, told) = calyx(at, &["sweep", "pair.cx", "--over", "torque=10,40"]);
+    assert_eq!(status, Some(0), "{told}");
+    assert!(!directory.join("component_loads.csv").exists() && !directory.join("duty_cycle.csv").exists());
+}

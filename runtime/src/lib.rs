@@ -121,8 +121,8 @@
 mod former_names;
 
 pub use calyx_analysis::{
-    analyses, analysis, cost, dynamic_options, dynamics, estimate, forced_response, method, observables,
-    options, results, rows, scene, settings_override, signal, summary, tolerance, validate,
+    analyses, analysis, component_loads, cost, dynamic_options, dynamics, estimate, forced_response, method,
+    observables, options, results, rows, scene, settings_override, signal, summary, tolerance, validate,
 };
 pub use calyx_contact as contact;
 pub use calyx_elastic as elastic;

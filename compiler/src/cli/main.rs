@@ -9,6 +9,7 @@ mod bundled;
 mod check;
 mod compile;
 mod doc;
+mod dry_run;
 mod dump;
 mod eval;
 mod explain;

@@ -3,6 +3,7 @@
 //! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs all of it and reports to an
 //! observer.
 
+use crate::component_recorder::ComponentRecorder;
 use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
 use crate::forced_response::{self, ForcedResponse};
 use crate::method::QuasiStatic;
@@ -43,6 +44,7 @@ pub struct PlannedAnalysis<'s> {
     highest_frequency: f64,
     structure: StructureOptions,
     error_estimates: Estimates,
+    component_loads: bool,
     plan: Plan,
     timing: Timing,
 }
@@ -75,6 +77,7 @@ impl<'s> PlannedAnalysis<'s> {
             highest_frequency,
             structure: options.structure,
             error_estimates: options.error_estimates,
+            component_loads: options.component_loads,
             plan,
             timing,
         })
@@ -93,6 +96,7 @@ impl<'s> PlannedAnalysis<'s> {
         let PlannedAnalysis { scene, positions, outputs, resources, solved, highest_frequency, plan, .. } =
             self;
         let (structure, error_estimates, mut timing) = (self.structure, self.error_estimates, self.timing);
+        let component_loads = self.component_loads;
         let system = timing.stage("structures", || System::with(scene, &plan, &resources))?;
         timing.structures = system.structure_counts();
         let system = match highest_frequency {
@@ -100,6 +104,7 @@ impl<'s> PlannedAnalysis<'s> {
             highest => timing.stage("modes", || system.with_modes(&plan, &resources, highest))?,
         };
         check_vibrations(&system, scene)?;
+        let recorder = (component_loads && solved.is_empty()).then(|| ComponentRecorder::new(scene));
         Ok(Steps {
             scene,
             positions,
@@ -112,6 +117,7 @@ impl<'s> PlannedAnalysis<'s> {
             plan,
             timing,
             system,
+            recorder,
             ahead: VecDeque::new(),
             solving: Duration::ZERO,
             current: None,
@@ -124,6 +130,8 @@ impl<'s> PlannedAnalysis<'s> {
 struct Found {
     step: StepResult,
     observed: Vec<Observed>,
+    /// Loads of meshes and bearings, if they are recorded.
+    loads: Option<Vec<f64>>,
 }
 
 /// Quasi-static analysis in progress: an iterator over its positions, in order.
@@ -142,6 +150,7 @@ pub struct Steps<'s> {
     plan: Plan,
     timing: Timing,
     system: System<'s>,
+    recorder: Option<ComponentRecorder>,
     /// Following positions, solved in parallel with the requested one.
     ahead: VecDeque<Result<Found, EngineError>>,
     /// Time spent on positions.
@@ -212,6 +221,7 @@ impl<'s> Steps<'s> {
         let forced_response = self.forced_response()?;
         let rows: Vec<StepRow> = self.solved.into_iter().map(|solved| solved.row).collect();
         let mut summaries = summarize(&rows, self.outputs, self.scene);
+        let component_loads = self.recorder.map(|recorder| recorder.finish(&rows, self.scene));
         self.timing.add("positions", self.solving);
         if self.error_estimates != Estimates::None {
             let started = Instant::now();
@@ -236,6 +246,7 @@ impl<'s> Steps<'s> {
             rows,
             summaries,
             certificate,
+            component_loads,
             modes,
             campbell,
             forced_response,
@@ -271,7 +282,7 @@ impl<'s> Steps<'s> {
         if self.ahead.is_empty() {
             self.solve_ahead();
         }
-        let Found { step, observed } = match self.ahead.pop_front() {
+        let Found { step, observed, loads } = match self.ahead.pop_front() {
             Some(Ok(found)) => found,
             // Solve the position again, alone, so that notes of kernels about an error refer to
             // this position only.
@@ -279,6 +290,9 @@ impl<'s> Steps<'s> {
         };
         let row = StepRow::new(position.clone(), self.outputs, &observed, step.warnings.clone());
         refuse_nan(&row, self.outputs, &self.plan)?;
+        if let (Some(recorder), Some(loads)) = (&mut self.recorder, loads) {
+            recorder.push(loads);
+        }
         let certificate = step.certificate;
         self.current = Some(step);
         Ok(Solved { row, certificate, state: Vec::new() })
@@ -296,9 +310,12 @@ impl<'s> Steps<'s> {
     fn solve_alone(&self, position: &Position) -> Result<Found, EngineError> {
         let step = self.system.solve(position.time)?;
         let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
+        let of_position = (self.scene, &observed[..]);
+        let loads = self.recorder.as_ref();
+        let loads = loads.map(|loads| loads.evaluate(&self.system, &step, self.plan.fidelity, of_position));
         // An interrupted observable has no value, which is not an error of the model.
         self.resources.interrupt.check()?;
-        Ok(Found { step, observed })
+        Ok(Found { step, observed, loads })
     }
 }
 

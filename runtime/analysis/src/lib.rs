@@ -4,6 +4,8 @@
 
 pub mod analyses;
 pub mod analysis;
+pub mod component_loads;
+mod component_recorder;
 pub mod cost;
 pub mod dynamic_options;
 pub mod dynamics;

@@ -11,6 +11,7 @@ pub use error_estimate::{ErrorEstimate, Part, Statistics};
 pub use tolerance_outcome::{Attempt, SearchProgress, Setting, ToleranceOutcome};
 pub(crate) use tolerance_outcome::{EXHAUSTED, LARGER, percent};
 
+use crate::component_loads::ComponentLoads;
 use crate::forced_response::ForcedResponse;
 use crate::observables::{CampbellDiagram, ModesTable};
 use calyx_contact::problem::Certificate;
@@ -81,6 +82,8 @@ pub struct AnalysisResult {
     pub summaries: Vec<OutputSummary>,
     /// Largest residuals over all positions.
     pub certificate: Certificate,
+    /// Loads of meshes and bearings, if the options request them.
+    pub component_loads: Option<Vec<ComponentLoads>>,
     /// Modes about the first position, if the scene requests them.
     pub modes: Option<ModesTable>,
     /// Campbell diagram about the first position, if the scene requests it.

@@ -60,12 +60,26 @@ pub(crate) fn is_closed(rows: &[StepRow], request: &OutputRequest, scene: &Scene
     Cycle::of(rows).is_some_and(|cycle| repeats(request, scene, [0.0, cycle.period]))
 }
 
+/// Returns the mean over time of a quantity that repeats in every mesh cycle: over the closed cycle
+/// if the rows cover one.
+pub(crate) fn mean_of_repeating(rows: &[StepRow], scene: &Scene, values: &[f64]) -> f64 {
+    match Cycle::of(rows).filter(|_| !orbits(scene)) {
+        Some(cycle) => cycle.mean(values),
+        None => mean_over_time(rows, values),
+    }
+}
+
+/// Returns whether rolling elements orbit, whose positions differ in the next cycle.
+fn orbits(scene: &Scene) -> bool {
+    scene.bearings.iter().any(|bearing| bearing.rolling().is_some_and(|elements| elements.orbit()))
+}
+
 /// Returns whether an output repeats in every mesh cycle if all teeth are equal: it depends on an
 /// observable, on none that follows a single tooth, and not on time itself. Nothing repeats if
 /// rolling elements orbit, whose positions differ in the next cycle.
 fn repeats(request: &OutputRequest, scene: &Scene, times: [f64; 2]) -> bool {
     let observables = &scene.observables;
-    if scene.bearings.iter().any(|bearing| bearing.rolling().is_some_and(|elements| elements.orbit())) {
+    if orbits(scene) {
         return false;
     }
     let passes = |index: usize| {

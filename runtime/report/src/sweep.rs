@@ -1,43 +1,71 @@
 //! Results of a sweep: one row per case, as a file and as text.
 
+use crate::durations::Durations;
 use crate::summary_table::{align, number};
-use calyx_abi::description::{OutputDescription, ParamDescription, ParamValue};
+use calyx_abi::description::{Exponents, OWN_BASES, OutputDescription, ParamDescription, ParamValue};
+use calyx_abi::quantity::fits;
 use calyx_abi::units::{from_si, shortest};
+use calyx_runtime::component_loads::ComponentLoads;
 use calyx_runtime::results::OutputSummary;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fs;
 use std::io;
 use std::path::Path;
 
 /// Magnitudes outside of which numbers have an exponent.
 const PLAIN: std::ops::Range<f64> = 1e-6..1e15;
 
+/// Dimension of power: exponents of length, mass and time.
+const POWER: Exponents = {
+    let mut power = [(0, 1); 5 + OWN_BASES];
+    [power[0], power[1], power[2]] = [(2, 1), (1, 1), (-3, 1)];
+    power
+};
+
 /// Formats a number with all digits.
-fn exact(value: f64) -> String {
+pub(crate) fn exact(value: f64) -> String {
     if value == 0.0 || PLAIN.contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
+
+/// File name of the text that the model prints, in the directory of a sweep.
+pub const PRINTED_TEXT: &str = "printed.txt";
 
 /// Number of outputs in the printed table.
 const PRINTED: usize = 6;
 
 /// Column of a table: a param or an output, with its unit.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     pub name: String,
     pub unit: String,
     /// Value of the unit in SI.
     pub factor: f64,
+    /// True for a power, whose mean over a duty cycle is the energy divided by the time.
+    pub is_power: bool,
 }
 
 impl From<&ParamDescription> for Column {
     fn from(param: &ParamDescription) -> Column {
-        Column { name: param.name.clone(), unit: param.unit.name.clone(), factor: param.unit.factor }
+        let is_power = fits(param.unit.dimension, POWER);
+        Column {
+            name: param.name.clone(),
+            unit: param.unit.name.clone(),
+            factor: param.unit.factor,
+            is_power,
+        }
     }
 }
 
 impl From<&OutputDescription> for Column {
     fn from(output: &OutputDescription) -> Column {
-        Column { name: output.name.clone(), unit: output.unit.name.clone(), factor: output.unit.factor }
+        let is_power = fits(output.unit.dimension, POWER);
+        Column {
+            name: output.name.clone(),
+            unit: output.unit.name.clone(),
+            factor: output.unit.factor,
+            is_power,
+        }
     }
 }
 
@@ -112,6 +140,12 @@ pub struct Row {
     pub failure: Option<String>,
     /// Warnings of the run.
     pub warnings: Vec<String>,
+    /// Loads of meshes and bearings; `None` if they were not recorded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub components: Option<Vec<ComponentLoads>>,
+    /// Lines that the model has printed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub printed: Vec<String>,
 }
 
 /// A case of a sweep: its name, if it has one, and the values of the varied params.
@@ -134,12 +168,79 @@ pub struct SweepTable {
     pub cases: Vec<Case>,
     /// Rows by case, in order.
     pub rows: Vec<Row>,
+    /// Name of the unit system of the model.
+    pub units: String,
+    /// Indices of the params whose values are equally spaced on a logarithmic scale.
+    pub logarithmic: Vec<usize>,
+    /// True if the cases are load cases of a file.
+    pub load_cases: bool,
+    /// Durations of all cases, solved or not; `None` without a duty cycle.
+    pub durations: Option<Durations>,
 }
 
 impl SweepTable {
     /// Returns whether the cases have names.
     pub fn is_named(&self) -> bool {
         self.cases.iter().any(|case| !case.name.is_empty())
+    }
+
+    /// Returns the label of a case: its name with its number if other cases have the same name, or
+    /// its number.
+    pub(crate) fn label(&self, index: usize) -> String {
+        let number = self.rows.get(index).map_or(index + 1, |row| row.case);
+        let name = self.cases.get(index).map_or("", |case| case.name.as_str());
+        match self.cases.iter().filter(|case| case.name == name).count() {
+            _ if name.is_empty() => format!("case {number}"),
+            1 => name.to_owned(),
+            _ => format!("{name} (case {number})"),
+        }
+    }
+
+    /// Returns the number of outputs that the printed table leaves out.
+    pub fn unprinted(&self) -> usize {
+        self.outputs.len().saturating_sub(PRINTED)
+    }
+
+    /// Returns whether a case has printed text.
+    pub fn has_printed(&self) -> bool {
+        self.rows.iter().any(|row| !row.printed.is_empty())
+    }
+
+    /// Formats one line per case: the varied params, the duration, and a predicted time as text.
+    pub fn list(&self, times: &[String]) -> String {
+        let mut head = vec!["case".to_owned()];
+        head.extend(self.is_named().then(|| "name".to_owned()));
+        head.extend(self.params.iter().map(|param| param.heading("")));
+        let are_times = self.durations.as_ref().is_some_and(|durations| durations.are_times);
+        head.extend(
+            self.durations.iter().map(|_| if are_times { "duration [s]" } else { "share" }.to_owned()),
+        );
+        head.push("predicted time".to_owned());
+        let mut lines = vec![head];
+        for (index, case) in self.cases.iter().enumerate() {
+            let mut cells = vec![(index + 1).to_string()];
+            cells.extend(self.is_named().then(|| case.name.clone()));
+            cells.extend(self.params.iter().zip(&case.values).map(|(column, value)| column.shown(value)));
+            let duration = self.durations.iter().filter_map(|durations| durations.values.get(index));
+            cells.extend(duration.map(|duration| number(*duration)));
+            cells.push(times.get(index).cloned().unwrap_or_default());
+            lines.push(cells);
+        }
+        align(&lines)
+    }
+
+    /// Writes the lines that the model has printed, below a heading per case.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write_printed(&self, path: &Path) -> io::Result<()> {
+        let mut text = String::new();
+        for (index, row) in self.rows.iter().enumerate().filter(|(_, row)| !row.printed.is_empty()) {
+            let name = self.cases.get(index).map_or("", |case| case.name.as_str());
+            let heading = format!("# case {} {name}", row.case);
+            text += &format!("{}\n{}\n", heading.trim_end(), row.printed.join("\n"));
+        }
+        fs::write(path, text)
     }
 
     /// Returns the number of cases with warnings.
@@ -223,7 +324,12 @@ mod tests {
     use super::*;
 
     fn table() -> SweepTable {
-        let column = |name: &str, unit: &str, factor| Column { name: name.into(), unit: unit.into(), factor };
+        let column = |name: &str, unit: &str, factor| Column {
+            name: name.into(),
+            unit: unit.into(),
+            factor,
+            is_power: false,
+        };
         let statistics = Statistics {
             min: Some(1e-6),
             mean: Some(2e-6),
@@ -232,13 +338,8 @@ mod tests {
             error: None,
         };
         let outputs = BTreeMap::from([("te".to_owned(), statistics)]);
-        let solved = Row { case: 1, outputs, failure: None, warnings: Vec::new() };
-        let failed = Row {
-            case: 2,
-            outputs: BTreeMap::new(),
-            failure: Some("E0714: nothing carries it".into()),
-            warnings: Vec::new(),
-        };
+        let solved = Row { case: 1, outputs, ..Row::default() };
+        let failed = Row { case: 2, failure: Some("E0714: nothing carries it".into()), ..Row::default() };
         let case = |name: &str, torque| Case {
             name: name.into(),
             values: vec![ParamValue::Number(torque), ParamValue::Bool(true)],
@@ -250,6 +351,7 @@ mod tests {
             outputs: vec![column("te", "um", 1e-6)],
             cases: vec![case("drive", 0.5), case("overload", 2.0)],
             rows: vec![solved, failed],
+            ..SweepTable::default()
         }
     }
 
@@ -258,7 +360,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("sweep.csv");
         table().write(&path).expect("written");
-        let text = std::fs::read_to_string(path).expect("a file");
+        let text = fs::read_to_string(path).expect("a file");
         assert_eq!(
             text,
             "case,name,torque [N*mm],coast,te.min [um],te.mean [um],te.max [um],te.peak_to_peak [um],te.max_error [um],failure,warnings\n\

@@ -72,6 +72,7 @@ struct Setup {
     solved: Vec<Solved>,
     fields: usize,
     bodies: bool,
+    component_loads: bool,
     overrides: Override,
 }
 
@@ -93,6 +94,7 @@ impl Instance {
             solved: Vec::new(),
             fields: 0,
             bodies: false,
+            component_loads: false,
             overrides: Override::default(),
         };
         Instance { setup, time_limit: None, memory_limit: None, cancel: Cancel::default() }
@@ -309,6 +311,11 @@ impl Instance {
         self.request_bodies(bodies);
     }
 
+    /// Requests the loads of all meshes and bearings as part of the results of the analysis.
+    pub fn request_component_loads(&mut self, requested: bool) {
+        self.setup.component_loads = requested;
+    }
+
     /// Sets the overrides of the model's analysis settings for future runs.
     pub fn override_analysis(&mut self, overrides: Override) {
         self.setup.overrides = overrides;
@@ -423,6 +430,7 @@ impl Job {
             host.analysis.solved = self.setup.solved;
             host.analysis.fields = self.setup.fields;
             host.analysis.bodies = self.setup.bodies;
+            host.analysis.component_loads = self.setup.component_loads;
             host.overrides = self.setup.overrides;
         }
         let started = Instant::now();

@@ -9,7 +9,8 @@
 
 use calyx_report::directory::{REPORT, SIGNALS};
 use calyx_report::former_keys::{self, ResultFile};
-use calyx_report::{body_pictures, journal, page, vtu};
+use calyx_report::sweep::PRINTED_TEXT;
+use calyx_report::{body_pictures, component_table, duty_cycle, journal, page, vtu};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -64,7 +65,7 @@ impl Kind {
         match self {
             Kind::Run => &FILES_OF_A_RUN,
             Kind::Tradeoff => &["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"],
-            Kind::Sweep => &["sweep.csv", "sweep.html", "cases.jsonl"],
+            Kind::Sweep => &FILES_OF_A_SWEEP,
         }
     }
 
@@ -126,6 +127,10 @@ impl Kind {
         }
     }
 }
+
+/// Files of a sweep.
+pub const FILES_OF_A_SWEEP: [&str; 6] =
+    ["sweep.csv", "sweep.html", "cases.jsonl", component_table::NAME, duty_cycle::NAME, PRINTED_TEXT];
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
@@ -367,6 +372,19 @@ impl RunDirectory {
         }
         marker.list(name)?;
         Ok(path)
+    }
+
+    /// Removes a file of an earlier run that this one does not write.
+    ///
+    /// # Errors
+    /// The file cannot be removed.
+    pub fn remove_owned(&self, name: &str) -> io::Result<()> {
+        let owned = self.marker().owned.contains(name);
+        if owned && self.is_inside(name) {
+            ignore_missing(fs::remove_file(self.path.join(name)))
+        } else {
+            Ok(())
+        }
     }
 
     /// Lists several files, see [`RunDirectory::claim`].

@@ -3,6 +3,7 @@
 mod error_evidence;
 
 use crate::analysis::{ERRORS, Event, Observer, check_solved, refuse_nan, requests_fields};
+use crate::component_recorder::ComponentRecorder;
 use crate::dynamic_options::{DynamicOptions, Start};
 use crate::estimate::{self, Estimates};
 use crate::observables::Observe;
@@ -43,6 +44,7 @@ pub struct History<'s> {
     plan: Plan,
     timing: Timing,
     system: System<'s>,
+    recorder: Option<ComponentRecorder>,
     /// Modes of gears, or in three dimensions of elastic connections.
     modes: Modes,
     positions: Vec<Position>,
@@ -98,6 +100,7 @@ impl<'s> History<'s> {
         let count = system.dofs.len() + modes.count();
         let sizing = system.load_at(dynamics.from)?;
         let all: Vec<Step> = steps(dynamics.from, &dynamics.ranges).collect();
+        let records = options.component_loads && options.solved.is_empty();
         let mut history = History {
             scene,
             outputs,
@@ -106,6 +109,7 @@ impl<'s> History<'s> {
             plan,
             timing,
             system,
+            recorder: records.then(|| ComponentRecorder::new(scene)),
             modes,
             positions,
             solving: Duration::ZERO,
@@ -198,6 +202,10 @@ impl<'s> History<'s> {
         };
         let position = self.positions[self.solved.len()].clone();
         let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
+        if let Some(recorder) = &mut self.recorder {
+            let of_position = (self.scene, &observed[..]);
+            recorder.push(recorder.evaluate(&self.system, &step, self.plan.fidelity, of_position));
+        }
         self.resources.interrupt.check()?;
         self.note_rounding(&observed, position.time);
         let row = StepRow::new(position, self.outputs, &observed, step.warnings.clone());
@@ -419,6 +427,8 @@ impl<'s> History<'s> {
         let solved = std::mem::take(&mut self.solved);
         let rows: Vec<StepRow> = solved.into_iter().map(|solved| solved.row).collect();
         let mut summaries = summarize(&rows, self.outputs, self.scene);
+        let recorder = self.recorder.take();
+        let component_loads = recorder.map(|recorder| recorder.finish(&rows, self.scene));
         self.timing.add("positions", self.solving);
         if self.analysis.error_estimates != Estimates::None {
             let started = Instant::now();
@@ -432,6 +442,7 @@ impl<'s> History<'s> {
             rows,
             summaries,
             certificate,
+            component_loads,
             modes,
             campbell,
             forced_response: None,

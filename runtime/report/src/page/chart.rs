@@ -3,8 +3,11 @@
 //! The plots have a transparent background and few colours. The style of the page refers to these
 //! colours by value, to change them in dark mode.
 
+use super::logarithmic::Logarithmic;
 use crate::signals::{label, tick};
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use std::ops::Range;
 
@@ -95,8 +98,27 @@ impl Plot {
     }
 }
 
+/// Scale of an abscissa.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    Linear,
+    /// Logarithmic, for positive values; others have a linear scale.
+    Logarithmic,
+}
+
 /// Plots curves; `marks` are named positions.
 pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(f64, String)]) -> Plot {
+    scaled_curves(size, (Scale::Linear, x), y, curves, marks)
+}
+
+/// Plots curves over an abscissa with a scale; `marks` are named positions.
+pub fn scaled_curves(
+    size: (u32, u32),
+    (scale, x): (Scale, &Axis),
+    y: &Axis,
+    curves: &[Curve],
+    marks: &[(f64, String)],
+) -> Plot {
     let points =
         || curves.iter().flat_map(|curve| &curve.points).filter(|(x, y)| x.is_finite() && y.is_finite());
     let heights = || curves.iter().flat_map(Curve::heights);
@@ -112,59 +134,76 @@ pub fn curves(size: (u32, u32), x: &Axis, y: &Axis, curves: &[Curve], marks: &[(
     };
     let legend = curves.iter().filter(|curve| !curve.name.is_empty());
     let legend = legend.map(|curve| (curve.colour % COLOURS.len(), curve.name.clone())).collect();
-    let svg = drawn(size, |area| {
-        let above = if marks.is_empty() { 16 } else { 50 };
-        let mut chart = ChartBuilder::on(area)
-            .margin(8)
-            .margin_right(36)
-            .margin_top(above)
-            .x_label_area_size(88)
-            .y_label_area_size(164)
-            .build_cartesian_2d(across.clone(), up.clone())?;
-        mesh(&mut chart, x, y, [small(&across), small(&up)])?;
-        // Adjacent marks share one line of names.
-        let mut names: Vec<(i32, String)> = Vec::new();
-        for (place, name) in marks.iter().filter(|(place, _)| (across.start..=across.end).contains(place)) {
-            let line = [(*place, up.start), (*place, up.end)];
-            chart.draw_series(LineSeries::new(line, BLACK.mix(0.35)))?;
-            let (at, _) = chart.backend_coord(&(*place, up.end));
-            match names.last_mut().filter(|(before, _)| at < before + NAME) {
-                Some((_, names)) => *names += &format!(", {name}"),
-                None => names.push((at, name.clone())),
-            }
+    let nought = [small(&across), small(&up)];
+    let logarithmic = Logarithmic::new(&across).filter(|_| scale == Scale::Logarithmic);
+    let svg = drawn(size, |area| match logarithmic {
+        Some(logarithmic) => {
+            draw_curves(area, (logarithmic, &across, &up), (x, y, [0.0, nought[1]]), curves, marks)
         }
-        let (_, top) = chart.backend_coord(&(across.start, up.end));
-        for (at, name) in names {
-            let style = ("sans-serif", FONT - 4).into_font().color(&BLACK.mix(0.7));
-            let last = size.0 as i32 - LETTER * name.len() as i32;
-            area.draw(&Text::new(name, ((at - 16).min(last), top - 38), style))?;
-        }
-        for curve in curves {
-            let colour = COLOURS[curve.colour % COLOURS.len()];
-            let points = thinned(&curve.points);
-            if let Some(off) = curve.band() {
-                let band: Vec<(f64, [f64; 2])> =
-                    points.iter().map(|&(x, y)| (x, [y - off(y), y + off(y)])).collect();
-                let over = band.iter().map(|(x, [_, over])| (*x, over.min(up.end)));
-                let under = band.iter().rev().map(|(x, [under, _])| (*x, under.max(up.start)));
-                chart.draw_series(std::iter::once(Polygon::new(
-                    over.chain(under).collect::<Vec<_>>(),
-                    colour.mix(0.22).filled(),
-                )))?;
-            }
-            chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
-            if points.len() <= DOTTED {
-                let dots = points.iter().map(|point| Circle::new(*point, 5, colour.filled()));
-                chart.draw_series(dots)?;
-            }
-        }
-        Ok(())
+        None => draw_curves(area, (across.clone(), &across, &up), (x, y, nought), curves, marks),
     });
     let beyond = |curve: &Curve| {
         let Some(off) = curve.band() else { return false };
         curve.heights().any(|y| y + off(y) > up.end || y - off(y) < up.start)
     };
     Plot { svg, legend, band_is_cut: curves.iter().any(beyond) }
+}
+
+/// Draws curves over an abscissa of any scale. `across` and `up` are the ranges of both axes.
+fn draw_curves<X: Ranged<ValueType = f64> + ValueFormatter<f64>>(
+    area: &DrawingArea<SVGBackend<'_>, Shift>,
+    (abscissa, across, up): (impl AsRangedCoord<CoordDescType = X, Value = f64>, &Range<f64>, &Range<f64>),
+    (x, y, nought): (&Axis, &Axis, [f64; 2]),
+    curves: &[Curve],
+    marks: &[(f64, String)],
+) -> Result<(), Error> {
+    let last_x = area.dim_in_pixel().0 as i32;
+    let above = if marks.is_empty() { 16 } else { 50 };
+    let mut chart = ChartBuilder::on(area)
+        .margin(8)
+        .margin_right(36)
+        .margin_top(above)
+        .x_label_area_size(88)
+        .y_label_area_size(164)
+        .build_cartesian_2d(abscissa, up.clone())?;
+    mesh(&mut chart, x, y, nought)?;
+    // Adjacent marks share one line of names.
+    let mut names: Vec<(i32, String)> = Vec::new();
+    for (place, name) in marks.iter().filter(|(place, _)| (across.start..=across.end).contains(place)) {
+        let line = [(*place, up.start), (*place, up.end)];
+        chart.draw_series(LineSeries::new(line, BLACK.mix(0.35)))?;
+        let (at, _) = chart.backend_coord(&(*place, up.end));
+        match names.last_mut().filter(|(before, _)| at < before + NAME) {
+            Some((_, names)) => *names += &format!(", {name}"),
+            None => names.push((at, name.clone())),
+        }
+    }
+    let (_, top) = chart.backend_coord(&(across.start, up.end));
+    for (at, name) in names {
+        let style = ("sans-serif", FONT - 4).into_font().color(&BLACK.mix(0.7));
+        let last = last_x - LETTER * name.len() as i32;
+        area.draw(&Text::new(name, ((at - 16).min(last), top - 38), style))?;
+    }
+    for curve in curves {
+        let colour = COLOURS[curve.colour % COLOURS.len()];
+        let points = thinned(&curve.points);
+        if let Some(off) = curve.band() {
+            let band: Vec<(f64, [f64; 2])> =
+                points.iter().map(|&(x, y)| (x, [y - off(y), y + off(y)])).collect();
+            let over = band.iter().map(|(x, [_, over])| (*x, over.min(up.end)));
+            let under = band.iter().rev().map(|(x, [under, _])| (*x, under.max(up.start)));
+            chart.draw_series(std::iter::once(Polygon::new(
+                over.chain(under).collect::<Vec<_>>(),
+                colour.mix(0.22).filled(),
+            )))?;
+        }
+        chart.draw_series(LineSeries::new(points.iter().copied(), colour.stroke_width(3)))?;
+        if points.len() <= DOTTED {
+            let dots = points.iter().map(|point| Circle::new(*point, 5, colour.filled()));
+            chart.draw_series(dots)?;
+        }
+    }
+    Ok(())
 }
 
 /// Returns true if a difference of values exceeds rounding.
@@ -274,18 +313,21 @@ pub fn map(x: &Axis, y: &Axis, value: &Axis, pieces: &[MapCell]) -> Plot {
     Plot { svg, ..Plot::default() }
 }
 
-pub(super) type Chart<'a, 'b> = ChartContext<
-    'a,
-    SVGBackend<'b>,
-    Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>,
->;
+/// Chart with an abscissa of a scale and a linear ordinate.
+pub(super) type Chart<'a, 'b, X = RangedCoordf64> =
+    ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, RangedCoordf64>>;
 
 /// Returns the magnitude on an axis below which a tick is a rounding error of zero.
 pub(super) fn small(range: &Range<f64>) -> f64 {
     1e-9 * (range.end - range.start)
 }
 
-pub(super) fn mesh(chart: &mut Chart<'_, '_>, x: &Axis, y: &Axis, nought: [f64; 2]) -> Result<(), Error> {
+pub(super) fn mesh<X: Ranged<ValueType = f64> + ValueFormatter<f64>>(
+    chart: &mut Chart<'_, '_, X>,
+    x: &Axis,
+    y: &Axis,
+    nought: [f64; 2],
+) -> Result<(), Error> {
     let at = |axis: usize, value: f64| tick(if value.abs() < nought[axis] { 0.0 } else { value });
     chart
         .configure_mesh()

@@ -16,6 +16,8 @@ mod fillets;
 mod flanks;
 mod gear_data;
 mod k_chart;
+mod load_cases;
+mod logarithmic;
 mod power_flow;
 mod projection;
 mod read;

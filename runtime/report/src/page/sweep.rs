@@ -1,8 +1,9 @@
 //! `sweep.html`: the cases of a sweep as one self-contained page, with plots over the first varied
 //! number.
 
-use super::chart::{self, Axis, Curve, WIDE};
-use super::figure;
+use super::chart::{self, Axis, Curve, Scale, WIDE};
+use super::{figure, load_cases};
+use crate::duty_cycle::DutyCycle;
 use crate::sweep::{Case, Column, Row, Statistics, SweepTable};
 use calyx_abi::description::ParamValue;
 use calyx_abi::units::from_si;
@@ -16,15 +17,15 @@ const CURVES: usize = 6;
 /// Largest number of rows in the table of the page; the file has all.
 const ROWS: usize = 500;
 
-/// Writes the page of a sweep.
+/// Writes the page of a sweep, with the values over its duty cycle if there is one.
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(path: &Path, table: &SweepTable) -> io::Result<()> {
-    fs::write(path, page(table).into_string())
+pub fn write(path: &Path, table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>) -> io::Result<()> {
+    fs::write(path, page(table, cycle).into_string())
 }
 
-fn page(table: &SweepTable) -> Markup {
+fn page(table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>) -> Markup {
     let title = format!("Sweep of {}", table.model);
     html! {
         (DOCTYPE)
@@ -43,8 +44,11 @@ fn page(table: &SweepTable) -> Markup {
                     p { (table.rows.len()) " cases" @if table.failures() > 0 { ", of which " (table.failures()) " failed" } "." }
                 }
                 main {
+                    (load_cases::duty_cycle(table, cycle))
+                    (load_cases::section(table))
                     section id="plots" { h2 { "Outputs" } (plots(table)) }
                     section id="cases" { h2 { "Cases" } (cases(table)) }
+                    (printed(table))
                     (warnings(table))
                 }
             }
@@ -135,7 +139,8 @@ fn plot(
     let x = Axis { what: &param.name, unit: &param.unit };
     let y = Axis { what: &name, unit: &output.unit };
     let caption = format!("{} over {}: {what} of each case.", output.name, param.name);
-    figure(&chart::curves(WIDE, &x, &y, &curves, &[]), &caption)
+    let scale = if table.logarithmic.contains(&abscissa) { Scale::Logarithmic } else { Scale::Linear };
+    figure(&chart::scaled_curves(WIDE, (scale, &x), &y, &curves, &[]), &caption)
 }
 
 /// Shows the largest value of an output in each case.
@@ -171,6 +176,18 @@ fn cases(table: &SweepTable) -> Markup {
     }
 }
 
+/// Shows the lines that the model has printed in each case.
+fn printed(table: &SweepTable) -> Markup {
+    html! { @if table.has_printed() {
+        section id="printed" {
+            h2 { "Printed text" }
+            @for (index, row) in table.rows.iter().enumerate().filter(|(_, row)| !row.printed.is_empty()).take(ROWS) {
+                details { summary { (table.label(index)) } pre { (row.printed.join("\n")) } }
+            }
+        }
+    } }
+}
+
 /// Lists each distinct warning with the numbers of its cases.
 fn warnings(table: &SweepTable) -> Markup {
     let mut all: Vec<(&str, Vec<String>)> = Vec::new();
@@ -188,4 +205,77 @@ fn warnings(table: &SweepTable) -> Markup {
             ul { @for (warning, cases) in all { li { (warning) " (case " (cases.join(", ")) ")" } } }
         }
     } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::durations::Durations;
+    use calyx_runtime::component_loads::{Component, ComponentLoads, LoadQuantity, LoadStatistics};
+    use std::collections::BTreeMap;
+
+    fn table() -> SweepTable {
+        let column =
+            |name: &str| Column { name: name.into(), unit: "N".into(), factor: 1.0, is_power: false };
+        let case = |load: f64| Case { name: String::new(), values: vec![ParamValue::Number(load)] };
+        let row = |(index, force): (usize, f64)| {
+            let statistics = Statistics { max: Some(force), ..Statistics::default() };
+            let constant = LoadStatistics { min: force, mean: force, max: force };
+            let component = Component::Bearing { name: "left <1>".into(), kind: None };
+            let quantities = vec![(LoadQuantity::RadialForce, constant)];
+            Row {
+                case: index + 1,
+                outputs: BTreeMap::from([("force".to_owned(), statistics)]),
+                components: Some(vec![ComponentLoads { component, quantities }]),
+                printed: vec![format!("force {force}")],
+                ..Row::default()
+            }
+        };
+        SweepTable {
+            params: vec![column("load")],
+            outputs: vec![column("force")],
+            cases: [10.0, 100.0, 1000.0].map(case).to_vec(),
+            rows: [1.0, 2.0, 3.0].into_iter().enumerate().map(row).collect(),
+            ..SweepTable::default()
+        }
+    }
+
+    /// Returns the abscissas of the points of the first plot.
+    fn points(page: &str) -> Vec<i32> {
+        let plot = page.split("</svg>").next().expect("a plot");
+        let circles = plot.split("<circle").skip(1);
+        let abscissa = |circle: &str| circle.split("cx=\"").nth(1)?.split('"').next()?.parse().ok();
+        circles.filter_map(abscissa).collect()
+    }
+
+    #[test]
+    fn a_logarithmic_axis_has_equal_distances_of_equal_ratios() {
+        let logarithmic = SweepTable { logarithmic: vec![0], ..table() };
+        let at = points(&page(&logarithmic, None).into_string());
+        assert_eq!(at.len(), 3);
+        assert!((at[1] - at[0] - (at[2] - at[1])).abs() <= 1, "{at:?}");
+        let at = points(&page(&table(), None).into_string());
+        assert!(at[2] - at[1] > 5 * (at[1] - at[0]), "{at:?}");
+    }
+
+    #[test]
+    fn load_cases_have_tables_of_components_and_the_duty_cycle() {
+        let plain = page(&table(), None).into_string();
+        assert!(!plain.contains("id=\"loads\"") && !plain.contains("id=\"duty-cycle\""));
+        let durations = Durations { values: vec![1.0, 1.0, 2.0], are_times: false };
+        let table = SweepTable { load_cases: true, durations: Some(durations), ..table() };
+        let cycle = DutyCycle::of(&table, &[]);
+        let shown = page(&table, cycle.as_ref()).into_string();
+        for part in [
+            "Radial force, mean, N",
+            "<th scope=\"row\">left &lt;1&gt;</th><td>1</td><td>2</td><td><b>3</b></td>",
+            "<th scope=\"row\">case 3</th><td>50 %</td>",
+            "left &lt;1&gt; has springs instead of rolling elements",
+            "<summary>case 2</summary><pre>force 2</pre>",
+        ] {
+            assert!(shown.contains(part), "the page lacks {part}");
+        }
+        let failed = page(&table, Some(&Err("case 2 failed".into()))).into_string();
+        assert!(failed.contains("There are no values over the duty cycle: case 2 failed."));
+    }
 }

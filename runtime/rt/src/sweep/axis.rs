@@ -5,7 +5,6 @@ use crate::param_assignment::AssignedValue;
 use crate::params::{InvalidParam, Setting, index_of};
 use calyx_abi::Repr;
 use calyx_abi::description::{ModelDescription, ParamDescription, ParamValue};
-use std::path::Path;
 
 /// Largest number of cases of a sweep.
 pub const MOST_CASES: usize = 1_000_000;
@@ -21,9 +20,11 @@ pub struct Axis {
     pub names: Vec<String>,
     /// Values by point and param.
     pub points: Vec<Vec<ParamValue>>,
+    /// True if the values are equally spaced on a logarithmic scale.
+    pub logarithmic: bool,
 }
 
-fn refused(message: impl Into<String>, help: impl Into<String>) -> Error {
+pub(super) fn refused(message: impl Into<String>, help: impl Into<String>) -> Error {
     Error::Given(InvalidParam::new(message, help))
 }
 
@@ -51,9 +52,11 @@ impl Axis {
         }
         let valid =
             |value: AssignedValue| Setting::new(description, index, &value, None).map(|set| set.value);
+        let mut logarithmic = false;
         let points = match values {
             "*" => all_choices(param)?,
             range if range.contains("..") => {
+                logarithmic = range.ends_with(LOG);
                 let numbers = numbers_of(range, param, &valid)?;
                 numbers.into_iter().map(|si| valid(AssignedValue::Si(si))).collect::<Result<_, _>>()?
             }
@@ -67,98 +70,8 @@ impl Axis {
             params: vec![index],
             names: Vec::new(),
             points: points.into_iter().map(|value| vec![value]).collect(),
+            logarithmic,
         })
-    }
-
-    /// Reads cases from a CSV file: a line with the names of params, then a line per case with
-    /// their values as after `--set`. A column `name` names the cases, unless the model has a param
-    /// of this name.
-    ///
-    /// # Errors
-    /// The file cannot be read; it has no case; a name is unknown; a value is invalid.
-    pub fn of_file(path: &Path, description: &ModelDescription) -> Result<Axis, Error> {
-        let shown = path.display();
-        let unreadable = |error: csv::Error| {
-            refused(
-                format!("cannot read the cases in {shown}: {error}"),
-                "give a CSV file with a line of param names",
-            )
-        };
-        let reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_path(path);
-        let mut reader = reader.map_err(unreadable)?;
-        let head = reader.headers().map_err(unreadable)?.clone();
-        let is_name = |column: &str| column == "name" && index_of(description, column).is_err();
-        let mut columns = Vec::new();
-        for column in &head {
-            // A heading may have a unit in brackets, as those of sweep.csv.
-            let (name, unit) = match column.strip_suffix(']').and_then(|column| column.split_once('[')) {
-                Some((name, unit)) if index_of(description, column).is_err() => (name.trim(), unit.trim()),
-                _ => (column, ""),
-            };
-            columns.push(match is_name(name) {
-                true => None,
-                false => Some((
-                    index_of(description, name).map_err(|error| in_file(error, &shown))?,
-                    unit.to_owned(),
-                )),
-            });
-        }
-        let named = columns.iter().filter(|column| column.is_none()).count();
-        if named > 1 {
-            return Err(refused(format!("{shown} has {named} columns `name`"), "keep one of them"));
-        }
-        let mut axis = Axis {
-            params: columns.iter().flatten().map(|(index, _)| *index).collect(),
-            names: Vec::new(),
-            points: Vec::new(),
-        };
-        for (line, record) in reader.records().enumerate() {
-            let record = record.map_err(unreadable)?;
-            let mut point = Vec::new();
-            for (cell, column) in record.iter().zip(&columns) {
-                let Some((index, unit)) = column else {
-                    axis.names.push(cell.to_owned());
-                    continue;
-                };
-                if cell.is_empty() {
-                    return Err(refused(
-                        format!(
-                            "case {} of {shown} has no value of `{}`",
-                            line + 1,
-                            description.params[*index].name
-                        ),
-                        "give every case a value of every param in the first line",
-                    ));
-                }
-                let has_unit = cell.parse::<f64>().is_err();
-                let text =
-                    if unit.is_empty() || has_unit { cell.to_owned() } else { format!("{cell} {unit}") };
-                let value = AssignedValue::Text(text);
-                let set = Setting::new(description, *index, &value, None).map_err(|error| match error {
-                    Error::Given(why) => {
-                        let message = format!("case {} of {shown}: {}", line + 1, why.message);
-                        Error::Given(InvalidParam { message, ..why })
-                    }
-                    error => error,
-                })?;
-                point.push(set.value);
-            }
-            axis.points.push(point);
-        }
-        match axis.points.is_empty() {
-            true => Err(refused(format!("{shown} has no case"), "add a line of values below the names")),
-            false => Ok(axis),
-        }
-    }
-}
-
-/// Adds the name of a file to an error.
-fn in_file(error: Error, file: &std::path::Display<'_>) -> Error {
-    match error {
-        Error::Given(why) => {
-            Error::Given(InvalidParam { message: format!("{file}: {}", why.message), ..why })
-        }
-        error => error,
     }
 }
 

@@ -16,6 +16,9 @@ use std::sync::{Mutex, PoisonError};
 
 /// File name of the journal.
 pub const JOURNAL: &str = "cases.jsonl";
+/// Format of the journal. A journal of another format is replaced, and its cases are solved again.
+/// Format 2 has the loads of meshes and bearings, printed lines, and outputs that are powers.
+pub const FORMAT: u32 = 2;
 
 /// Journal that several threads write.
 pub struct Journal(Mutex<File>);
@@ -28,15 +31,14 @@ pub struct Line {
     /// Content of each table that the case has read, by name.
     pub tables: BTreeMap<String, String>,
     pub row: Row,
-    /// Name, unit and its value in SI, by output.
-    pub columns: Vec<(String, String, f64)>,
+    /// Columns of the outputs.
+    pub columns: Vec<Column>,
 }
 
 impl Line {
     /// Returns the row, as of another case, with the columns of its outputs.
     pub fn solved(self, case: usize) -> Solved {
-        let column = |(name, unit, factor)| Column { name, unit, factor };
-        (Row { case, ..self.row }, self.columns.into_iter().map(column).collect())
+        (Row { case, ..self.row }, self.columns)
     }
 }
 

@@ -5,9 +5,13 @@
 //! bodies that do not change. A case that fails is a row with its reason.
 
 mod axis;
+mod case_file;
+mod duration;
 mod journal;
 
 pub use axis::{Axis, MOST_CASES};
+pub use calyx_report::durations::Durations;
+pub use case_file::CaseFile;
 pub use journal::JOURNAL;
 
 use crate::engine::Engine;
@@ -39,6 +43,11 @@ pub struct Sweep {
     pub overrides: Override,
     /// Axes, of which the sweep has all combinations; the last one varies fastest.
     pub axes: Vec<Axis>,
+    /// True if the first axis has the load cases of a file. Then the loads of meshes and bearings are
+    /// recorded.
+    pub load_cases: bool,
+    /// Durations of the load cases, if they are a duty cycle.
+    pub durations: Option<Durations>,
     /// Directory of the sweep, locked by the caller.
     pub directory: PathBuf,
     pub engine: Engine,
@@ -58,6 +67,29 @@ pub struct Outcome {
     pub earlier: usize,
 }
 
+/// Largest number of printed lines that are kept of a case.
+const PRINTED_LINES: usize = 1000;
+
+/// Lines that a model prints in a case.
+#[derive(Clone, Default)]
+struct Printed(Arc<Mutex<(Vec<String>, usize)>>);
+
+impl Printed {
+    fn collect(&self, instance: &mut Instance) {
+        let Printed(all) = self.clone();
+        instance.on_print(move |line| {
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            if all.0.len() < PRINTED_LINES { all.0.push(line.to_owned()) } else { all.1 += 1 }
+        });
+    }
+
+    fn lines(&self) -> Vec<String> {
+        let (lines, more) = &*self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let more = (*more > 0).then(|| format!("({more} more lines)"));
+        lines.iter().cloned().chain(more).collect()
+    }
+}
+
 /// A solved case, with the columns of its outputs.
 type Solved = (Row, Vec<Column>);
 
@@ -65,8 +97,15 @@ impl Sweep {
     /// Returns the indices of the varied params, and all cases.
     ///
     /// # Errors
-    /// Two axes vary one param, a varied param is also set, or there are too many cases.
+    /// Two axes vary one param, a varied param is also set, a duty cycle has other axes, or there are
+    /// too many cases.
     pub fn cases(&self) -> Result<(Vec<usize>, Vec<Case>), Error> {
+        if self.durations.is_some() && self.axes.len() > 1 {
+            return Err(Error::Given(InvalidParam::new(
+                "a duty cycle is combined with `--over`",
+                "set the other params with `--set`, one sweep with its own `--out` per value, or remove the column `duration`",
+            )));
+        }
         let mut params: Vec<usize> = Vec::new();
         for &param in self.axes.iter().flat_map(|axis| &axis.params) {
             let name = &self.program.description().params[param].name;
@@ -105,6 +144,20 @@ impl Sweep {
         Ok((params, cases))
     }
 
+    /// Returns all cases without solving them.
+    ///
+    /// # Errors
+    /// Those of [`Sweep::cases`], or a value is invalid.
+    pub fn planned(&self) -> Result<SweepTable, Error> {
+        let (params, cases) = self.cases()?;
+        for case in &cases {
+            self.instance_of(&params, case)?.params()?;
+        }
+        let rows = (1..=cases.len()).map(|case| (case, (Row { case, ..Row::default() }, Vec::new())));
+        let rows = rows.collect();
+        Ok(self.table(&params, cases, rows))
+    }
+
     fn instance(&self) -> Result<Instance, Error> {
         let mut instance = Instance::new(&self.engine, self.program.clone());
         for given in &self.given {
@@ -121,7 +174,7 @@ impl Sweep {
         for (&param, value) in params.iter().zip(&case.values) {
             instance.set(self.program.description().params[param].name.as_str(), value.clone())?;
         }
-        instance.on_print(|_| {});
+        instance.request_component_loads(self.load_cases);
         Ok(instance)
     }
 
@@ -136,6 +189,7 @@ impl Sweep {
         let mut subject = head(self.program.description(), &base, &self.overrides);
         if let Some(subject) = subject.as_object_mut() {
             subject.remove("params");
+            subject.insert("journal".to_owned(), json!(journal::FORMAT));
         }
         let unwritable = |error| RunError::Io { path: self.directory.join(JOURNAL), error };
         let (journal, lines) = Journal::open(&self.directory, &subject).map_err(unwritable)?;
@@ -184,6 +238,12 @@ impl Sweep {
                 outputs.push(column.clone());
             }
         }
+        let mut varied: Vec<usize> = Vec::new();
+        let mut logarithmic = Vec::new();
+        for axis in &self.axes {
+            logarithmic.extend(axis.logarithmic.then_some(varied.len()));
+            varied.extend(&axis.params);
+        }
         let cases = cases.into_iter().enumerate().filter(|(k, _)| solved.contains_key(&(k + 1)));
         SweepTable {
             model: description.name.clone(),
@@ -192,6 +252,10 @@ impl Sweep {
             outputs,
             cases: cases.map(|(_, case)| case).collect(),
             rows: solved.into_values().map(|(row, _)| row).collect(),
+            units: description.units.clone(),
+            logarithmic,
+            load_cases: self.load_cases,
+            durations: self.durations.clone(),
         }
     }
 
@@ -200,7 +264,10 @@ impl Sweep {
         let directory = self.program.directory();
         let mut hashes: BTreeMap<String, String> = BTreeMap::new();
         let mut by_params: BTreeMap<String, Line> = BTreeMap::new();
-        for line in lines.into_iter().filter(|line| line.row.failure.is_none()) {
+        // A case that was solved without `--cases` has no loads.
+        let is_complete =
+            |line: &Line| line.row.failure.is_none() && (!self.load_cases || line.row.components.is_some());
+        for line in lines.into_iter().filter(is_complete) {
             let current = line.tables.iter().all(|(table, known)| {
                 let hash = hashes.entry(table.clone());
                 hash.or_insert_with(|| fingerprint(directory.as_deref(), table)) == known
@@ -225,22 +292,24 @@ impl Sweep {
 
     /// Solves a case; `None` if the sweep is cancelled.
     fn solve(&self, params: &[usize], number: usize, case: &Case) -> Option<Line> {
-        let solved = self.instance_of(params, case).and_then(|instance| {
+        let printed = Printed::default();
+        let solved = self.instance_of(params, case).and_then(|mut instance| {
             let params = json!(instance.params()?);
+            printed.collect(&mut instance);
             Ok((params, instance.solve()?))
         });
         let failure = match solved {
-            Ok((params, results)) => return Some(self.line(number, params, &results)),
+            Ok((params, results)) => return Some(self.line(number, params, &results, printed.lines())),
             Err(Error::Model(error)) if error.status() == Status::Cancelled => return None,
             Err(Error::Model(error)) => format!("{}: {}", error.code, error.message),
             Err(Error::Given(why)) => why.message,
         };
-        let row = Row { case: number, failure: Some(failure), ..Row::default() };
+        let row = Row { case: number, failure: Some(failure), printed: printed.lines(), ..Row::default() };
         Some(Line { params: Value::Null, tables: BTreeMap::new(), row, columns: Vec::new() })
     }
 
     /// Returns the line of a solved case.
-    fn line(&self, case: usize, params: Value, results: &Results) -> Line {
+    fn line(&self, case: usize, params: Value, results: &Results, printed: Vec<String>) -> Line {
         let description = results.description();
         let columns = description.outputs.iter().map(Column::from);
         let statistics = description.outputs.iter().zip(results.summaries());
@@ -249,19 +318,18 @@ impl Sweep {
         let findings = findings.map(|finding| format!("{}: {}", finding.error.code, finding.error.message));
         let search = results.analysis().and_then(|result| result.tolerance_search.as_ref());
         let missed = search.is_some_and(|search| search.ended.is_some());
+        // A model without an analysis has no loads.
+        let components = results.analysis().and_then(|result| result.component_loads.as_ref());
         let row = Row {
             case,
             outputs: outputs.collect(),
             failure: missed.then(|| "the results do not meet the tolerance".to_owned()),
             warnings: findings.chain(results.warnings()).collect(),
+            components: self.load_cases.then(|| components.cloned().unwrap_or_default()),
+            printed,
         };
         let directory = self.program.directory();
         let table = |name: &String| (name.clone(), fingerprint(directory.as_deref(), name));
-        Line {
-            params,
-            tables: results.tables().iter().map(table).collect(),
-            row,
-            columns: columns.map(|column| (column.name, column.unit, column.factor)).collect(),
-        }
+        Line { params, tables: results.tables().iter().map(table).collect(), row, columns: columns.collect() }
     }
 }

@@ -1,0 +1,49 @@
+//! `calyx sweep --dry-run`: lists the cases of a sweep with a predicted time, without solving them.
+
+use calyx::check_run_within;
+use calyx::rt::ParamAssignment;
+use calyx::rt::console::{print, println};
+use calyx::rt::options::rates_file;
+use calyx::rt::sweep::Sweep;
+use calyx::rt::sweep_table::SweepTable;
+use calyx::rt::tradeoff::text::seconds;
+use calyx_abi::visible::visible;
+use calyx_runtime::cost::Rates;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+
+/// Largest number of cases of which each is planned; of more cases only the first one is.
+const PLANNED: usize = 32;
+
+/// Prints the cases. Each is planned, which solves nothing, to predict its time on this machine.
+pub fn list(file: &Path, sweep: &Sweep, table: &SweepTable, allowed: &Arc<[PathBuf]>) -> ExitCode {
+    let rates = Rates::of_this_machine(rates_file().as_deref(), false);
+    let count = table.cases.len();
+    let time = |index: usize| {
+        let varied = table.params.iter().zip(&table.cases[index].values);
+        let varied = varied.map(|(param, value)| ParamAssignment::value(&param.name, value.clone()));
+        let given: Vec<ParamAssignment> = sweep.given.iter().cloned().chain(varied).collect();
+        let checked = check_run_within(file, allowed, &given, sweep.overrides, None).ok()?;
+        // A model without an analysis takes no time.
+        Some(checked.plan.filter(|_| checked.refused.is_none())?.cost(&rates).time())
+    };
+    let planned = if count > PLANNED { 1 } else { count };
+    let times: Vec<Option<f64>> = (0..planned).map(time).collect();
+    let shown = |time: &Option<f64>| time.map(seconds).unwrap_or_default();
+    let mut cells: Vec<String> = times.iter().map(shown).collect();
+    cells.resize(count, String::new());
+    print!("{}", visible(&table.list(&cells)));
+    let known: Vec<f64> = times.into_iter().flatten().collect();
+    if known.is_empty() {
+        println!("{count} cases");
+        return ExitCode::SUCCESS;
+    }
+    let total = known.iter().sum::<f64>() * if planned < count { count as f64 } else { 1.0 };
+    let each = if planned < count { ", if each takes as long as the first" } else { "" };
+    println!(
+        "{count} cases, predicted to take at most {} on this machine without cached structures{each}",
+        seconds(total)
+    );
+    ExitCode::SUCCESS
+}
