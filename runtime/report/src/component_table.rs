@@ -239,6 +239,13 @@ pub struct QuantityTable {
     pub rows: Vec<(String, Vec<Option<f64>>)>,
 }
 
+impl QuantityTable {
+    /// Returns whether the values are lives, of which small ones are severe.
+    pub fn is_life(&self) -> bool {
+        self.key.ends_with("life")
+    }
+}
+
 /// Returns the loads of a component in a case.
 pub(crate) fn loads_of<'r>(row: &'r Row, component: &Component) -> Option<&'r ComponentLoads> {
     row.components.iter().flatten().find(|loads| loads.component == *component)

@@ -118,12 +118,23 @@ impl DutyCycle {
         }
         let mut cycle = DutyCycle { shares, total: durations.total(), ..DutyCycle::default() };
         let units = TableUnits::of_system(&table.units);
+        let mut without_life = Vec::new();
         for component in components(table) {
             cycle.report_absence(table, component);
             match component {
                 Component::Mesh(_) => cycle.add_mesh(table, component, (units, slopes)),
-                Component::Bearing { kind, .. } => cycle.add_bearing(table, component, (units, *kind)),
+                Component::Bearing { name, kind } => {
+                    if cycle.add_bearing(table, component, (units, *kind)) {
+                        without_life.push(name.as_str());
+                    }
+                }
             }
+        }
+        if !without_life.is_empty() {
+            cycle.missing.push(format!(
+                "No life of {}: the model does not request exactly one `gears.bearing_life` or `gears.modified_bearing_life` of each.",
+                without_life.join(", ")
+            ));
         }
         cycle.add_powers(table);
         Some(Ok(cycle))
@@ -207,18 +218,19 @@ impl DutyCycle {
         }
     }
 
+    /// Adds the values of a bearing. Returns true if only its life is missing.
     fn add_bearing(
         &mut self,
         table: &SweepTable,
         component: &Component,
         (units, kind): (TableUnits, Option<RollingKind>),
-    ) {
+    ) -> bool {
         let name = component.name();
         let Some(kind) = kind else {
             self.missing.push(format!(
                 "{name} has springs instead of rolling elements: no equivalent load and no life."
             ));
-            return;
+            return false;
         };
         let exponent = match kind {
             RollingKind::Balls => 3.0,
@@ -227,11 +239,11 @@ impl DutyCycle {
         let cases = [LoadQuantity::EquivalentLoad, LoadQuantity::BearingSpeed];
         let Some(loads) = self.case_loads(table, component, cases) else {
             self.missing.push(format!("{name} has no equivalent load or no speed in some case."));
-            return;
+            return false;
         };
         let Some(load) = equivalent_load(&loads, exponent) else {
             self.missing.push(format!("{name} does not rotate: no equivalent load and no life."));
-            return;
+            return false;
         };
         self.add(
             component,
@@ -241,7 +253,7 @@ impl DutyCycle {
         );
         let speed: f64 = loads.iter().map(|case| case.share * case.speed).sum();
         self.add(component, ["mean_speed", "Mean speed"], (speed, units.speed), None);
-        let mut has_life = false;
+        let mut lives = 0;
         for (damage, key, title) in [
             (LoadQuantity::Damage, "life", "Life by Palmgren-Miner"),
             (LoadQuantity::ModifiedDamage, "modified_life", "Modified life by Palmgren-Miner"),
@@ -250,16 +262,12 @@ impl DutyCycle {
             else {
                 continue;
             };
-            has_life = true;
+            lives += 1;
             // Damage per revolution times revolutions per second.
             let life = miner_life(damages.iter().map(|case| (case.share, case.load * case.speed / TAU)));
             self.add(component, [key, title], (life, TableUnit { name: "hour", factor: HOUR }), None);
         }
-        if !has_life {
-            self.missing.push(format!(
-                "{name} has no life: the model has no output of `gears.bearing_life` or `gears.modified_bearing_life` of it, or several."
-            ));
-        }
+        lives == 0
     }
 
     /// Adds the mean of each output that is a power.

@@ -1,5 +1,6 @@
 //! Sections "Loads by load case" and "Duty cycle" of the page of a sweep.
 
+use super::prose;
 use crate::component_table::{self, ComponentKind, QuantityTable};
 use crate::duty_cycle::{self, DutyCycle};
 use crate::summary_table::number;
@@ -22,7 +23,7 @@ pub fn section(table: &SweepTable) -> Markup {
             h2 { "Loads by load case" }
             p.note {
                 "Statistics over the solved positions of a case, which cover the mesh cycle of one mesh: the mean over time, the largest value, "
-                "or the difference of the extremes. The largest magnitude of each row is bold. All values are in " code { (component_table::NAME) } "."
+                "or the difference of the extremes. The largest magnitude of each row, or the shortest life, is bold. All values are in " code { (component_table::NAME) } "."
                 @if table.rows.len() > CASES { " The tables show the first " (CASES) " of " (table.rows.len()) " cases." }
             }
             @for (kind, title) in [(ComponentKind::Mesh, "Meshes"), (ComponentKind::Bearing, "Bearings")] {
@@ -44,7 +45,7 @@ fn by_case(table: &SweepTable, quantities: &[&QuantityTable]) -> Markup {
                     tr { th.group scope="rowgroup" colspan=(shown + 1) { (quantity.title) ", " (quantity.unit) } }
                     @for (name, values) in &quantity.rows { tr {
                         th scope="row" { (name) }
-                        @for value in &values[..shown] { td { (cell(*value, &values[..shown])) } }
+                        @for value in &values[..shown] { td { (cell(*value, &values[..shown], quantity.is_life())) } }
                     } }
                 }
             }
@@ -52,15 +53,17 @@ fn by_case(table: &SweepTable, quantities: &[&QuantityTable]) -> Markup {
     }
 }
 
-/// Shows a value, bold if it has the largest magnitude of several different ones.
-fn cell(value: Option<f64>, row: &[Option<f64>]) -> Markup {
+/// Shows a value, bold if it has the largest magnitude of several different ones, or is the shortest
+/// life.
+fn cell(value: Option<f64>, row: &[Option<f64>], is_life: bool) -> Markup {
     let Some(value) = value else { return html! {} };
     let magnitudes = || row.iter().flatten().map(|other| other.abs());
     let (least, largest) =
         magnitudes().fold((f64::INFINITY, 0.0), |(least, most), one| (one.min(least), one.max(most)));
     // A variation by rounding is none.
     let varies = largest - least > 1e-9 * largest;
-    html! { @if varies && value.abs() == largest { b { (number(value)) } } @else { (number(value)) } }
+    let most_severe = if is_life { least } else { largest };
+    html! { @if varies && value.abs() == most_severe { b { (number(value)) } } @else { (number(value)) } }
 }
 
 /// Returns the section with the values over the duty cycle; empty for cases without durations.
@@ -70,7 +73,7 @@ pub fn duty_cycle(table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>)
         section id="duty-cycle" {
             h2 { "Duty cycle" }
             @match cycle {
-                Err(reason) => p.note { "There are no values over the duty cycle: " (reason) "." },
+                Err(reason) => p.note { "There are no values over the duty cycle: " (prose(reason)) "." },
                 Ok(cycle) => (values(table, cycle)),
             }
         }
@@ -104,7 +107,7 @@ fn values(table: &SweepTable, cycle: &DutyCycle) -> Markup {
         (assumptions(cycle))
         @if !cycle.missing.is_empty() {
             h3 { "Not available" }
-            ul { @for reason in &cycle.missing { li { (reason) } } }
+            ul { @for reason in &cycle.missing { li { (prose(reason)) } } }
         }
     }
 }
