@@ -34,15 +34,16 @@ pub fn list(file: &Path, sweep: &Sweep, table: &SweepTable, allowed: &Arc<[PathB
     let mut cells: Vec<String> = times.iter().map(shown).collect();
     cells.resize(count, String::new());
     print!("{}", visible(&table.list(&cells)));
+    let cases = if count == 1 { "1 case".to_owned() } else { format!("{count} cases") };
     let known: Vec<f64> = times.into_iter().flatten().collect();
     if known.is_empty() {
-        println!("{count} cases");
+        println!("{cases}");
         return ExitCode::SUCCESS;
     }
     let total = known.iter().sum::<f64>() * if planned < count { count as f64 } else { 1.0 };
     let each = if planned < count { ", if each takes as long as the first" } else { "" };
     println!(
-        "{count} cases, predicted to take at most {} on this machine without cached structures{each}",
+        "{cases}, predicted to take at most {} on this machine without cached structures{each}",
         seconds(total)
     );
     ExitCode::SUCCESS

@@ -185,14 +185,17 @@ fn of_bearing(scene: &Scene, id: BearingId) -> (Component, Vec<Recorded>) {
         }
     };
     let mut kind = None;
-    if let Some(row) = bearing.rolling().and_then(|rolling| rolling.bearing.rows().first()) {
+    let rolling = bearing.rolling().and_then(|rolling| Some((rolling, rolling.bearing.rows().first()?)));
+    if let Some((rolling, row)) = rolling {
         kind = Some(match row.elements {
             Elements::Balls(_) => RollingKind::Balls,
             Elements::Rollers(_) => RollingKind::Rollers,
         });
         let lives = scene.observables.iter().filter_map(|known| known.as_any().downcast_ref::<BearingLife>());
         let direction = lives.filter(|life| life.bearing == id).map(|life| life.conditions.direction).next();
-        let direction = direction.unwrap_or_default();
+        // The load on a shaft is steady relative to its housing, that on a planet to its pin.
+        let steady = if rolling.is_inverted() { LoadDirection::InnerRing } else { LoadDirection::OuterRing };
+        let direction = direction.unwrap_or(steady);
         recorded.push(Recorded::one(Of::ElementPressure, BearingPressure(id)));
         recorded.push(Recorded::one(Of::EquivalentLoad, EquivalentLoad { bearing: id, direction }));
         recorded.extend(requested(scene, Of::Damage, life(false)));
@@ -285,7 +288,8 @@ impl Observable for BearingSpeed {
 
 /// Dynamic equivalent reference load of a rolling bearing, N. It depends on the loads of the
 /// elements and on the internal geometry, and on no load rating: a larger rating increases the
-/// ratings of all contacts alike.
+/// ratings of all contacts alike. The direction is that of a requested life; otherwise the load is
+/// steady relative to the second race.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct EquivalentLoad {
     bearing: BearingId,

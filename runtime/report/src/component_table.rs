@@ -262,8 +262,8 @@ pub(crate) fn components(table: &SweepTable) -> Vec<&Component> {
     all
 }
 
-/// Returns the tables of all quantities that some case has. Edge pressures without load are left
-/// out.
+/// Returns the tables of all quantities that some case has. Edge pressures and misalignments that are
+/// zero in all cases are left out.
 pub fn tables(table: &SweepTable) -> Vec<QuantityTable> {
     let (units, components) = (TableUnits::of_system(&table.units), components(table));
     let of = |definition: &Definition| {
@@ -279,9 +279,16 @@ pub fn tables(table: &SweepTable) -> Vec<QuantityTable> {
         });
         let rows: Vec<_> = rows.filter(|(_, values)| values.iter().any(Option::is_some)).collect();
         let is_zero = |value: &Option<f64>| value.is_none_or(|value| value == 0.0);
-        let is_unloaded = definition.quantity == LoadQuantity::EdgePressure
-            && rows.iter().all(|(_, values)| values.iter().all(is_zero));
-        (!rows.is_empty() && !is_unloaded).then_some(QuantityTable {
+        let is_optional = matches!(
+            definition.quantity,
+            LoadQuantity::EdgePressure
+                | LoadQuantity::MisalignmentSlope
+                | LoadQuantity::MisalignmentOffset
+                | LoadQuantity::OffsetError
+                | LoadQuantity::ShaftAngleError
+        );
+        let is_zero = is_optional && rows.iter().all(|(_, values)| values.iter().all(is_zero));
+        (!rows.is_empty() && !is_zero).then_some(QuantityTable {
             kind: definition.kind,
             key: definition.key,
             title: definition.title,

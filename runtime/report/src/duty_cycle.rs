@@ -108,8 +108,8 @@ impl DutyCycle {
     pub fn of(table: &SweepTable, slopes: &[f64]) -> Option<Result<DutyCycle, String>> {
         let durations = table.durations.as_ref()?;
         if table.rows.len() < durations.values.len() {
-            let left = durations.values.len() - table.rows.len();
-            return Some(Err(format!("{left} cases of the duty cycle are not solved")));
+            let (solved, all) = (table.rows.len(), durations.values.len());
+            return Some(Err(format!("{solved} of {all} cases are solved")));
         }
         let shares = durations.shares();
         let fails = |(row, share): (&Row, &f64)| row.failure.is_some() && *share > 0.0;

@@ -75,6 +75,11 @@ impl RollingElements {
         Self { is_inverted: !self.is_inverted, ..self }
     }
 
+    /// Returns whether the inner ring is on the second race, as of a planet on its pin.
+    pub fn is_inverted(&self) -> bool {
+        self.is_inverted
+    }
+
     /// Returns half of the largest pitch diameter, m, which makes moments comparable with forces.
     pub fn radius(&self) -> f64 {
         self.bearing.rows().iter().map(|row| 0.5 * row.pitch_diameter()).fold(0.0, f64::max)

@@ -145,7 +145,7 @@ fn what_is_not_available_is_said() {
     assert_eq!(DutyCycle::of(&failed, &[]), Some(Err("coast failed".into())));
     let mut left = sweep(durations());
     left.rows.pop();
-    assert_eq!(DutyCycle::of(&left, &[]), Some(Err("1 cases of the duty cycle are not solved".into())));
+    assert_eq!(DutyCycle::of(&left, &[]), Some(Err("1 of 2 cases are solved".into())));
     assert_eq!(DutyCycle::of(&SweepTable::default(), &[]), None);
 
     // A spring, a mesh at rest, and one that is absent from a case.

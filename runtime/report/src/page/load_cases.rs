@@ -121,7 +121,7 @@ fn assumptions(cycle: &DutyCycle) -> Markup {
         ul {
             @if has(&["equivalent_load"]) { li {
                 "Equivalent dynamic load of a bearing: (Σ P" sup { "p" } " n q / Σ n q)" sup { "1/p" } ", p = 3 for balls and 10/3 for rollers (ISO 281). P is the dynamic "
-                "equivalent reference load of ISO/TS 16281, from the loads of the rolling elements. The load does not rotate relative to the outer ring, unless "
+                "equivalent reference load of ISO/TS 16281, from the loads of the rolling elements. The load does not rotate relative to the ring on the mounting (" code { "to" } "), unless "
                 "the model requests a life of the bearing with another rotating ring."
             } }
             @if has(&["life", "modified_life"]) { li {
