@@ -49,13 +49,13 @@ impl<S> Candidate<S> {
     }
 }
 /// Dimension-dependent part of a position.
-pub(super) trait ContactGeometry {
+pub(super) trait ContactGeometry: Sync {
     /// Geometry of the approach of a tooth pair.
-    type Site;
+    type Site: Sync;
     /// Contact grid of a patch.
-    type Grid;
+    type Grid: Send + Sync;
     /// Size of a grid.
-    type Size: Copy;
+    type Size: Copy + Send + Sync;
 
     /// Returns all tooth pairs near enough to face each other, in a fixed order, with the
     /// deviations `moved` from the prescribed motions, m or rad by DOF.

@@ -16,6 +16,7 @@ use calyx_model::dof::Dof;
 use calyx_model::ids::BodyId;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
+use rayon::prelude::*;
 use std::sync::OnceLock;
 
 /// Gap, relative to the length of the profile, below which rigid surfaces touch: conjugate teeth
@@ -72,11 +73,13 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
         let growths = if self.space.may_grow() { GROWTHS } else { 0 };
         let mut rounds = REGRIDS + growths;
+        let space = self.space;
         let build_grid = |patch: usize, size: Option<S::Size>| {
-            self.space.build_grid(candidates[patch], largest_forces[patch], size)
+            space.build_grid(candidates[patch], largest_forces[patch], size)
         };
-        let mut grids =
-            (0..candidates.len()).map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
+        // Several threads build grids, because a time step has no other position to solve meanwhile.
+        let all = (0..candidates.len()).into_par_iter();
+        let mut grids = all.map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
         let mut known: Option<KnownCompliance> = None;
         let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
@@ -109,9 +112,11 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 (grids, active) = (rotated, Some(solution.active));
                 continue;
             }
-            for (patch, size) in better.into_iter().enumerate().filter(|(_, size)| size.is_some()) {
-                grids[patch] = build_grid(patch, size)?;
-                sizes[patch] = size;
+            let corrected: Vec<usize> = (0..better.len()).filter(|&patch| better[patch].is_some()).collect();
+            let rebuilt = corrected.par_iter().map(|&patch| build_grid(patch, better[patch]));
+            let rebuilt = rebuilt.collect::<Result<Vec<_>, _>>()?;
+            for (patch, grid) in corrected.into_iter().zip(rebuilt) {
+                (grids[patch], sizes[patch]) = (grid, better[patch]);
             }
             rounds -= 1;
         };

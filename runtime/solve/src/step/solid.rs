@@ -21,6 +21,7 @@ use calyx_numerics::error::EngineError;
 use calyx_structure::Chart;
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::surface::Surface;
+use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -56,83 +57,23 @@ impl ContactGeometry for Solid<'_> {
     /// Width across and length along, m, if they differ from those of the model.
     type Size = [Option<f64>; 2];
 
+    /// Tooth pairs are searched by several threads at a time.
     fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
-        let scene = self.system.scene;
-        let mut found = Vec::new();
-        for (index, pair) in scene.pairs.iter().enumerate() {
-            let bodies = pair.bodies.map(|body| body.0);
-            let frames = [
-                self.system.displaced_pose(bodies[0], time, moved)?,
-                self.system.displaced_pose(bodies[1], time, moved)?,
-            ];
-            let [Some(first), Some(second)] = bodies.map(|body| self.bodies.structures[body].as_deref())
-            else {
-                continue;
-            };
-            let structures = [first, second];
-            let surfaces = [0, 1].map(|side: usize| structures[side].surface(pair.surfaces[side]));
-            let shapes = [0, 1].map(|side: usize| Shape::of(surfaces[side].as_ref()));
-            let teeth = [0, 1].map(|side: usize| {
-                let phase = scene.bodies[bodies[side]].phase;
-                let place = |tooth| {
-                    let error = self.system.pitch_error(bodies[side], tooth);
-                    let pose =
-                        frames[side].rotated_first(phase + structures[side].tooth_angle(tooth) + error);
-                    (tooth, pose, shapes[side].boxes(&pose))
-                };
-                (0..structures[side].teeth()).map(place).collect::<Vec<_>>()
-            });
-            let local_normals = has_local_normals(pair);
-            let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges && !local_normals);
-            let stances = [0, 1].map(|side: usize| Orientation::of(&frames[side]));
-            let angle = stances[0].angle + scene.bodies[bodies[0]].phase
-                - self.system.rotated_line_of_centres(index, time);
-            let turns = turns_along(surfaces[0].as_ref());
-            let on_path = |tooth: u32| {
-                nominal.is_none_or(|mesh| turns.iter().any(|turn| mesh.on_path(tooth, angle + turn)))
-            };
-            for (first, first_pose, first_boxes) in &teeth[0] {
-                if !on_path(*first) {
-                    continue;
-                }
-                for (second, second_pose, second_boxes) in &teeth[1] {
-                    if !first_boxes.iter().any(|one| second_boxes.iter().any(|other| one.meets(other))) {
-                        continue;
-                    }
-                    self.system.interrupt.check()?;
-                    let poses = [*first_pose, *second_pose];
-                    let placed =
-                        |side: usize| PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
-                    let contact_line = find_contact_line(placed(0), placed(1), pair.grid.edges)
-                        .filter(|contact_line| faces(contact_line, &poses, structures));
-                    if let Some(contact_line) = contact_line {
-                        let origins =
-                            [0, 1].map(|side: usize| frames[side].point(self.system.axle(bodies[side])));
-                        // Springs and loads refer to the axes of the prescribed orientation,
-                        // regardless of where the contact grid is created.
-                        let axes = bodies.map(|body| self.system.axes(body, time));
-                        let frame = &contact_line.frame;
-                        let at = |gap, action, point| Approach {
-                            gap,
-                            arms: self.arms_at(bodies, (origins, axes), action, point),
-                        };
-                        let action = |slope| if local_normals { frame.action(slope) } else { frame.normal };
-                        found.push(Candidate {
-                            teeth: (index, [*first, *second]),
-                            length: shapes[0].across,
-                            nearest: at(contact_line.gap, frame.normal, frame.point),
-                            others: contact_line
-                                .points
-                                .iter()
-                                .map(|p| at(p.gap, action(p.slope), frame.at(p.at)))
-                                .collect(),
-                            site: Site { surfaces: surfaces.clone(), poses, origins, axes, contact_line },
-                        });
-                    }
-                }
+        let mut near = Vec::new();
+        for index in 0..self.system.scene.pairs.len() {
+            if let Some(placed) = self.placed_pair(index, time, moved)? {
+                let teeth = self.near_teeth(&placed, time);
+                let placed = Arc::new(placed);
+                near.extend(teeth.into_iter().map(|teeth| (placed.clone(), teeth)));
             }
         }
-        Ok(found)
+        let candidate = |(placed, teeth): (Arc<PlacedPair<'_>>, [ToothAt; 2])| {
+            self.system.interrupt.check()?;
+            Ok(self.candidate(&placed, teeth))
+        };
+        let found: Vec<Option<Candidate<Site>>> =
+            near.into_par_iter().map(candidate).collect::<Result<_, EngineError>>()?;
+        Ok(found.into_iter().flatten().collect())
     }
 
     /// The surface displacement is about Q / (E* length), over the overlapping length of the
@@ -406,6 +347,110 @@ impl Solid<'_> {
             (0..2).filter(|&side| bodies[side] == dof.body).map(of).sum()
         };
         self.system.dofs.iter().map(arm).collect()
+    }
+}
+
+/// Surfaces of a pair in the position of its bodies.
+struct PlacedPair<'a> {
+    index: usize,
+    pair: &'a SurfacePair,
+    bodies: [usize; 2],
+    structures: [&'a dyn SolidStructure; 2],
+    surfaces: [Arc<dyn Surface>; 2],
+    shapes: [Shape; 2],
+    /// Poses of the bodies' frames.
+    frames: [Pose; 2],
+    /// Axis positions of the bodies.
+    origins: [[f64; 3]; 2],
+    /// Directions of the DOFs of either body.
+    axes: [[[f64; 3]; 3]; 2],
+}
+
+/// Tooth with its pose.
+type ToothAt = (u32, Pose);
+
+impl Solid<'_> {
+    /// Places a surface pair; `None` if a body has no three-dimensional structure.
+    fn placed_pair(
+        &self,
+        index: usize,
+        time: f64,
+        moved: &[f64],
+    ) -> Result<Option<PlacedPair<'_>>, EngineError> {
+        let pair = &self.system.scene.pairs[index];
+        let bodies = pair.bodies.map(|body| body.0);
+        let frames = [
+            self.system.displaced_pose(bodies[0], time, moved)?,
+            self.system.displaced_pose(bodies[1], time, moved)?,
+        ];
+        let [Some(first), Some(second)] = bodies.map(|body| self.bodies.structures[body].as_deref()) else {
+            return Ok(None);
+        };
+        let structures: [&dyn SolidStructure; 2] = [first, second];
+        let surfaces = [0, 1].map(|side: usize| structures[side].surface(pair.surfaces[side]));
+        let shapes = [0, 1].map(|side: usize| Shape::of(surfaces[side].as_ref()));
+        let origins = [0, 1].map(|side: usize| frames[side].point(self.system.axle(bodies[side])));
+        // Springs and loads refer to the axes of the prescribed orientation, regardless of where
+        // the contact grid is created.
+        let axes = bodies.map(|body| self.system.axes(body, time));
+        Ok(Some(PlacedPair { index, pair, bodies, structures, surfaces, shapes, frames, origins, axes }))
+    }
+
+    /// Returns the teeth that may be near each other, in a fixed order.
+    fn near_teeth(&self, placed: &PlacedPair<'_>, time: f64) -> Vec<[ToothAt; 2]> {
+        let PlacedPair { index, pair, bodies, structures, surfaces, shapes, frames, .. } = placed;
+        let scene = self.system.scene;
+        let teeth = [0, 1].map(|side: usize| {
+            let phase = scene.bodies[bodies[side]].phase;
+            let place = |tooth| {
+                let error = self.system.pitch_error(bodies[side], tooth);
+                let pose = frames[side].rotated_first(phase + structures[side].tooth_angle(tooth) + error);
+                (tooth, pose, shapes[side].boxes(&pose))
+            };
+            (0..structures[side].teeth()).map(place).collect::<Vec<_>>()
+        });
+        let nominal = pair.mesh.as_ref().filter(|_| !pair.grid.edges && !has_local_normals(pair));
+        let angle = Orientation::of(&frames[0]).angle + scene.bodies[bodies[0]].phase
+            - self.system.rotated_line_of_centres(*index, time);
+        let turns = turns_along(surfaces[0].as_ref());
+        let on_path = |tooth: u32| {
+            nominal.is_none_or(|mesh| turns.iter().any(|turn| mesh.on_path(tooth, angle + turn)))
+        };
+        let mut near = Vec::new();
+        for (first, first_pose, first_boxes) in teeth[0].iter().filter(|(tooth, ..)| on_path(*tooth)) {
+            for (second, second_pose, second_boxes) in &teeth[1] {
+                if first_boxes.iter().any(|one| second_boxes.iter().any(|other| one.meets(other))) {
+                    near.push([(*first, *first_pose), (*second, *second_pose)]);
+                }
+            }
+        }
+        near
+    }
+
+    /// Finds the contact line of two teeth; `None` if they do not face each other.
+    fn candidate(
+        &self,
+        placed_pair: &PlacedPair<'_>,
+        [(first, first_pose), (second, second_pose)]: [ToothAt; 2],
+    ) -> Option<Candidate<Site>> {
+        let PlacedPair { index, pair, bodies, structures, surfaces, shapes, origins, axes, .. } = placed_pair;
+        let (poses, local_normals) = ([first_pose, second_pose], has_local_normals(pair));
+        let placed = |side: usize| PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
+        let contact_line = find_contact_line(placed(0), placed(1), pair.grid.edges)
+            .filter(|contact_line| faces(contact_line, &poses, *structures))?;
+        let frame = &contact_line.frame;
+        let at = |gap, action, point| Approach {
+            gap,
+            arms: self.arms_at(*bodies, (*origins, *axes), action, point),
+        };
+        let action = |slope| if local_normals { frame.action(slope) } else { frame.normal };
+        Some(Candidate {
+            teeth: (*index, [first, second]),
+            length: shapes[0].across,
+            nearest: at(contact_line.gap, frame.normal, frame.point),
+            others: contact_line.points.iter().map(|p| at(p.gap, action(p.slope), frame.at(p.at))).collect(),
+            site: Site { surfaces: surfaces.clone(), poses, origins: *origins, axes: *axes, contact_line },
+        })
     }
 }
 
