@@ -1,6 +1,7 @@
 //! Computing times of examples of planetary systems and of motion in time at realistic lengths,
 //! without cached structures: `cargo bench -p calyx --bench examples`. The times depend on the
-//! machine; the shares of structures and positions are comparable between machines.
+//! machine; the shares of structures and positions, and the cost of a time step in three dimensions
+//! in steps of the plane pair, are comparable between machines.
 
 use calyx::{Engine, Instance, Module};
 use std::path::Path;
@@ -20,14 +21,28 @@ fn main() {
         instance.set("steps", 600)?;
         instance.set("cells", 8)
     });
-    measure("spur_dynamics.cx, 10,000 steps in time", "spur_dynamics.cx", 10_000, |instance| {
+    let plane = measure("spur_dynamics.cx, 10,000 steps in time", "spur_dynamics.cx", 10_000, |instance| {
         instance.set("run_up", (50.0, "ms"))?;
         instance.set("steps", 10_000)
     });
+    for fidelity in ["analytic", "medium"] {
+        let what = format!("helical_dynamics.cx, 200 steps in time, {fidelity}");
+        let step = measure(&what, "helical_dynamics.cx", 200, |instance| {
+            instance.set("fidelity", fidelity)?;
+            instance.set("steps", 200)
+        });
+        println!("{:<52} {:>8.1} steps of spur_dynamics.cx", "a step of this", step / plane);
+    }
 }
 
-/// Runs an example with some params, which determine the number of positions or steps.
-fn measure(what: &str, example: &str, count: usize, set: impl Fn(&mut Instance) -> Result<(), calyx::Error>) {
+/// Runs an example with some params, which determine the number of positions or steps; returns the
+/// time of one, s.
+fn measure(
+    what: &str,
+    example: &str,
+    count: usize,
+    set: impl Fn(&mut Instance) -> Result<(), calyx::Error>,
+) -> f64 {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(example);
     // A separate engine has no stored structures of other runs.
     let engine = Engine::default();
@@ -49,4 +64,5 @@ fn measure(what: &str, example: &str, count: usize, set: impl Fn(&mut Instance) 
         positions / whole,
         1e6 * positions / count as f64
     );
+    positions / count as f64
 }
