@@ -12,6 +12,7 @@ use calyx_model::ids::PairId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
+use calyx_solve::forced_response::sampling::Sampling;
 use calyx_solve::forced_response::{Amplitudes, ForcedVibration, LinearQuantity, PeriodicSystem, unknowns};
 use calyx_solve::system::System;
 use excitation::Excitation;
@@ -23,7 +24,9 @@ use std::f64::consts::TAU;
 /// Relative difference of the equilibrium after a period above which it does not repeat, and of the
 /// mass and damping matrices of its positions above which they vary.
 const REPEATS: f64 = 1e-5;
-/// Fractions of the period at which the equilibrium is compared until it repeats at one: where a pair
+/// Fraction of the period after which the damping matrix is compared.
+const LATER: f64 = 0.31;
+/// Fractions of the mesh cycle at which the equilibrium is compared until it repeats at one: where a pair
 /// of teeth enters contact, it depends on rounding.
 const PLACES: [f64; 4] = [0.11, 0.38, 0.59, 0.84];
 /// Largest number of complex unknowns of a speed: 150 MB, and some seconds.
@@ -226,7 +229,7 @@ pub(crate) fn check(
 /// Returns the number of positions that a forced response solves, for the prediction of the time;
 /// zero if it is rejected.
 pub(crate) fn position_count(scene: &Mechanism, request: &ForcedResponseRequest) -> usize {
-    Excitation::new(scene, request).map_or(0, |excitation| excitation.positions + 2)
+    Excitation::new(scene, request).map_or(0, |excitation| excitation.sampling.count() + 2)
 }
 
 /// Computes the requested forced response.
@@ -247,41 +250,41 @@ pub(crate) fn forced_response(
     let frequency = TAU / excitation.period;
     let own = excitation.speed;
     let highest = request.speeds[1] / own;
-    let count = excitation.positions;
-    // Positions off the start of the cycle, where the stiffness jumps.
-    let time = |k: usize| mesh.start + excitation.period * ((k as f64 + 0.5) / count as f64);
-    let solve = |k: usize| -> Result<Sample, EngineError> {
+    let sampling = &excitation.sampling;
+    let solve = |time: f64| -> Result<Sample, EngineError> {
         resources.interrupt.check()?;
-        sample(system, &system.solve(time(k))?, &measures).ok_or_else(singular)
+        sample(system, &system.solve(time)?, &measures).ok_or_else(singular)
     };
-    let mut first = solve(0)?;
-    let mut repeats_somewhere = false;
-    for place in PLACES.map(|place| (place * count as f64) as usize) {
-        first = solve(place)?;
-        repeats_somewhere = repeats(&first, &solve(place + count)?);
-        if repeats_somewhere {
+    let compared = PLACES.map(|place| mesh.start + place * mesh.period);
+    let mut first = None;
+    for time in compared {
+        let state = solve(time)?;
+        if repeats(&state, &solve(time + excitation.period)?) {
+            first = Some(state);
             break;
         }
     }
-    if !repeats_somewhere {
+    let Some(first) = first else {
         let message =
             "the equilibrium does not repeat after a mesh cycle, so its forced response is not periodic";
         let help = "a forced response needs equal teeth, concentric gears and constant loads; use time integration for other models";
         return Err(EngineError::new("E0774", message, help));
-    }
-    let (gyroscopic, damping) = (system.gyroscopic_matrix(time(0)), damping(system, time(0))?);
-    check_damping(&damping, &self::damping(system, time(count / 3))?)?;
-    let periodic = |used: &[&Sample]| PeriodicSystem {
+    };
+    let gyroscopic = system.gyroscopic_matrix(compared[0]);
+    let damping = damping(system, compared[0])?;
+    check_damping(&damping, &self::damping(system, compared[0] + LATER * excitation.period)?)?;
+    let periodic = |used: &[&Sample], sampling: &Sampling| PeriodicSystem {
         mass: first.mass.clone(),
         gyroscopic: gyroscopic.clone(),
         damping: damping.clone(),
         stiffness: used.iter().map(|sample| sample.stiffness.clone()).collect(),
         statics: used.iter().map(|sample| sample.statics.clone()).collect(),
         orders: excitation.orders.clone(),
+        sampling: sampling.clone(),
         frequency,
         damping_ratio: request.damping_ratio,
     };
-    let unknowns = unknowns(&periodic(&[&first]), highest).ok_or_else(singular)?;
+    let unknowns = unknowns(&periodic(&[&first], sampling), highest).ok_or_else(singular)?;
     if unknowns > LARGEST {
         let message = format!(
             "the forced response has {unknowns} unknowns by mode and spectral line, and at most {LARGEST} are possible"
@@ -289,21 +292,23 @@ pub(crate) fn forced_response(
         let help = "give fewer `harmonics`, a lower `highest_speed`, or a lower `highest_frequency` of the component modes";
         return Err(EngineError::new("E0774", message, help));
     }
-    let all = || (0..count).into_par_iter().map(solve).collect::<Result<Vec<Sample>, _>>();
+    // Off the start of the cycle, where the stiffness jumps.
+    let time = |k: usize| mesh.start + excitation.period * (sampling.place(k) + sampling.half_step());
+    let positions = (0..sampling.count()).into_par_iter();
+    let all = || positions.map(|k| solve(time(k))).collect::<Result<Vec<Sample>, _>>();
     let samples = resources.install(all)?;
     check_mass(&first, &samples)?;
-    let prepared = |stride: usize| {
-        let used: Vec<&Sample> = samples.iter().step_by(stride).collect();
+    let prepared = |sampling: &Sampling, used: &[usize]| {
+        let used: Vec<&Sample> = used.iter().map(|&index| &samples[index]).collect();
         let quantities: Vec<LinearQuantity> =
             (0..measures.len()).map(|k| linear(&used, measures[k], k)).collect();
-        ForcedVibration::new(&periodic(&used), &quantities, highest).ok_or_else(singular)
+        ForcedVibration::new(&periodic(&used, sampling), &quantities, highest).ok_or_else(singular)
     };
-    let vibrations = [prepared(1)?, prepared(2)?];
-    let phases: Vec<f64> = excitation
-        .orders
-        .lines()
-        .map(|(order, _)| TAU * (order % (2 * count as i64)) as f64 * 0.5 / count as f64)
-        .collect();
+    let (coarse, kept) = sampling.every_second();
+    let every: Vec<usize> = (0..sampling.count()).collect();
+    let vibrations = [prepared(sampling, &every)?, prepared(&coarse, &kept)?];
+    let orders = excitation.orders.lines().map(|(order, _)| order as f64);
+    let phases: Vec<f64> = orders.map(|order| TAU * order * sampling.half_step()).collect();
     let [lowest, highest] = request.speeds;
     let speed = |k: usize| lowest + (highest - lowest) * (k as f64 / (request.count - 1).max(1) as f64);
     let point = |k: usize| -> Result<ForcedPoint, EngineError> {

@@ -25,14 +25,15 @@ mod balance;
 mod basis;
 mod growth;
 pub mod orders;
+pub mod sampling;
 
 use balance::{Coefficients, Couplings};
 use basis::Basis;
 use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, DVector};
 use orders::Orders;
+use sampling::Sampling;
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 
 /// Frequency relative to the highest one below which a mode is a rigid-body motion.
 const RIGID: f64 = 1e-7;
@@ -41,7 +42,7 @@ const RIGID: f64 = 1e-7;
 /// fraction `p` of the common period is the real part of `sum c exp(2 pi i order p)`.
 pub type Amplitudes = Vec<Complex<f64>>;
 
-/// System with periodic coefficients, sampled at equal distances over its period.
+/// System with periodic coefficients, sampled over its period.
 #[derive(Clone, Debug)]
 pub struct PeriodicSystem {
     /// Mass matrix of all coordinates.
@@ -56,6 +57,8 @@ pub struct PeriodicSystem {
     pub statics: Vec<DVector<f64>>,
     /// Orders of the stiffness and of the response.
     pub orders: Orders,
+    /// Places of the samples.
+    pub sampling: Sampling,
     /// Frequency of the period at the reference speed, rad/s.
     pub frequency: f64,
     /// Damping ratio of all modes of the mean stiffness; if carriers rotate, of all modes at each
@@ -115,58 +118,61 @@ struct ModalQuantity {
     static_rates: Amplitudes,
 }
 
-/// Calls a function for each sample with its weight in the Fourier coefficient of an order.
-fn coefficient(samples: usize, order: i64, mut add: impl FnMut(usize, Complex<f64>)) {
-    let order = order.rem_euclid(samples.max(1) as i64) as usize;
-    for k in 0..samples {
-        let angle = -TAU * ((order * k) % samples) as f64 / samples as f64;
-        add(k, Complex::new(angle.cos(), angle.sin()) / samples as f64);
-    }
+/// Returns the Fourier coefficient of samples at an order.
+fn number_coefficient(samples: &[f64], sampling: &Sampling, order: i64) -> Complex<f64> {
+    sampling.weights(order).iter().zip(samples).map(|(weight, value)| weight * value).sum()
 }
 
-fn number_coefficient(samples: &[f64], order: i64) -> Complex<f64> {
-    let mut found = Complex::new(0.0, 0.0);
-    coefficient(samples.len(), order, |k, weight| found += weight * samples[k]);
+fn vector_coefficient(samples: &[DVector<f64>], sampling: &Sampling, order: i64) -> DVector<Complex<f64>> {
+    let mut found = DVector::zeros(samples.first().map_or(0, |first| first.len()));
+    for (weight, sample) in sampling.weights(order).into_iter().zip(samples) {
+        found += sample.map(|value| weight * value);
+    }
     found
 }
 
-fn vector_coefficient(samples: &[DVector<f64>], order: i64) -> DVector<Complex<f64>> {
-    let mut found = DVector::zeros(samples.first().map_or(0, |first| first.len()));
-    coefficient(samples.len(), order, |k, weight| found += samples[k].map(|value| weight * value));
+fn matrix_coefficient(samples: &[DMatrix<f64>], sampling: &Sampling, order: i64) -> DMatrix<Complex<f64>> {
+    let size = samples.first().map_or(0, |first| first.nrows());
+    let mut found = DMatrix::zeros(size, size);
+    for (weight, sample) in sampling.weights(order).into_iter().zip(samples) {
+        found.zip_apply(sample, |sum: &mut Complex<f64>, value| *sum += weight * value);
+    }
     found
 }
 
 /// Returns the coefficient of the static equilibrium at an order: zero for the interactions that
 /// samples do not determine.
-fn static_coefficient(samples: &[DVector<f64>], order: i64, orders: &Orders) -> DVector<Complex<f64>> {
+fn static_coefficient(
+    samples: &[DVector<f64>],
+    (sampling, orders): (&Sampling, &Orders),
+    order: i64,
+) -> DVector<Complex<f64>> {
     match orders.is_sampled(order) {
-        true => vector_coefficient(samples, order),
+        true => vector_coefficient(samples, sampling, order),
         false => DVector::zeros(samples.first().map_or(0, |first| first.len())),
     }
 }
 
-fn matrix_coefficient(samples: &[DMatrix<f64>], order: i64) -> DMatrix<Complex<f64>> {
-    let size = samples.first().map_or(0, |first| first.nrows());
-    let mut found = DMatrix::zeros(size, size);
-    coefficient(samples.len(), order, |k, weight| {
-        found.zip_apply(&samples[k], |sum, value| *sum += weight * value);
-    });
-    found
-}
-
 /// Returns the series of rows by sample; that of one constant row is its mean.
-fn row_series(rows: &[DVector<f64>], orders: &Orders) -> Series<DVector<Complex<f64>>> {
+fn row_series(
+    rows: &[DVector<f64>],
+    (sampling, orders): (&Sampling, &Orders),
+) -> Series<DVector<Complex<f64>>> {
     match rows {
         [] => Series::new(),
         [constant] => Series::from([(0, constant.map(Complex::from))]),
-        _ => orders.coupling().iter().map(|&order| (order, vector_coefficient(rows, order))).collect(),
+        _ => orders
+            .coupling()
+            .iter()
+            .map(|&order| (order, vector_coefficient(rows, sampling, order)))
+            .collect(),
     }
 }
 
 /// Returns the amplitudes of real samples at the orders from zero.
-fn amplitudes(samples: &[f64], orders: &Orders) -> Amplitudes {
+fn amplitudes(samples: &[f64], (sampling, orders): (&Sampling, &Orders)) -> Amplitudes {
     let amplitude = |(order, _): (i64, orders::Line)| match orders.is_sampled(order) {
-        true => one_sided(order) * number_coefficient(samples, order),
+        true => one_sided(order) * number_coefficient(samples, sampling, order),
         false => Complex::new(0.0, 0.0),
     };
     orders.lines().map(amplitude).collect()
@@ -194,19 +200,20 @@ impl ForcedVibration {
         highest: f64,
     ) -> Option<ForcedVibration> {
         let orders = system.orders.clone();
+        let at = (&system.sampling, &orders);
         let all = Basis::of(&system.mass, &system.stiffness, highest_frequency(system, highest))?;
         let (basis, others) = (all.with_inertia(), all.without_inertia());
         let condensed: Vec<(DMatrix<f64>, DMatrix<f64>)> =
             system.stiffness.iter().map(|stiffness| all.condensed(stiffness)).collect::<Option<_>>()?;
         let (stiffness, followed): (Vec<_>, Vec<_>) = condensed.into_iter().unzip();
         let modal_damping = modal_damping(system, &stiffness, &all.frequencies[..all.dynamic])?;
-        let stiffness: Coefficients =
-            orders.coupling().iter().map(|&order| (order, matrix_coefficient(&stiffness, order))).collect();
-        let statics: Vec<DVector<Complex<f64>>> = orders
-            .response()
+        let stiffness: Coefficients = orders
+            .coupling()
             .iter()
-            .map(|&order| static_coefficient(&system.statics, order, &orders))
+            .map(|&order| (order, matrix_coefficient(&stiffness, &system.sampling, order)))
             .collect();
+        let statics: Vec<DVector<Complex<f64>>> =
+            orders.response().iter().map(|&order| static_coefficient(&system.statics, at, order)).collect();
         let projected = |matrix: &DMatrix<f64>| -> Vec<DVector<Complex<f64>>> {
             let onto = (basis.transpose() * matrix).map(Complex::from);
             statics.iter().map(|at| &onto * at).collect()
@@ -221,9 +228,9 @@ impl ForcedVibration {
             let rows: Vec<DVector<f64>> = followed.iter().enumerate().take(used).map(row).collect();
             let modal: Vec<DVector<f64>> = quantity.rates.iter().map(|rate| basis.tr_mul(rate)).collect();
             ModalQuantity {
-                rows: row_series(&rows, &orders),
-                rates: row_series(&modal, &orders),
-                static_rates: static_rates(&row_series(&quantity.rates, &orders), &statics, &orders),
+                rows: row_series(&rows, at),
+                rates: row_series(&modal, at),
+                static_rates: static_rates(&row_series(&quantity.rates, at), &statics, &orders),
             }
         };
         let frequencies = all.frequencies[..all.dynamic].to_vec();
@@ -239,7 +246,7 @@ impl ForcedVibration {
             stiffness,
             static_rates: [projected(&system.damping), projected(&system.gyroscopic)],
             quantities: quantities.iter().map(quantity).collect(),
-            static_values: quantities.iter().map(|of| amplitudes(&of.statics, &orders)).collect(),
+            static_values: quantities.iter().map(|of| amplitudes(&of.statics, at)).collect(),
             statics: projected(&system.mass),
             frequencies,
             orders,
@@ -387,7 +394,14 @@ fn modal_damping(
     }
     let root = |stiffness: &DMatrix<f64>| basis::square_root(stiffness).map(|root| factor * root);
     let samples: Vec<DMatrix<f64>> = stiffness.iter().map(root).collect::<Option<_>>()?;
-    Some(system.orders.turning().iter().map(|&order| (order, matrix_coefficient(&samples, order))).collect())
+    Some(
+        system
+            .orders
+            .turning()
+            .iter()
+            .map(|&order| (order, matrix_coefficient(&samples, &system.sampling, order)))
+            .collect(),
+    )
 }
 
 /// Returns the amplitudes of the product of a row and the rate of the static equilibrium at the unit

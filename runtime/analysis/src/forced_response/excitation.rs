@@ -9,6 +9,7 @@ use calyx_model::pairs::{GearMesh, SurfacePair};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{dot, length, minus};
 use calyx_solve::forced_response::orders::{Line, Modulation, Orders};
+use calyx_solve::forced_response::sampling::Sampling;
 use std::f64::consts::TAU;
 
 /// Relative difference of frequencies that counts as rounding.
@@ -30,8 +31,8 @@ pub(super) struct Excitation {
     pub speed: f64,
     /// Time after which all meshes and carriers repeat, s.
     pub period: f64,
-    /// Number of positions over the period.
-    pub positions: usize,
+    /// Positions in the period.
+    pub sampling: Sampling,
     /// Orders of the vibration, relative to the frequency of the period.
     pub orders: Orders,
     /// Names of the first mesh of each frequency.
@@ -87,7 +88,7 @@ impl Excitation {
         };
         let (of_meshes, of_carriers) = cycles.split_at(meshes.len());
         let orders = Orders::new(of_meshes, of_carriers, request.harmonics);
-        let Some(positions) = orders.sample_count(POSITIONS * meshes.len(), MOST) else {
+        let Some(sampling) = orders.sampling(POSITIONS, MOST) else {
             let message = format!(
                 "the forced response needs more than {MOST} positions to distinguish the harmonics of {} mesh frequencies",
                 meshes.len()
@@ -97,7 +98,7 @@ impl Excitation {
         Ok(Excitation {
             speed,
             period: own_mesh.period * of_meshes[0] as f64,
-            positions,
+            sampling,
             orders,
             meshes: meshes.iter().map(|(_, pair)| mesh_name(scene, *pair)).collect(),
             carriers: carriers.into_iter().map(|(_, name)| name).collect(),

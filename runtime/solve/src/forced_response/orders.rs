@@ -9,6 +9,7 @@
 //! each mesh cycle, if no two of their orders are equal modulo the number of samples. In the phases
 //! of the meshes such samples are a lattice (rank-1 lattice rule).
 
+use super::sampling::Sampling;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Largest order of a sideband in the stiffness: the displacements of central members and planets
@@ -53,6 +54,8 @@ pub struct Orders {
     clusters: Vec<Vec<usize>>,
     /// Cycles of each mesh frequency within the common period.
     meshes: Vec<i64>,
+    /// Revolutions of each carrier.
+    carriers: Vec<i64>,
     harmonics: usize,
     /// Orders from zero of what rotates with a carrier and does not vary over a mesh cycle.
     turning: BTreeSet<i64>,
@@ -127,6 +130,7 @@ impl Orders {
             lines,
             clusters,
             meshes: meshes.to_vec(),
+            carriers: carriers.to_vec(),
             harmonics,
             turning: sidebands(SIDEBANDS).map(|(_, _, shift)| shift.abs()).collect(),
             sampled,
@@ -143,9 +147,21 @@ impl Orders {
         self.lines.len()
     }
 
-    /// Returns the smallest even number of samples, at least `least`, of which every second one
-    /// distinguishes all orders; `None` if it would exceed `most`.
-    pub fn sample_count(&self, least: usize, most: usize) -> Option<usize> {
+    /// Returns a sampling of which every second sample determines all coefficients, with at least
+    /// `least` samples for each mesh frequency; `None` if it needs more than `most`.
+    pub fn sampling(&self, least: usize, most: usize) -> Option<Sampling> {
+        if let ([mesh], [carrier]) = (&self.meshes[..], &self.carriers[..]) {
+            let count = least.max(8 * self.harmonics + 4).next_multiple_of(2);
+            if let Some(found) = Sampling::of_cycles([*mesh, *carrier], count) {
+                return (found.count() <= most).then_some(found);
+            }
+        }
+        self.uniform(least * self.meshes.len(), most).map(|count| Sampling::Uniform { count })
+    }
+
+    /// Returns the smallest even number of samples at equal distances, at least `least`, of which
+    /// every second one distinguishes all orders; `None` if it would exceed `most`.
+    fn uniform(&self, least: usize, most: usize) -> Option<usize> {
         let signed = || self.sampled.iter().flat_map(|&order| [-order, order]);
         let first = least.div_ceil(2).max(2 * self.sampled.len() - 1).max(1);
         let separates = |count: &usize| {
@@ -260,8 +276,8 @@ mod tests {
         let orders = Orders::new(&[1], &[], 3);
         assert_eq!(orders.response(), [-3, -2, -1, 0, 1, 2, 3]);
         assert_eq!(orders.coupling().iter().copied().collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5, 6]);
-        assert_eq!(orders.sample_count(0, 1000), Some(26));
-        assert_eq!(orders.sample_count(128, 1000), Some(128));
+        assert_eq!(orders.uniform(0, 1000), Some(26));
+        assert_eq!(orders.uniform(128, 1000), Some(128));
         assert_eq!(orders.clusters().len(), 7);
     }
 
@@ -308,7 +324,7 @@ mod tests {
             [(vec![1472, 851], vec![]), (vec![2673], vec![27]), (vec![37, 23], vec![4, 7])]
         {
             let orders = Orders::new(&meshes, &carriers, 4);
-            let count = orders.sample_count(64, 10_000).expect("a number of samples");
+            let count = orders.uniform(64, 10_000).expect("a number of samples");
             assert!(count < 1500, "{count}");
             let places: BTreeSet<i64> = orders
                 .coupling()
@@ -318,6 +334,6 @@ mod tests {
                 .collect();
             assert_eq!(places.len(), 2 * orders.coupling().len() - 1, "{meshes:?} {carriers:?}");
         }
-        assert_eq!(Orders::new(&[37, 23], &[], 16).sample_count(64, 100), None);
+        assert_eq!(Orders::new(&[37, 23], &[], 16).uniform(64, 100), None);
     }
 }

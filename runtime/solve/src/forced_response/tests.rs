@@ -3,6 +3,7 @@
 
 use super::basis::modes;
 use super::*;
+use std::f64::consts::TAU;
 
 /// Orders of one mesh whose cycle is the period.
 fn one_mesh(harmonics: usize) -> Orders {
@@ -11,7 +12,12 @@ fn one_mesh(harmonics: usize) -> Orders {
 
 /// Returns the smallest number of samples of one mesh.
 fn sample_count(harmonics: usize) -> usize {
-    one_mesh(harmonics).sample_count(0, 1000).expect("a number of samples")
+    one_mesh(harmonics).sampling(0, 1000).expect("a sampling").count()
+}
+
+/// Returns the amplitudes of samples at equal distances over the common period.
+fn uniform_amplitudes(samples: &[f64], orders: &Orders) -> Amplitudes {
+    amplitudes(samples, (&Sampling::Uniform { count: samples.len() }, orders))
 }
 
 /// One oscillator with constant stiffness, excited by harmonic static displacement.
@@ -25,6 +31,7 @@ fn oscillator(damping_ratio: f64, harmonics: usize) -> PeriodicSystem {
         stiffness: vec![DMatrix::from_element(1, 1, 8e4); samples],
         statics: (0..samples).map(|k| DVector::from_element(1, statics(k))).collect(),
         orders: one_mesh(harmonics),
+        sampling: Sampling::Uniform { count: samples },
         frequency: 100.0,
         damping_ratio,
     }
@@ -68,6 +75,7 @@ fn parametric(harmonics: usize) -> PeriodicSystem {
         stiffness,
         statics,
         orders: one_mesh(harmonics),
+        sampling: Sampling::Uniform { count: samples },
         frequency: 150.0,
         damping_ratio: 0.05,
     }
@@ -131,7 +139,7 @@ fn a_parametrically_excited_system_agrees_with_integration_in_time() {
         let expected = integrated(&system, coefficients, speed, (200, 400));
         for coordinate in 0..2 {
             let samples: Vec<f64> = expected.iter().map(|x| x[coordinate]).collect();
-            let expected = amplitudes(&samples, &one_mesh(10));
+            let expected = uniform_amplitudes(&samples, &one_mesh(10));
             let largest = expected.iter().map(|c| c.norm()).fold(0.0, f64::max);
             for harmonic in 0..=10 {
                 let error = (found[coordinate][harmonic] - expected[harmonic]).norm();
@@ -175,7 +183,7 @@ fn a_row_that_varies_multiplies_the_deviation() {
     let product: Vec<f64> = (0..samples)
         .map(|k| (0..2).map(|c| rows[k][c] * (at(&found[c], k) - system.statics[k][c])).sum())
         .collect();
-    let expected = amplitudes(&product, &one_mesh(8));
+    let expected = uniform_amplitudes(&product, &one_mesh(8));
     for harmonic in 0..5 {
         let error = (found[2][harmonic] - expected[harmonic]).norm();
         assert!(error < 1e-5 * expected[1].norm(), "{harmonic}: {error:e}");
@@ -239,6 +247,7 @@ fn modes_far_above_the_excitation_follow_statically() {
             .map(|k| DVector::from_row_slice(&[1e-5 / tooth(k) * 5e6, 2e-5 / tooth(k) * 5e6]))
             .collect(),
         orders: one_mesh(harmonics),
+        sampling: Sampling::Uniform { count: samples },
         frequency: 20.0,
         damping_ratio: 0.0,
     };
@@ -274,6 +283,7 @@ fn a_free_rotor_resists_with_its_inertia() {
         stiffness: vec![DMatrix::from_row_slice(2, 2, &[1e4, -1e4, -1e4, 1e4]); samples],
         statics: (0..samples).map(|k| DVector::from_row_slice(&[1e-3 * wave(k), 0.0])).collect(),
         orders: one_mesh(2),
+        sampling: Sampling::Uniform { count: samples },
         frequency: 1e4,
         damping_ratio: 0.0,
     };
@@ -290,9 +300,9 @@ fn sampled(
     coefficients: impl Fn(f64) -> (DMatrix<f64>, DVector<f64>),
     frequency: f64,
 ) -> PeriodicSystem {
-    let samples = orders.sample_count(0, 5000).expect("a number of samples");
+    let sampling = orders.sampling(0, 5000).expect("a sampling");
     let (stiffness, statics): (Vec<_>, Vec<_>) =
-        (0..samples).map(|k| coefficients(TAU * k as f64 / samples as f64)).unzip();
+        (0..sampling.count()).map(|k| coefficients(TAU * sampling.place(k))).unzip();
     PeriodicSystem {
         mass: DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, 2.0]),
         gyroscopic: DMatrix::from_row_slice(2, 2, &[0.0, 5.0, -5.0, 0.0]),
@@ -300,6 +310,7 @@ fn sampled(
         stiffness,
         statics,
         orders,
+        sampling,
         frequency,
         damping_ratio: 0.04,
     }
@@ -319,7 +330,7 @@ fn assert_integrated(
         let expected = integrated(system, &coefficients, speed, effort);
         for coordinate in 0..system.mass.nrows() {
             let samples: Vec<f64> = expected.iter().map(|x| x[coordinate]).collect();
-            let expected = amplitudes(&samples, &system.orders);
+            let expected = uniform_amplitudes(&samples, &system.orders);
             let largest = expected.iter().map(|c| c.norm()).fold(0.0, f64::max);
             for (line, (found, expected)) in found[coordinate].iter().zip(&expected).enumerate() {
                 let error = (found - expected).norm();
@@ -437,6 +448,7 @@ fn the_iteration_gives_the_direct_solution() {
             .map(|k| DVector::from_fn(size, |i, _| 1e-6 * (TAU * k as f64 / samples as f64 + i as f64).sin()))
             .collect(),
         orders,
+        sampling: Sampling::Uniform { count: samples },
         frequency: 300.0,
         damping_ratio: 0.02,
     };
