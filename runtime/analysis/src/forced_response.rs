@@ -21,9 +21,11 @@ use quantities::{Sample, label, linear, measures, sample};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Relative difference of the equilibrium after a period above which it does not repeat, and of the
+/// Relative difference of the equilibrium after a period above which a warning states it, and of the
 /// mass and damping matrices of its positions above which they vary.
 const REPEATS: f64 = 1e-5;
+/// Relative difference of the equilibrium after a period above which it does not repeat.
+const VARIES: f64 = 0.02;
 /// Fraction of the period after which the damping matrix is compared.
 const LATER: f64 = 0.31;
 /// Fractions of the mesh cycle at which the equilibrium is compared until it repeats at one: where a pair
@@ -68,6 +70,8 @@ pub struct ForcedResponse {
     /// Natural frequencies of the mean stiffness without gyroscopic moments, Hz, ascending, up to
     /// six times the highest frequency of a line; empty if carriers rotate.
     pub natural_frequencies: Vec<f64>,
+    /// Relative difference of the static equilibrium and of its stiffness a common period apart.
+    pub difference: f64,
     /// Quantities.
     pub quantities: Vec<ResponseQuantity>,
     /// Response by speed.
@@ -119,6 +123,12 @@ impl ForcedResponse {
     /// Returns warnings about the response, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut all = Vec::new();
+        if self.difference > REPEATS {
+            all.push(format!(
+                "the equilibrium differs by {:.2} % after a common period of all meshes, because something else varies, such as the places of rolling elements; the forced response does not contain this variation",
+                1e2 * self.difference
+            ));
+        }
         if let Some(speeds) = self.ranges(|point| point.growth > UNSTABLE) {
             all.push(format!(
                 "the varying stiffness of the teeth makes the vibration unstable at {speeds} of \"{}\": the forced response is not reached there, and teeth separate (column `growth` of forced_response.csv)",
@@ -256,20 +266,26 @@ pub(crate) fn forced_response(
         sample(system, &system.solve(time)?, &measures).ok_or_else(singular)
     };
     let compared = PLACES.map(|place| mesh.start + place * mesh.period);
-    let mut first = None;
-    for time in compared {
-        let state = solve(time)?;
-        if repeats(&state, &solve(time + excitation.period)?) {
-            first = Some(state);
+    let mut first = solve(compared[0])?;
+    let mut difference = difference(&first, &solve(compared[0] + excitation.period)?);
+    for &time in &compared[1..] {
+        if difference <= REPEATS {
             break;
         }
+        let state = solve(time)?;
+        let own = self::difference(&state, &solve(time + excitation.period)?);
+        if own < difference {
+            (first, difference) = (state, own);
+        }
     }
-    let Some(first) = first else {
-        let message =
-            "the equilibrium does not repeat after a mesh cycle, so its forced response is not periodic";
+    if difference > VARIES {
+        let message = format!(
+            "the equilibrium differs by {:.1} % after a common period of all meshes, so the forced response is not periodic",
+            1e2 * difference
+        );
         let help = "a forced response needs equal teeth, concentric gears and constant loads; use time integration for other models";
         return Err(EngineError::new("E0774", message, help));
-    };
+    }
     let gyroscopic = system.gyroscopic_matrix(compared[0]);
     let damping = damping(system, compared[0])?;
     check_damping(&damping, &self::damping(system, compared[0] + LATER * excitation.period)?)?;
@@ -320,6 +336,7 @@ pub(crate) fn forced_response(
         body: scene.bodies[pair.bodies[0].0].name.clone(),
         lines: lines(&excitation, frequency / own),
         natural_frequencies: natural_frequencies(&vibrations[0]),
+        difference,
         quantities: measures.iter().map(|measure| label(system, scene, *measure)).collect(),
         points: resources.install(all)?,
     })
@@ -356,26 +373,27 @@ fn roots(mass: &DMatrix<f64>) -> DVector<f64> {
     DVector::from_fn(mass.nrows(), |k, _| mass[(k, k)].sqrt())
 }
 
-/// Returns true if two matrices are equal in coordinates of unit inertia.
-fn are_equal(one: &DMatrix<f64>, other: &DMatrix<f64>, root: &DVector<f64>) -> bool {
+/// Returns the largest difference of two matrices relative to the first one, in coordinates of unit
+/// inertia.
+fn relative_difference(one: &DMatrix<f64>, other: &DMatrix<f64>, root: &DVector<f64>) -> f64 {
     let scaled = |matrix: &DMatrix<f64>| {
         DMatrix::from_fn(root.len(), root.len(), |i, j| matrix[(i, j)] / (root[i] * root[j]))
     };
-    (scaled(one) - scaled(other)).amax() <= REPEATS * scaled(one).amax()
+    (scaled(one) - scaled(other)).amax() / scaled(one).amax()
 }
 
-/// Returns true if the equilibrium after a period is that at its start.
-fn repeats(first: &Sample, again: &Sample) -> bool {
+/// Returns the relative difference of the stiffness and the static equilibrium a period apart.
+fn difference(first: &Sample, again: &Sample) -> f64 {
     let root = roots(&first.mass);
     let moved = |statics: &DVector<f64>| statics.component_mul(&root);
-    are_equal(&first.stiffness, &again.stiffness, &root)
-        && (moved(&first.statics) - moved(&again.statics)).amax() <= REPEATS * moved(&first.statics).amax()
+    let of_motion = (moved(&first.statics) - moved(&again.statics)).amax() / moved(&first.statics).amax();
+    relative_difference(&first.stiffness, &again.stiffness, &root).max(of_motion)
 }
 
 /// Checks that the mass matrix is that of the first position at all others.
 fn check_mass(first: &Sample, samples: &[Sample]) -> Result<(), EngineError> {
     let root = roots(&first.mass);
-    if samples.iter().all(|sample| are_equal(&first.mass, &sample.mass, &root)) {
+    if samples.iter().all(|sample| relative_difference(&first.mass, &sample.mass, &root) <= REPEATS) {
         return Ok(());
     }
     let message = "the mass matrix varies as the bodies rotate, so the forced response is not periodic";
