@@ -21,9 +21,11 @@ use quantities::{Sample, label, linear, measures, sample};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Relative difference of the equilibrium after a period above which a warning states it, and of the
-/// mass and damping matrices of its positions above which they vary.
+/// Relative difference of the equilibrium after a period up to which it repeats, and of the mass and
+/// damping matrices of its positions above which they vary.
 const REPEATS: f64 = 1e-5;
+/// Relative difference of the equilibrium after a period above which a warning states it.
+const NOTABLE: f64 = 1e-4;
 /// Relative difference of the equilibrium after a period above which it does not repeat.
 const VARIES: f64 = 0.02;
 /// Fraction of the period after which the damping matrix is compared.
@@ -31,8 +33,8 @@ const LATER: f64 = 0.31;
 /// Fractions of the mesh cycle at which the equilibrium is compared until it repeats at one: where a pair
 /// of teeth enters contact, it depends on rounding.
 const PLACES: [f64; 4] = [0.11, 0.38, 0.59, 0.84];
-/// Largest number of complex unknowns of a speed: 150 MB, and some seconds.
-const LARGEST: usize = 3000;
+/// Largest number of complex unknowns of a speed: about a second.
+const LARGEST: usize = 10_000;
 /// Multiple of the difference from half of the positions that is the estimated error. The
 /// difference varies with the phase of the positions to the jumps of the stiffness.
 const CAUTION: f64 = 2.0;
@@ -123,10 +125,16 @@ impl ForcedResponse {
     /// Returns warnings about the response, in sentences.
     pub fn warnings(&self) -> Vec<String> {
         let mut all = Vec::new();
-        if self.difference > REPEATS {
+        if self.difference > NOTABLE {
             all.push(format!(
                 "the equilibrium differs by {:.2} % after a common period of all meshes, because something else varies, such as the places of rolling elements; the forced response does not contain this variation",
                 1e2 * self.difference
+            ));
+        }
+        if let Some(speeds) = self.ranges(ForcedPoint::is_unknown) {
+            all.push(format!(
+                "no forced response was found at {speeds} of \"{}\": an undamped resonance, or varying stiffness that makes the vibration grow; give a higher `damping_ratio`",
+                self.body
             ));
         }
         if let Some(speeds) = self.ranges(|point| point.growth > UNSTABLE) {
@@ -186,6 +194,11 @@ impl ForcedPoint {
         };
         let errors = amplitudes.iter().zip(&coarse).map(difference).collect();
         ForcedPoint { speed, amplitudes, errors, growth: fine.growth(ratio) }
+    }
+
+    /// Returns whether the response is not known.
+    fn is_unknown(&self) -> bool {
+        self.amplitudes.iter().flatten().any(|amplitude| amplitude.re.is_nan())
     }
 
     /// Returns whether a quantity changes its sign.

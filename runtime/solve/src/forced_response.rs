@@ -99,6 +99,8 @@ pub struct ForcedVibration {
     statics: Vec<DVector<Complex<f64>>>,
     /// Fourier coefficients of the products of static equilibrium and damping or gyroscopic matrix.
     static_rates: [Vec<DVector<Complex<f64>>>; 2],
+    /// Modes that the varying stiffness can make unstable, by index.
+    unstable: Vec<usize>,
     quantities: Vec<ModalQuantity>,
     /// Amplitudes of the static values by quantity.
     static_values: Vec<Amplitudes>,
@@ -242,6 +244,11 @@ impl ForcedVibration {
             damping: basis.transpose() * &system.damping * &basis,
             gyroscopic: basis.transpose() * &system.gyroscopic * &basis,
             couplings: Couplings::new(&orders, &stiffness, &modal_damping),
+            unstable: growth::unstable_modes(
+                &frequencies,
+                stiffness.iter().filter(|(order, _)| **order != 0).map(|(_, coefficient)| coefficient),
+                system.damping_ratio,
+            ),
             modal_damping,
             stiffness,
             static_rates: [projected(&system.damping), projected(&system.gyroscopic)],
@@ -294,13 +301,16 @@ impl ForcedVibration {
             return f64::NAN;
         }
         let modal = self.modal_damping[&0].map(|value| value.re);
-        let rates = &self.damping + modal + speed * &self.gyroscopic;
+        let rates = self.of_unstable(&(&self.damping + modal + speed * &self.gyroscopic));
+        let frequencies: Vec<f64> = self.unstable.iter().map(|&mode| self.frequencies[mode]).collect();
         let of_mesh = |&cycles: &i64| {
             let harmonics = 0..=2 * self.orders.harmonics() as i64;
-            let stiffness: Vec<_> =
-                harmonics.filter_map(|harmonic| self.stiffness.get(&(harmonic * cycles))).collect();
+            let stiffness: Vec<_> = harmonics
+                .filter_map(|harmonic| self.stiffness.get(&(harmonic * cycles)))
+                .map(|coefficient| self.of_unstable(coefficient))
+                .collect();
             let frequency = speed * self.frequency * cycles as f64;
-            growth::growth(frequency, &self.frequencies, &rates, &stiffness)
+            growth::growth(frequency, &frequencies, &rates, &stiffness)
         };
         let all = self.orders.meshes().iter().map(of_mesh);
         // NaN must remain NaN.
@@ -308,6 +318,11 @@ impl ForcedVibration {
             0.0,
             |largest: f64, growth| if largest.is_nan() || growth <= largest { largest } else { growth },
         )
+    }
+
+    /// Returns the part of a matrix for the modes that can become unstable.
+    fn of_unstable<T: nalgebra::Scalar>(&self, matrix: &DMatrix<T>) -> DMatrix<T> {
+        matrix.select_rows(&self.unstable).select_columns(&self.unstable)
     }
 
     /// Returns the deviation from static equilibrium in modal coordinates by order of the response.

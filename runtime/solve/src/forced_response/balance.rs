@@ -7,13 +7,17 @@
 
 use super::orders::Orders;
 use calyx_numerics::complex::{ComplexLu, solve_complex, solve_iteratively};
+use calyx_numerics::dense::symmetric_eigen;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatMut, MatRef, Par, c64};
 use nalgebra::{Complex, DMatrix};
 use std::collections::BTreeMap;
 
-/// Largest number of unknowns of a system that is solved directly.
+/// Largest number of unknowns of a system that is solved directly from the start.
 const DIRECT: usize = 120;
+/// Largest number of unknowns of a system that is solved directly without convergence of the
+/// iteration: 150 MB, and some seconds.
+const FALLBACK: usize = 3000;
 /// Residual relative to the right-hand side at which the iteration ends.
 const RESIDUAL: f64 = 1e-11;
 /// Largest number of iterations; after it the system is solved directly.
@@ -22,18 +26,30 @@ const ITERATIONS: usize = 100;
 /// out.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// Coupling of orders by coefficients of the stiffness.
+/// Eigenvalue, relative to the largest one, of a sum of squares that is rounding: motions on which
+/// coefficients act with less than 1e-7 of the largest ones are left out.
+const ROUNDING: f64 = 1e-14;
+
+/// Coupling of orders by coefficients of the stiffness and of the modal damping.
 pub(super) struct Couplings {
     modes: usize,
     orders: Vec<i64>,
     clusters: Vec<Vec<usize>>,
+    /// Mean stiffness and modal damping.
+    means: [DMatrix<f64>; 2],
+    /// Coefficients of other orders.
     all: Vec<Coupling>,
+    /// Orthonormal basis, by column, of the motions on which these coefficients act: those of the
+    /// meshes, which are fewer than the modes.
+    acting: Mat<c64>,
 }
 
 /// Coefficient of a matrix at an order, and the pairs of orders of the response that differ by it:
 /// the row, then the column.
 struct Coupling {
     coefficient: Mat<c64>,
+    /// The same in the basis of the motions on which the coefficients act.
+    reduced: Mat<c64>,
     pairs: Vec<(usize, usize)>,
     /// True for damping, which multiplies the rate.
     is_damping: bool,
@@ -65,7 +81,22 @@ impl Couplings {
             all.extend(couplings(response, series, is_damping));
         }
         let modes = stiffness.values().next().map_or(0, DMatrix::nrows);
-        Couplings { modes, orders: response.to_vec(), clusters: orders.clusters().to_vec(), all }
+        let mean = |series: &Coefficients| match series.get(&0) {
+            Some(mean) => mean.map(|entry| entry.re),
+            None => DMatrix::zeros(modes, modes),
+        };
+        let acting = acting(modes, &all);
+        for coupling in &mut all {
+            coupling.reduced = acting.transpose() * &coupling.coefficient * &acting;
+        }
+        Couplings {
+            modes,
+            orders: response.to_vec(),
+            clusters: orders.clusters().to_vec(),
+            means: [mean(stiffness), mean(damping)],
+            all,
+            acting,
+        }
     }
 
     /// Solves the system at a frequency of the common period (rad/s) with the matrix of bearings'
@@ -91,19 +122,21 @@ impl Couplings {
         let every: Vec<usize> = (0..blocks).collect();
         let found = match found {
             Some(found) => found,
-            None => solve_complex(self.assembled(&own, &every), column)?,
+            None if column.nrows() <= FALLBACK => solve_complex(self.assembled(&own, &every), column)?,
+            None => return None,
         };
         Some(Mat::from_fn(self.modes, blocks, |i, block| found[(block * self.modes + i, 0)]))
     }
 
-    /// Returns the block of an order without stiffness and modal damping.
+    /// Returns the block of an order with the mean stiffness and modal damping.
     fn inertia(&self, omega: f64, rates: &DMatrix<f64>, extra: &[f64]) -> Mat<c64> {
         Mat::from_fn(self.modes, self.modes, |i, j| {
-            let rate = c64::new(0.0, omega * rates[(i, j)]);
+            let [stiffness, damping] = [0, 1].map(|kind: usize| self.means[kind][(i, j)]);
+            let own = c64::new(stiffness, omega * (rates[(i, j)] + damping));
             match (i == j, omega == 0.0) {
-                (true, true) => rate + c64::new(extra[i], 0.0),
-                (true, false) => rate - c64::new(omega * omega, 0.0),
-                (false, _) => rate,
+                (true, true) => own + c64::new(extra[i], 0.0),
+                (true, false) => own - c64::new(omega * omega, 0.0),
+                (false, _) => own,
             }
         })
     }
@@ -161,35 +194,63 @@ impl Couplings {
         solve_iteratively(&apply, &precondition, right.as_ref(), (RESIDUAL, ITERATIONS))
     }
 
-    /// Adds the product of stiffness and modal damping and a column of all orders.
+    /// Adds the product of the couplings and a column of all orders.
     fn add_couplings(&self, blocks: &Blocks, from: MatRef<'_, c64>, mut to: MatMut<'_, c64>) {
-        let size = self.modes;
+        let (size, count, one) = (self.modes, self.orders.len(), c64::new(1.0, 0.0));
+        let acting = self.acting.as_ref();
+        let by_order = Mat::from_fn(size, count, |i, block| from[(block * size + i, 0)]);
+        let mut moved = Mat::<c64>::zeros(acting.ncols(), count);
+        matmul(moved.as_mut(), Accum::Replace, acting.transpose(), &by_order, one, Par::Seq);
+        let mut forces = Mat::<c64>::zeros(acting.ncols(), count);
         for coupling in &self.all {
-            let Coupling { coefficient, pairs, .. } = coupling;
-            let gathered = Mat::from_fn(size, pairs.len(), |i, k| {
-                from[(pairs[k].1 * size + i, 0)] * blocks.factor(coupling, pairs[k].1)
+            let Coupling { reduced, pairs, .. } = coupling;
+            let gathered = Mat::from_fn(acting.ncols(), pairs.len(), |i, k| {
+                moved[(i, pairs[k].1)] * blocks.factor(coupling, pairs[k].1)
             });
-            let mut product = Mat::<c64>::zeros(size, pairs.len());
-            let one = c64::new(1.0, 0.0);
-            matmul(product.as_mut(), Accum::Replace, coefficient, &gathered, one, Par::Seq);
+            let mut product = Mat::<c64>::zeros(acting.ncols(), pairs.len());
+            matmul(product.as_mut(), Accum::Replace, reduced, &gathered, one, Par::Seq);
             for (k, &(row, _)) in pairs.iter().enumerate() {
-                for i in 0..size {
-                    to[(row * size + i, 0)] += product[(i, k)];
+                for i in 0..acting.ncols() {
+                    forces[(i, row)] += product[(i, k)];
                 }
+            }
+        }
+        let mut added = Mat::<c64>::zeros(size, count);
+        matmul(added.as_mut(), Accum::Replace, acting, &forces, one, Par::Seq);
+        for block in 0..count {
+            for i in 0..size {
+                to[(block * size + i, 0)] += added[(i, block)];
             }
         }
     }
 }
 
-/// Returns the couplings of orders of the response by the coefficients of a series.
+/// Returns an orthonormal basis, by column, of the motions on which coefficients act. They are
+/// symmetric, so that the eigenvectors of the sum of their squares are such a basis.
+fn acting(modes: usize, couplings: &[Coupling]) -> Mat<c64> {
+    let mut squares = Mat::<f64>::zeros(modes, modes);
+    for Coupling { coefficient, .. } in couplings {
+        for part in [|entry: &c64| entry.re, |entry: &c64| entry.im] {
+            let part = Mat::from_fn(modes, modes, |i, j| part(&coefficient[(i, j)]));
+            squares += &part * part.transpose();
+        }
+    }
+    let everything = || Mat::from_fn(modes, modes, |i, j| c64::new(f64::from(u8::from(i == j)), 0.0));
+    let Some((values, vectors)) = symmetric_eigen(squares.as_ref()) else { return everything() };
+    let largest = values.last().copied().unwrap_or_default();
+    let first = values.partition_point(|value| *value <= ROUNDING * largest);
+    Mat::from_fn(modes, modes - first, |i, k| c64::new(vectors[(i, first + k)], 0.0))
+}
+
+/// Returns the couplings of orders of the response by the coefficients of a series but its mean.
 fn couplings(response: &[i64], series: &Coefficients, is_damping: bool) -> Vec<Coupling> {
     let largest = series.values().map(amplitude).fold(0.0, f64::max);
     let counts = |(order, coefficient): &(&i64, &DMatrix<Complex<f64>>)| {
-        **order == 0 || amplitude(coefficient) > NEGLIGIBLE * largest
+        **order != 0 && amplitude(coefficient) > NEGLIGIBLE * largest
     };
     let mut all = Vec::new();
     for (&order, coefficient) in series.iter().filter(counts) {
-        for signed in if order == 0 { vec![0] } else { vec![-order, order] } {
+        for signed in [-order, order] {
             let pair = |(row, of_row): (usize, &i64)| {
                 response.binary_search(&(of_row - signed)).ok().map(|column| (row, column))
             };
@@ -200,7 +261,7 @@ fn couplings(response: &[i64], series: &Coefficients, is_damping: bool) -> Vec<C
             };
             let coefficient = Mat::from_fn(coefficient.nrows(), coefficient.ncols(), entry);
             if !pairs.is_empty() {
-                all.push(Coupling { coefficient, pairs, is_damping });
+                all.push(Coupling { coefficient, reduced: Mat::new(), pairs, is_damping });
             }
         }
     }

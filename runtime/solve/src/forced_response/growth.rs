@@ -11,12 +11,38 @@ const STEPS: usize = 300;
 /// Number of squarings of the matrix of a period, whose norm then gives its spectral radius.
 const SQUARINGS: i32 = 14;
 
+/// Part of the least variation of the stiffness for a parametric resonance at a damping ratio, below
+/// which modes are stable.
+const SAFE: f64 = 0.5;
+
+/// Returns the modes that the varying stiffness can make unstable, and the lowest one, by index.
+///
+/// Two modes with the frequencies `w` resonate parametrically if the amplitude of the stiffness
+/// between them exceeds `4 zeta w1 w2` (first-order theory of combination resonances, of which that
+/// of one mode is a case). `frequencies` are those of the modes (rad/s), `stiffness` the Fourier
+/// coefficients but the mean.
+pub(super) fn unstable_modes<'m>(
+    frequencies: &[f64],
+    stiffness: impl Iterator<Item = &'m DMatrix<Complex<f64>>>,
+    damping_ratio: f64,
+) -> Vec<usize> {
+    let modes = frequencies.len();
+    let mut amplitudes = DMatrix::<f64>::zeros(modes, modes);
+    for coefficient in stiffness {
+        amplitudes += coefficient.map(|value| 2.0 * value.norm());
+    }
+    let resonates = |i: usize, j: usize| {
+        amplitudes[(i, j)] >= SAFE * 4.0 * damping_ratio * frequencies[i] * frequencies[j]
+    };
+    (0..modes).filter(|&i| i == 0 || (0..modes).any(|j| resonates(i, j))).collect()
+}
+
 /// Returns the factor by which a disturbance grows within a period: the spectral radius of the
 /// monodromy matrix. NaN if the matrix is not finite.
 ///
-/// `frequency` is that of the period (rad/s), `frequencies` those of the modes in ascending order,
-/// `rates` the damping and gyroscopic matrix of all modes, and `stiffness` the Fourier coefficients
-/// of the stiffness from the mean on.
+/// `frequency` is that of the period (rad/s), `frequencies` those of some modes in ascending order,
+/// `rates` their damping and gyroscopic matrix, and `stiffness` the Fourier coefficients of their
+/// stiffness from the mean on.
 ///
 /// The implicit midpoint rule integrates over the period. It neither damps nor excites. Modes above
 /// twelve times the frequency of the period are left out.
@@ -24,7 +50,7 @@ pub(super) fn growth(
     frequency: f64,
     frequencies: &[f64],
     rates: &DMatrix<f64>,
-    stiffness: &[&DMatrix<Complex<f64>>],
+    stiffness: &[DMatrix<Complex<f64>>],
 ) -> f64 {
     let modes = frequencies.partition_point(|own| *own <= ORDERS * frequency);
     if modes == 0 || frequency == 0.0 {
@@ -51,7 +77,7 @@ pub(super) fn growth(
 }
 
 /// Returns the stiffness of the lowest modes at a phase of the period from 0 to 1.
-fn stiffness_at(coefficients: &[&DMatrix<Complex<f64>>], phase: f64, modes: usize) -> DMatrix<f64> {
+fn stiffness_at(coefficients: &[DMatrix<Complex<f64>>], phase: f64, modes: usize) -> DMatrix<f64> {
     let mut found = DMatrix::zeros(modes, modes);
     for (harmonic, coefficient) in coefficients.iter().enumerate() {
         let (sine, cosine) = (TAU * harmonic as f64 * phase).sin_cos();
