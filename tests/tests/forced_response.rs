@@ -304,8 +304,8 @@ analyze(\"quasi_static\", over = gears.mesh_cycle(first, 8), fidelity = \"analyt
 }
 
 /// A planetary set of which sun and planets move on springs, with the speed of the carrier relative
-/// to the ring, rpm. The carrier is at rest, or else the ring. The planets are in sequential phase, so
-/// that the mesh cycle moves the sun.
+/// to the ring, rpm. The carrier is at rest, or else the ring. The planets are in sequential phase,
+/// so that the mesh cycle moves the sun.
 fn planetary(speed: f64, carrier_rests: bool, end: &str) -> String {
     let speeds = match carrier_rests {
         true => format!("sun_speed = {speed} rpm * 71 / 25, ring_speed = -{speed} rpm"),

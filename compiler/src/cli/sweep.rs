@@ -60,7 +60,8 @@ pub struct Sweep {
     /// Vary a param: NAME=FROM..TO:COUNT, NAME=A,B,C or NAME=*; repeatable
     #[arg(long, value_name = "NAME=VALUES")]
     over: Vec<String>,
-    /// Read cases from a CSV file with a column per param, and optional columns `name` and `duration`
+    /// Read cases from a CSV file with a column per param, and optional columns `name` and
+    /// `duration`
     #[arg(long, value_name = "FILE")]
     cases: Option<PathBuf>,
     /// Slope p of the Woehler damage line for equivalent torques of meshes (ISO 6336-6); repeatable
@@ -82,8 +83,8 @@ pub struct Sweep {
     allow: AllowPath,
     /// Directory for the results [default: the model's file name with the suffix .sweep]
     ///
-    /// Contains sweep.csv (one row per case), sweep.html, cases.jsonl (finished cases, from which an
-    /// interrupted sweep continues), and with --cases component_loads.csv and duty_cycle.csv.
+    /// Contains sweep.csv (one row per case), sweep.html, cases.jsonl (finished cases, from which
+    /// an interrupted sweep continues), and with --cases component_loads.csv and duty_cycle.csv.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write to a directory that contains other files

@@ -21,8 +21,8 @@ use quantities::{Sample, label, linear, measures, sample};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Relative difference of the equilibrium after a period up to which it repeats, and of the mass and
-/// damping matrices of its positions above which they vary.
+/// Relative difference of the equilibrium after a period up to which it repeats, and of the mass
+/// and damping matrices of its positions above which they vary.
 const REPEATS: f64 = 1e-5;
 /// Relative difference of the equilibrium after a period above which a warning states it.
 const NOTABLE: f64 = 1e-4;
@@ -30,8 +30,8 @@ const NOTABLE: f64 = 1e-4;
 const VARIES: f64 = 0.02;
 /// Fraction of the period after which the damping matrix is compared.
 const LATER: f64 = 0.31;
-/// Fractions of the mesh cycle at which the equilibrium is compared until it repeats at one: where a pair
-/// of teeth enters contact, it depends on rounding.
+/// Fractions of the mesh cycle at which the equilibrium is compared until it repeats at one: where
+/// a pair of teeth enters contact, it depends on rounding.
 const PLACES: [f64; 4] = [0.11, 0.38, 0.59, 0.84];
 /// Largest number of complex unknowns of a speed: about a second.
 const LARGEST: usize = 10_000;
@@ -102,7 +102,8 @@ pub struct ResponseQuantity {
     pub name: String,
     /// Unit of the SI.
     pub unit: &'static str,
-    /// True for the torque of a single mesh, whose sign changes only if teeth separate.
+    /// True for the torque of meshes that load a gear in one sense: its sign changes only if teeth
+    /// separate.
     pub is_tooth_load: bool,
 }
 
@@ -148,7 +149,7 @@ impl ForcedResponse {
         {
             if let Some(speeds) = self.ranges(|point| point.separates(index, &self.lines)) {
                 all.push(format!(
-                    "teeth separate at {speeds} of \"{}\", because the amplitude of {} exceeds its mean value; the forced response of teeth that remain in contact is not reached there",
+                    "teeth separate at {speeds} of \"{}\", because the vibration of {} exceeds its mean value; the forced response of teeth that remain in contact is not reached there",
                     self.body, quantity.name
                 ));
             }

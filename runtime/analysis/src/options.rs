@@ -27,8 +27,8 @@ pub struct AnalysisOptions {
     /// Includes deformed meshes of elastic bodies in the fields. This costs one factorization, and
     /// for each position a back-substitution per tooth.
     pub bodies: bool,
-    /// Records the loads of all meshes and bearings ([`crate::component_loads`]), unless positions of
-    /// an earlier run are given.
+    /// Records the loads of all meshes and bearings ([`crate::component_loads`]), unless positions
+    /// of an earlier run are given.
     pub component_loads: bool,
     /// Error estimates that are computed after all positions are solved.
     pub error_estimates: Estimates,

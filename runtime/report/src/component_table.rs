@@ -262,8 +262,8 @@ pub(crate) fn components(table: &SweepTable) -> Vec<&Component> {
     all
 }
 
-/// Returns the tables of all quantities that some case has. Edge pressures and misalignments that are
-/// zero in all cases are left out.
+/// Returns the tables of all quantities that some case has. Edge pressures and misalignments that
+/// are zero in all cases are left out.
 pub fn tables(table: &SweepTable) -> Vec<QuantityTable> {
     let (units, components) = (TableUnits::of_system(&table.units), components(table));
     let of = |definition: &Definition| {

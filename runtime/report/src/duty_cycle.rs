@@ -1,4 +1,5 @@
-//! Equivalent values over a duty cycle: loads and lives of bearings, torques of meshes, mean powers.
+//! Equivalent values over a duty cycle: loads and lives of bearings, torques of meshes, mean
+//! powers.
 //!
 //! With the share `q_i` of the time of case i, its speed `n_i` and its load, which is the mean over
 //! the positions of the case:

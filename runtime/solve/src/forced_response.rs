@@ -382,9 +382,9 @@ impl ForcedVibration {
     }
 }
 
-/// Returns the highest frequency of a response up to a speed relative to the reference speed, rad/s.
-/// It is infinite if carriers rotate: the mean stiffness along ground axes is not that of the modes,
-/// so all modes need inertia.
+/// Returns the highest frequency of a response up to a speed relative to the reference speed,
+/// rad/s. It is infinite if carriers rotate: the mean stiffness along ground axes is not that of
+/// the modes, so all modes need inertia.
 fn highest_frequency(system: &PeriodicSystem, highest: f64) -> f64 {
     match system.orders.rotates() {
         true => f64::INFINITY,
@@ -393,9 +393,9 @@ fn highest_frequency(system: &PeriodicSystem, highest: f64) -> f64 {
 }
 
 /// Returns the Fourier coefficients of the damping by the damping ratio in modal coordinates with
-/// these frequencies (rad/s), rad/s. With the stiffness `kappa` at a position it is `2 zeta kappa^(1/2)`
-/// for rotating carriers, and its mean over the mesh cycles counts. `None` if the stiffness is not
-/// finite.
+/// these frequencies (rad/s), rad/s. With the stiffness `kappa` at a position it is `2 zeta
+/// kappa^(1/2)` for rotating carriers, and its mean over the mesh cycles counts. `None` if the
+/// stiffness is not finite.
 fn modal_damping(
     system: &PeriodicSystem,
     stiffness: &[DMatrix<f64>],
@@ -419,8 +419,8 @@ fn modal_damping(
     )
 }
 
-/// Returns the amplitudes of the product of a row and the rate of the static equilibrium at the unit
-/// frequency of the period.
+/// Returns the amplitudes of the product of a row and the rate of the static equilibrium at the
+/// unit frequency of the period.
 fn static_rates(
     row: &Series<DVector<Complex<f64>>>,
     statics: &[DVector<Complex<f64>>],

@@ -58,7 +58,7 @@ impl Excitation {
         if speed == 0.0 {
             let message =
                 format!("the gear \"{}\" does not rotate, and its speed is the abscissa", first.name);
-            let help = "give a mesh whose first gear rotates, such as that of the sun with a planet";
+            let help = "give a mesh whose first gear rotates, such as that of a planet with the ring";
             return Err(refused(&message, help));
         }
         let mut meshes: Vec<(f64, PairId)> = vec![(1.0 / own_mesh.period, request.mesh)];
@@ -105,8 +105,8 @@ impl Excitation {
         })
     }
 
-    /// Returns the names of a line's mesh, and of the carrier or the mesh that causes its sidebands;
-    /// empty if it does not depend on them.
+    /// Returns the names of a line's mesh, and of the carrier or the mesh that causes its
+    /// sidebands; empty if it does not depend on them.
     pub fn names(&self, line: Line) -> [String; 2] {
         let mesh = if line.harmonic > 0 { self.meshes[line.mesh].clone() } else { String::new() };
         let modulation = line.modulation.map_or(String::new(), |modulation| match modulation {
@@ -183,8 +183,8 @@ fn check_axes(scene: &Mechanism, pair: &SurfacePair, turns: f64) -> Result<(), E
     Ok(())
 }
 
-/// Returns the numbers of cycles of frequencies in their shortest common period; `None` if the first
-/// has more than [`CYCLES`].
+/// Returns the numbers of cycles of frequencies in their shortest common period; `None` if the
+/// first has more than [`CYCLES`].
 fn common_cycles(frequencies: &[f64]) -> Option<Vec<i64>> {
     let first = *frequencies.first()?;
     let mut common = 1_i64;

@@ -6,6 +6,7 @@ use calyx_model::bearing::BearingState;
 use calyx_model::dof::{DOF_NAMES, Dof};
 use calyx_model::ids::{BearingId, BodyId, PairId};
 use calyx_model::mechanism::Mechanism;
+use calyx_model::pairs::SurfacePair;
 use calyx_numerics::vec3::dot;
 use calyx_solve::forced_response::LinearQuantity;
 use calyx_solve::step::StepResult;
@@ -107,12 +108,25 @@ pub(super) fn label(system: &System<'_>, scene: &Mechanism, measure: Measure) ->
             (format!("{}({})", DOF_NAMES[dof.component], name(BodyId(dof.body))), unit)
         }
     };
-    let meshes = |body: BodyId| {
-        let own = scene.pairs.iter().filter(|pair| pair.front.is_none() && pair.bodies.contains(&body));
-        own.count()
-    };
-    let is_tooth_load = matches!(measure, Measure::ToothTorque(body, _) if meshes(body) == 1);
+    let is_tooth_load =
+        matches!(measure, Measure::ToothTorque(body, _) if is_loaded_in_one_sense(scene, body));
     ResponseQuantity { name, unit, is_tooth_load }
+}
+
+/// Returns true if all meshes of a gear load it in one sense, as those of a sun or a ring, so that
+/// teeth separate where the sum changes its sign. The meshes of a planet or an idler balance.
+fn is_loaded_in_one_sense(scene: &Mechanism, body: BodyId) -> bool {
+    let sense = |pair: &SurfacePair| {
+        let mesh = pair.mesh.as_ref().filter(|_| pair.front.is_none())?;
+        // The teeth push the driving gear against its motion, and the driven one along its own.
+        match pair.bodies.map(|one| one == body) {
+            [true, _] => Some(-mesh.drive_sense),
+            [_, true] => Some(-mesh.sign * mesh.drive_sense),
+            [false, false] => None,
+        }
+    };
+    let mut senses = scene.pairs.iter().filter_map(sense);
+    senses.next().is_some_and(|first| senses.all(|other| other == first))
 }
 
 /// Returns the state of a solved position; `None` if nothing vibrates.

@@ -53,8 +53,8 @@ fn by_case(table: &SweepTable, quantities: &[&QuantityTable]) -> Markup {
     }
 }
 
-/// Shows a value, bold if it has the largest magnitude of several different ones, or is the shortest
-/// life.
+/// Shows a value, bold if it has the largest magnitude of several different ones, or is the
+/// shortest life.
 fn cell(value: Option<f64>, row: &[Option<f64>], is_life: bool) -> Markup {
     let Some(value) = value else { return html! {} };
     let magnitudes = || row.iter().flatten().map(|other| other.abs());

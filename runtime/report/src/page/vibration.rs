@@ -1,5 +1,5 @@
-//! Section on forced vibration: root mean squares of the response over the speed, its harmonics, and
-//! waterfall plots.
+//! Section on forced vibration: root mean squares of the response over the speed, its harmonics,
+//! and waterfall plots.
 
 use super::chart::{Axis, Curve, WIDE, curves};
 use super::figure;
@@ -9,6 +9,8 @@ use super::waterfall::{self, Point, Ray};
 use crate::forced_response::ResponseRow;
 use maud::{Markup, PreEscaped, html};
 
+/// Amplitude relative to the largest one of its unit below which a quantity is not plotted.
+const NEGLIGIBLE: f64 = 1e-6;
 /// Largest number of lines in a plot.
 const SHOWN: usize = 5;
 
@@ -24,13 +26,33 @@ pub fn section(run: &Run, units: Units) -> Markup {
         ["transmission_error", "tooth_torque", "bearing_"].iter().any(|kind| name.starts_with(kind))
     };
     let plotted: Vec<&str> = names.iter().copied().filter(is_plotted).collect();
+    let plotted: Vec<&str> = plotted.into_iter().filter(|name| !is_negligible(run, name)).collect();
     if plotted.is_empty() {
         return PreEscaped(String::new());
     }
+    let natural = match run.natural_frequencies.is_empty() {
+        true => "",
+        false => ", and dashed lines are natural frequencies of the mean stiffness",
+    };
     html! {
-        p.note { "Steady vibration that the meshes excite, over the speed of the first gear of the requested mesh: root mean square of the variation about the mean, and the amplitudes of the lines that are largest over all speeds. The waterfall plot below it has the frequencies of all lines; colours are levels in dB of the largest amplitude, and dashed lines are natural frequencies. The computation assumes that teeth remain in contact; warnings of the run state the speeds at which they separate. The motions of all bodies are in forced_response.csv." }
+        p.note { "Steady vibration that the meshes excite, over the speed of the first gear of the requested mesh: root mean square of the variation about the mean, and the amplitudes of the lines that are largest over all speeds. The waterfall plot below it has the frequencies of all lines; colours are levels in dB of the largest amplitude" (natural) ". The computation assumes that teeth remain in contact; warnings of the run state the speeds at which the load on a gear changes its sign, but planets and idlers, whose meshes balance, are not examined. The motions of all bodies are in forced_response.csv." }
         @for name in plotted { (plots(run, name, units)) }
     }
+}
+
+/// Returns true if a quantity varies by less than a millionth of the largest one with its unit, as
+/// by rounding.
+fn is_negligible(run: &Run, name: &str) -> bool {
+    let varies = |row: &&ResponseRow| row.harmonic > 0;
+    let largest = |rows: &mut dyn Iterator<Item = &ResponseRow>| {
+        rows.filter(varies).map(|row| row.amplitude).fold(0.0, f64::max)
+    };
+    let Some(unit) = run.forced_response.iter().find(|row| row.quantity == name).map(|row| &row.unit) else {
+        return true;
+    };
+    let own = largest(&mut run.forced_response.iter().filter(|row| row.quantity == name));
+    let of_all = largest(&mut run.forced_response.iter().filter(|row| row.unit == *unit));
+    own <= NEGLIGIBLE * of_all
 }
 
 /// Rows of a spectral line over the speed, and its name.
@@ -74,7 +96,8 @@ fn plots(run: &Run, name: &str, units: Units) -> Markup {
     let map = waterfall::plot(&x, &Axis { what: "frequency", unit: "Hz" }, &rays, &run.natural_frequencies);
     html! {
         (figure(&curves(WIDE, &x, &y, &all, &[]), name))
-        (figure(&map, &format!("waterfall plot of {name}")))
+        // Moments of bearings have the spectra of their forces.
+        @if !name.starts_with("bearing_moment") { (figure(&map, &format!("waterfall plot of {name}"))) }
     }
 }
 

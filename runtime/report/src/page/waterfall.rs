@@ -7,6 +7,9 @@ use plotters::prelude::*;
 /// Range of levels below the largest amplitude, dB.
 const RANGE: f64 = 60.0;
 
+/// Number of colours: 3 dB each.
+const LEVELS: f64 = 20.0;
+
 /// Spectral line over the speed.
 #[derive(Clone, Debug, Default)]
 pub struct Ray {
@@ -19,6 +22,13 @@ pub struct Point {
     /// Speed and frequency.
     pub at: [f64; 2],
     pub amplitude: f64,
+}
+
+/// Straight stretch of a ray with one colour.
+struct Stroke {
+    /// Level from 0 to 1.
+    level: f64,
+    ends: [(f64, f64); 2],
 }
 
 /// Plots rays, and natural frequencies as dashed lines. Colours are levels in dB of the largest
@@ -45,38 +55,37 @@ pub fn plot(x: &Axis, y: &Axis, rays: &[Ray], natural_frequencies: &[f64]) -> Pl
             .y_label_area_size(148)
             .build_cartesian_2d(across.clone(), up.clone())?;
         mesh(&mut chart, x, y, [small(&across), small(&up)])?;
+        // The highest levels are drawn last, so that nothing covers them.
+        let mut all: Vec<Stroke> = rays.iter().flat_map(|ray| strokes(ray, part)).collect();
+        all.sort_by(|one, other| one.level.total_cmp(&other.level));
+        for Stroke { level, ends } in all {
+            chart.draw_series(LineSeries::new(ends, shade(level).stroke_width(5)))?;
+        }
         for &frequency in natural_frequencies.iter().filter(|frequency| up.contains(frequency)) {
             let line = [(across.start, frequency), (across.end, frequency)];
-            chart.draw_series(DashedLineSeries::new(line, 6, 8, BLACK.mix(0.4).stroke_width(1)))?;
-        }
-        for (colour, line) in rays.iter().flat_map(|ray| strokes(ray, part)) {
-            chart.draw_series(LineSeries::new(line, colour.stroke_width(5)))?;
+            chart.draw_series(DashedLineSeries::new(line, 6, 8, BLACK.mix(0.6).stroke_width(1)))?;
         }
         key(&legend)
     });
     Plot { svg, ..Plot::default() }
 }
 
-/// Divides a ray into stretches of one colour. Each begins where the one before it ends.
-fn strokes(ray: &Ray, part: impl Fn(f64) -> f64) -> Vec<(RGBColor, Vec<(f64, f64)>)> {
-    let mut all: Vec<(RGBColor, Vec<(f64, f64)>)> = Vec::new();
+/// Divides a ray into stretches of one colour, each of which begins where the one before it ends,
+/// and leaves out what is below the range of levels.
+fn strokes(ray: &Ray, part: impl Fn(f64) -> f64) -> Vec<Stroke> {
+    let mut all: Vec<Stroke> = Vec::new();
     let place = |point: &Point| (point.at[0], point.at[1]);
     for pair in ray.points.windows(2) {
         let mean = 0.5 * (pair[0].amplitude + pair[1].amplitude);
-        if !mean.is_finite() {
+        let level = (part(mean) * LEVELS).floor() / LEVELS;
+        if level.is_nan() || level < 0.0 {
             continue;
         }
-        let colour = shade(part(mean));
+        let [from, to] = [place(&pair[0]), place(&pair[1])];
         match all.last_mut() {
-            Some((last, line)) if *last == colour && line.last() == Some(&place(&pair[0])) => {
-                line.push(place(&pair[1]));
-            }
-            _ => all.push((colour, vec![place(&pair[0]), place(&pair[1])])),
+            Some(last) if last.level == level && last.ends[1] == from => last.ends[1] = to,
+            _ => all.push(Stroke { level, ends: [from, to] }),
         }
-    }
-    // A straight stretch needs its ends only.
-    for (_, line) in &mut all {
-        *line = vec![line[0], line[line.len() - 1]];
     }
     all
 }
@@ -120,7 +129,7 @@ mod tests {
     fn a_stretch_of_one_colour_is_one_line() {
         let part = |amplitude: f64| amplitude;
         let found = strokes(&ray(&[0.1, 0.1, 0.1, 0.9, 0.9]), part);
-        let places: Vec<_> = found.iter().map(|(_, line)| (line[0].0, line[1].0)).collect();
+        let places: Vec<_> = found.iter().map(|stroke| (stroke.ends[0].0, stroke.ends[1].0)).collect();
         assert_eq!(places, [(0.0, 2.0), (2.0, 3.0), (3.0, 4.0)]);
         // A resonance without damping has no amplitude.
         assert_eq!(strokes(&ray(&[0.1, f64::NAN, 0.1, 0.1]), part).len(), 1);

@@ -38,11 +38,12 @@ enum Column {
 
 impl CaseFile {
     /// Reads cases from a CSV file: a line with the names of params, then a line per case with
-    /// their values as after `--set`. A column `name` names the cases, and a column `duration` makes
-    /// them a duty cycle, unless the model has a param of this name.
+    /// their values as after `--set`. A column `name` names the cases, and a column `duration`
+    /// makes them a duty cycle, unless the model has a param of this name.
     ///
     /// # Errors
-    /// The file cannot be read; it has no case; a name is unknown; a value or a duration is invalid.
+    /// The file cannot be read; it has no case; a name is unknown; a value or a duration is
+    /// invalid.
     pub fn read(path: &Path, description: &ModelDescription) -> Result<CaseFile, Error> {
         let shown = path.display();
         let unreadable = |error: csv::Error| {

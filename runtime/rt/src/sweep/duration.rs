@@ -89,8 +89,11 @@ fn checked(form: Form, value: f64, invalid: &impl Fn(&str) -> Error) -> Result<E
 /// Some durations are times and others shares; percentages do not add up to 100; all durations are
 /// zero.
 pub fn of(entries: &[Entry], shown: &impl Display) -> Result<Durations, Error> {
-    let first = entries.first().map_or(Form::Share, |entry| entry.form);
-    if let Some((case, other)) = entries.iter().enumerate().find(|(_, entry)| entry.form != first) {
+    // A plain 0 is no time at all in every form.
+    let counts = |entry: &&Entry| entry.form != Form::Share || entry.value != 0.0;
+    let first = entries.iter().find(counts).map_or(Form::Share, |entry| entry.form);
+    let differs = |(_, entry): &(usize, &Entry)| counts(entry) && entry.form != first;
+    if let Some((case, other)) = entries.iter().enumerate().find(differs) {
         return Err(refused(
             format!(
                 "some durations in {shown} are {}, and others are {} (case {})",
@@ -116,4 +119,21 @@ pub fn of(entries: &[Entry], shown: &impl Display) -> Result<Durations, Error> {
     }
     let values = entries.iter().map(|entry| entry.value).collect();
     Ok(Durations { values, are_times: first == Form::Time })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entry(form: Form, value: f64) -> Entry {
+        Entry { form, value }
+    }
+
+    #[test]
+    fn a_plain_zero_combines_with_every_form() {
+        let times = of(&[entry(Form::Share, 0.0), entry(Form::Time, 60.0)], &"cases.csv").expect("durations");
+        assert_eq!((times.values, times.are_times), (vec![0.0, 60.0], true));
+        let mixed = of(&[entry(Form::Share, 1.0), entry(Form::Time, 60.0)], &"cases.csv");
+        assert!(mixed.is_err());
+    }
 }

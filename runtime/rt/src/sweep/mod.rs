@@ -43,8 +43,8 @@ pub struct Sweep {
     pub overrides: Override,
     /// Axes, of which the sweep has all combinations; the last one varies fastest.
     pub axes: Vec<Axis>,
-    /// True if the first axis has the load cases of a file. Then the loads of meshes and bearings are
-    /// recorded.
+    /// True if the first axis has the load cases of a file. Then the loads of meshes and bearings
+    /// are recorded.
     pub load_cases: bool,
     /// Durations of the load cases, if they are a duty cycle.
     pub durations: Option<Durations>,
@@ -97,8 +97,8 @@ impl Sweep {
     /// Returns the indices of the varied params, and all cases.
     ///
     /// # Errors
-    /// Two axes vary one param, a varied param is also set, a duty cycle has other axes, or there are
-    /// too many cases.
+    /// Two axes vary one param, a varied param is also set, a duty cycle has other axes, or there
+    /// are too many cases.
     pub fn cases(&self) -> Result<(Vec<usize>, Vec<Case>), Error> {
         if self.durations.is_some() && self.axes.len() > 1 {
             return Err(Error::Given(InvalidParam::new(

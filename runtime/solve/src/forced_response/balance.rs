@@ -100,9 +100,9 @@ impl Couplings {
     }
 
     /// Solves the system at a frequency of the common period (rad/s) with the matrix of bearings'
-    /// damping and gyroscopic moments of the modes at this speed. `extra` is added to the diagonal of the mean
-    /// values. The columns of the right-hand side and of the solution are those of the orders.
-    /// `None` if the solution is not finite.
+    /// damping and gyroscopic moments of the modes at this speed. `extra` is added to the diagonal
+    /// of the mean values. The columns of the right-hand side and of the solution are those of the
+    /// orders. `None` if the solution is not finite.
     pub fn solve(
         &self,
         frequency: f64,

@@ -11,8 +11,8 @@ const STEPS: usize = 300;
 /// Number of squarings of the matrix of a period, whose norm then gives its spectral radius.
 const SQUARINGS: i32 = 14;
 
-/// Part of the least variation of the stiffness for a parametric resonance at a damping ratio, below
-/// which modes are stable.
+/// Part of the least variation of the stiffness for a parametric resonance at a damping ratio,
+/// below which modes are stable.
 const SAFE: f64 = 0.5;
 
 /// Returns the modes that the varying stiffness can make unstable, and the lowest one, by index.

@@ -185,8 +185,8 @@ impl Orders {
         &self.coupling
     }
 
-    /// Returns true for an order whose coefficients samples determine. The static equilibrium has no
-    /// others.
+    /// Returns true for an order whose coefficients samples determine. The static equilibrium has
+    /// no others.
     pub(super) fn is_sampled(&self, order: i64) -> bool {
         self.sampled.contains(&order.abs())
     }
@@ -235,9 +235,9 @@ fn modulation(carrier: usize, sideband: i64) -> Option<Modulation> {
 }
 
 /// Returns the interactions of meshes: a mesh and its harmonic, then another mesh and its signed
-/// harmonic, which is not higher. Of the products of both series, those are kept whose harmonics `h`
-/// and `k` have `(1 + h) (1 + k)` up to twice the number of harmonics plus two (hyperbolic cross):
-/// all harmonics with the first one of the other mesh, and fewer of the higher ones.
+/// harmonic, which is not higher. Of the products of both series, those are kept whose harmonics
+/// `h` and `k` have `(1 + h) (1 + k)` up to twice the number of harmonics plus two (hyperbolic
+/// cross): all harmonics with the first one of the other mesh, and fewer of the higher ones.
 fn interactions(meshes: usize, highest: i64) -> impl Iterator<Item = (usize, i64, usize, i64)> {
     let pairs = (0..meshes).flat_map(move |mesh| (0..meshes).map(move |other| (mesh, other)));
     let pairs = pairs.filter(|(mesh, other)| mesh != other);

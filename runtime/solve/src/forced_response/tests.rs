@@ -399,8 +399,8 @@ fn the_damping_ratio_holds_with_carriers() {
 }
 
 /// Two meshes, of 8 and 5 cycles in the common period, each with a rotor of its own: exact, as no
-/// mesh acts on the rotor of the other. A spring between the rotors causes interactions of all orders, of which
-/// the lowest are solved.
+/// mesh acts on the rotor of the other. A spring between the rotors causes interactions of all
+/// orders, of which the lowest are solved.
 #[test]
 fn two_mesh_frequencies_agree_with_integration_in_time() {
     let with = |coupling: f64| {

@@ -77,7 +77,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let build_grid = |patch: usize, size: Option<S::Size>| {
             space.build_grid(candidates[patch], largest_forces[patch], size)
         };
-        // Several threads build grids, because a time step has no other position to solve meanwhile.
+        // Several threads build grids, because a time step has no other position to solve
+        // meanwhile.
         let all = (0..candidates.len()).into_par_iter();
         let mut grids = all.map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
         let mut known: Option<KnownCompliance> = None;
