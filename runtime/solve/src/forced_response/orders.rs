@@ -26,13 +26,13 @@ pub struct Line {
     pub mesh: usize,
     /// Harmonic of the mesh frequency; at least 0.
     pub harmonic: usize,
-    /// What modulates the harmonic; `None` for sideband 0.
+    /// Cause of the modulation; `None` for sideband 0.
     pub modulation: Option<Modulation>,
     /// Order of the sideband.
     pub sideband: i64,
 }
 
-/// What causes sidebands.
+/// Cause of sidebands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Modulation {
     /// Index of a carrier, whose rotation turns displacements.
@@ -140,11 +140,6 @@ impl Orders {
     /// Returns the orders from zero with their origins, ascending.
     pub fn lines(&self) -> impl Iterator<Item = (i64, Line)> + '_ {
         self.lines.iter().map(|(&order, &line)| (order, line))
-    }
-
-    /// Returns the number of orders from zero.
-    pub fn count(&self) -> usize {
-        self.lines.len()
     }
 
     /// Returns a sampling of which every second sample determines all coefficients, with at least
