@@ -1,7 +1,7 @@
 // Interface of the viewer for the pages that use it.
 
-export { Viewer } from "./viewer.ts";
-export type { ViewerOptions } from "./viewer.ts";
+export { Viewer } from "./viewer.tsx";
+export type { ViewerOptions } from "./viewer.tsx";
 export { embeddedSource, positionFileName } from "./source.ts";
 export type { EmbeddedData, OutputColumn, OutputTable, PositionEntry, ViewSource } from "./source.ts";
 export { completeState, defaultState } from "./state.ts";

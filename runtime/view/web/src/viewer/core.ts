@@ -1,0 +1,317 @@
+// State of a viewer and the operations that the panels and the keyboard use.
+
+import { Vector3 } from "three";
+import { Animation } from "./animation.ts";
+import { FileError } from "./array_file.ts";
+import { Display, type Limits } from "./display.ts";
+import { isNodal } from "./fields.ts";
+import { Labels } from "./labels.ts";
+import { probeAt, type Probe } from "./probe.ts";
+import { Positions } from "./positions.ts";
+import { readParts, type Parts } from "./run_data.ts";
+import { NoWebGlError, Scene } from "./scene.ts";
+import type { ViewSource } from "./source.ts";
+import { completeState, defaultState, type PartialState, type ViewState, type Visibility } from "./state.ts";
+import { ThemeWatcher } from "./theme.ts";
+
+export type Status = "empty" | "loading" | "ready" | "failed";
+
+export class Core {
+  state: ViewState;
+  status: Status = "empty";
+  /** Reason of a failure that leaves nothing to display. */
+  failure = "";
+  /** Problem with a single file; the rest is displayed. */
+  notice = "";
+  source: ViewSource | null = null;
+  parts: Parts | null = null;
+  positions: Positions | null = null;
+  probe: Probe | null = null;
+  help = false;
+  /** Share of the positions that the search for limits has read, or null. */
+  progress: number | null = null;
+  readonly scene: Scene | null = null;
+  readonly display: Display | null = null;
+  readonly labels = new Labels();
+  readonly animation = new Animation(this);
+  readonly theme: ThemeWatcher;
+  onChange: ((state: ViewState) => void) | null = null;
+
+  #listeners = new Set<() => void>();
+  #notified = 0;
+  #generation = 0;
+  #fieldChosen: boolean;
+  #allLimits = new Map<string, Limits>();
+  #scan = "";
+
+  constructor(
+    readonly element: HTMLElement,
+    stage: HTMLElement,
+    initial: PartialState,
+  ) {
+    this.state = completeState(initial, defaultState());
+    this.#fieldChosen = initial.colours?.field !== undefined;
+    this.theme = new ThemeWatcher(element, () => this.changed());
+    this.theme.set(this.state.theme);
+    try {
+      this.scene = new Scene(stage);
+      this.display = new Display(this.scene);
+    } catch (error) {
+      this.fail(error instanceof NoWebGlError ? error : new NoWebGlError());
+      return;
+    }
+    const { scene, display } = this;
+    stage.append(this.labels.element);
+    scene.onPrepare = () => display.prepareFrame();
+    scene.onFrame = () => this.labels.update(scene.camera.active, scene.root.matrix, scene.width, scene.height);
+    scene.camera.onChange = (user) => {
+      this.state.camera = scene.camera.state;
+      this.probe = null;
+      scene.invalidate();
+      this.changed(user);
+    };
+  }
+
+  /** Registers a function that is called after changes, at most once per frame. */
+  subscribe(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** Reports a change to the panels and, for changes of the state, to the owner of the viewer. */
+  changed(ofState = true): void {
+    if (ofState) this.#report = true;
+    if (this.#notified) return;
+    this.#notified = requestAnimationFrame(() => {
+      this.#notified = 0;
+      for (const listener of this.#listeners) listener();
+      if (this.#report) this.onChange?.(structuredClone(this.state));
+      this.#report = false;
+    });
+  }
+  #report = false;
+
+  /** Shows a message instead of the scene. */
+  fail(error: unknown): void {
+    this.status = "failed";
+    this.failure = error instanceof Error ? error.message : String(error);
+    this.changed(false);
+  }
+
+  async show(source: ViewSource): Promise<void> {
+    if (!this.scene) return;
+    this.source = source;
+    this.status = "loading";
+    this.notice = "";
+    this.changed(false);
+    await this.load(true);
+  }
+
+  async reload(): Promise<void> {
+    if (this.source && this.scene) await this.load(false);
+  }
+
+  private async load(initial: boolean): Promise<void> {
+    const { source, display, scene } = this;
+    if (!source || !display || !scene) return;
+    const generation = ++this.#generation;
+    const stale = () => generation !== this.#generation;
+    if (initial) this.animation.stop();
+    try {
+      const parts = readParts(await source.parts());
+      const positions = new Positions(source, parts.parts);
+      let notice = "";
+      try {
+        await positions.update();
+      } catch (error) {
+        notice = `The list of positions cannot be read: ${reason(error)}`;
+      }
+      const first = positions.list.length > 0 ? await positions.load(0).catch((error) => ((notice = reason(error)), null)) : null;
+      if (stale()) return;
+      this.positions?.dispose();
+      this.parts = parts;
+      this.positions = positions;
+      positions.onEvict = (position) => display.release(position);
+      this.#allLimits.clear();
+      this.notice = notice;
+      display.setParts(parts.parts, first);
+      display.setPosition(first);
+      if (!this.#fieldChosen) {
+        this.#fieldChosen = true;
+        if (first?.meshes.length) this.state.colours.field = "von_mises";
+        else if (first?.contacts) this.state.colours.field = "contact_pressure";
+      }
+      this.state.position = Math.min(Math.max(0, Math.trunc(this.state.position)), Math.max(0, positions.list.length - 1));
+      this.status = "ready";
+      this.apply();
+      display.updateBounds();
+      if (this.state.camera) scene.camera.set(this.state.camera);
+      else if (parts.parts.length > 0) scene.camera.fit(false);
+      if (this.state.position > 0) await this.goTo(this.state.position);
+      this.changed();
+    } catch (error) {
+      if (!stale()) this.fail(error);
+    }
+  }
+
+  async updatePositions(): Promise<void> {
+    const { positions } = this;
+    if (!positions) return;
+    const empty = positions.list.length === 0;
+    try {
+      await positions.update();
+    } catch (error) {
+      this.notice = `The list of positions cannot be read: ${reason(error)}`;
+    }
+    this.#allLimits.clear();
+    // Poses are known only now.
+    if (empty && positions.list.length > 0) await this.load(true);
+    else this.update({});
+  }
+
+  /** Changes parts of the state and displays them. */
+  update(patch: PartialState): void {
+    const before = this.state;
+    this.state = completeState(patch, before);
+    if (patch.colours?.field) this.#fieldChosen = true;
+    this.probe = null;
+    this.theme.set(this.state.theme);
+    if (patch.camera && this.scene) this.scene.camera.set(this.state.camera!);
+    this.apply();
+    if (patch.parts) this.display?.updateBounds();
+    if (patch.position !== undefined) void this.goTo(this.state.position);
+    this.changed();
+  }
+
+  private apply(): void {
+    const { display, scene } = this;
+    if (!display || !scene || this.status !== "ready") return;
+    const labels = display.apply(this.state, this.#allLimits.get(this.limitsKey()) ?? null);
+    this.labels.set(labels);
+    scene.invalidate();
+    if (this.state.colours.limits === "all") void this.findAllLimits();
+  }
+
+  setVisibility(names: string[], visibility: Visibility): void {
+    const parts = { ...this.state.parts };
+    for (const name of names) {
+      if (visibility === "visible") delete parts[name];
+      else parts[name] = visibility;
+    }
+    this.update({ parts });
+  }
+
+  /** Displays a position of the list. Resolves when it is displayed. */
+  async goTo(index: number): Promise<void> {
+    const { positions, display } = this;
+    if (!positions || !display || positions.list.length === 0) return;
+    const wanted = Math.min(Math.max(0, index), positions.list.length - 1);
+    this.state.position = wanted;
+    this.changed();
+    try {
+      const position = await positions.load(wanted);
+      if (positions !== this.positions || this.state.position !== wanted) return;
+      this.notice = "";
+      if (display.position !== position) display.setPosition(position);
+      this.probe = null;
+      this.apply();
+    } catch (error) {
+      if (positions !== this.positions || this.state.position !== wanted) return;
+      this.animation.stop();
+      this.notice = `${reason(error)}. The picture shows another position.`;
+    }
+    this.changed();
+  }
+
+  private limitsKey(): string {
+    const hidden = Object.entries(this.state.parts).filter(([, v]) => v === "hidden");
+    return JSON.stringify([this.state.colours.field, hidden.map(([name]) => name).sort()]);
+  }
+
+  /** Searches all positions for the limits of the selected field. */
+  private async findAllLimits(): Promise<void> {
+    const { positions, display, state } = this;
+    const key = this.limitsKey();
+    if (!positions || !display || state.colours.field === "plain" || this.#allLimits.has(key) || this.#scan === key) return;
+    this.#scan = key;
+    const current = () => this.#scan === key && positions === this.positions && this.state.colours.limits === "all";
+    let limits: Limits | null = null;
+    for (let i = 0; i < positions.list.length && current(); i++) {
+      this.progress = i / positions.list.length;
+      this.changed(false);
+      // A damaged file is reported when it is displayed.
+      const position = await positions.load(i).catch(() => null);
+      const found: Limits | null = position && current() ? display.limitsOf(position, this.state) : null;
+      if (found) limits = limits ? [Math.min(limits[0], found[0]), Math.max(limits[1], found[1])] : found;
+    }
+    if (this.#scan !== key) return;
+    const finished = current();
+    this.#scan = "";
+    this.progress = null;
+    if (finished) {
+      if (limits) this.#allLimits.set(key, limits);
+      else this.#allLimits.set(key, [0, 1]);
+      this.apply();
+    }
+    this.changed(false);
+  }
+
+  /** Updates the value at the pointer; coordinates in pixels of the canvas. */
+  probePointer(x: number, y: number): void {
+    this.probe = this.status === "ready" ? probeAt(this, x, y) : null;
+    this.changed(false);
+  }
+
+  clearProbe(): void {
+    if (!this.probe) return;
+    this.probe = null;
+    this.changed(false);
+  }
+
+  get hasMeshes(): boolean {
+    return (this.display?.position?.meshes.length ?? 0) > 0;
+  }
+
+  /** The selected field needs data that the position does not have. */
+  get missingField(): boolean {
+    const { field } = this.state.colours;
+    const position = this.display?.position;
+    if (field === "plain" || this.status !== "ready") return false;
+    return isNodal(field) ? !position?.meshes.length : !position?.contacts;
+  }
+
+  /** Pixel of the page at which a point of a part appears. */
+  project(part: string, point: [number, number, number]): { x: number; y: number } | null {
+    const { scene, display } = this;
+    const view = display?.views.find((candidate) => candidate.part.name === part);
+    if (!scene || !view) return null;
+    const p = new Vector3(...point).applyMatrix4(view.group.matrixWorld).project(scene.camera.active);
+    const box = scene.canvas.getBoundingClientRect();
+    return { x: box.left + (0.5 + 0.5 * p.x) * scene.width, y: box.top + (0.5 - 0.5 * p.y) * scene.height };
+  }
+
+  /** Value of the selected field at a node of a part's first mesh. */
+  nodalValue(part: string, node: number): number {
+    const { display, parts } = this;
+    const index = parts?.parts.findIndex((candidate) => candidate.name === part) ?? -1;
+    const mesh = display?.meshes[index]?.[0];
+    const { field } = this.state.colours;
+    return mesh && display && isNodal(field) ? (display.values(mesh, field)[node] ?? NaN) : NaN;
+  }
+
+  dispose(): void {
+    this.#generation++;
+    cancelAnimationFrame(this.#notified);
+    this.animation.stop();
+    this.positions?.dispose();
+    this.display?.dispose();
+    this.scene?.dispose();
+    this.theme.dispose();
+    this.#listeners.clear();
+  }
+}
+
+function reason(error: unknown): string {
+  if (error instanceof FileError) return error.message;
+  return error instanceof Error ? error.message : String(error);
+}

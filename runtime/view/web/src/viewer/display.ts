@@ -1,0 +1,363 @@
+// What the scene displays of a run: parts, deformed meshes, contacts, forces and the cut.
+
+import * as THREE from "three";
+import { fillScaleTexture, partColour } from "./colours.ts";
+import { ContactView } from "./contacts.ts";
+import { CutView } from "./cut.ts";
+import { FIELDS, isNodal, nodalValues, rangeOf, surfaceNodes, type NodalField } from "./fields.ts";
+import { ForceView } from "./forces.ts";
+import type { Label } from "./labels.ts";
+import { PartView } from "./part_view.ts";
+import type { DeformedMesh, Part, Position } from "./run_data.ts";
+import type { Scene } from "./scene.ts";
+import type { ViewState, Visibility } from "./state.ts";
+import { buildSurface } from "./surface.ts";
+import { SurfaceView } from "./surface_view.ts";
+import { displayUnit, formatNumber, roundDown125, STRESS } from "./units.ts";
+
+/** Share of the scene's size that the largest displacement takes with an automatic factor. */
+const AUTOMATIC_DEFORMATION = 0.05;
+
+export type Limits = [number, number];
+
+export class Display {
+  views: PartView[] = [];
+  position: Position | null = null;
+  /** Displayed meshes by part. */
+  meshes: DeformedMesh[][] = [];
+  colours: string[] = [];
+  /** Factor of the displayed deformation. */
+  factor = 0;
+  limits: Limits | null = null;
+  triangles = 0;
+  readonly cut = new CutView();
+  readonly contacts: ContactView;
+  readonly forces = new ForceView();
+  readonly centre = new THREE.Vector3();
+  radius = 1;
+
+  #prepared = new WeakMap<Position, { views: SurfaceView[]; field: NodalField | null }>();
+  #values = new WeakMap<DeformedMesh, Map<NodalField, Float64Array>>();
+  #masks = new WeakMap<DeformedMesh, Uint8Array>();
+  #reference: Float64Array | null = null;
+  #matrix = new THREE.Matrix4();
+  #cutOn = false;
+
+  constructor(private readonly scene: Scene) {
+    this.contacts = new ContactView(scene.uniforms);
+    scene.root.add(this.contacts.group, this.forces.group);
+    scene.scene.add(this.cut.group);
+  }
+
+  /** Replaces the parts. `first` is the position that determines the bounds and the fixed frame. */
+  setParts(parts: Part[], first: Position | null): void {
+    this.clear();
+    const numbers = new Map<string, number>();
+    this.#reference = first?.poses ?? null;
+    this.colours = parts.map(({ kind }) => {
+      const n = numbers.get(kind) ?? 0;
+      numbers.set(kind, n + 1);
+      return partColour(kind, n);
+    });
+    this.views = parts.map((part, i) => {
+      const view = new PartView(part, this.scene.uniforms, this.cut.capGeometry, this.colours[i]!);
+      this.scene.root.add(view.group);
+      this.scene.scene.add(view.cap);
+      return view;
+    });
+    this.meshes = parts.map(() => []);
+    const sphere = new THREE.Box3().setFromPoints(this.views.flatMap((view) => this.outline(view))).getBoundingSphere(new THREE.Sphere());
+    this.centre.copy(sphere.center);
+    this.radius = sphere.radius > 0 ? sphere.radius : 1;
+    this.contacts.setBias(8e-4 * this.radius);
+    this.cut.setBounds(this.centre, this.radius);
+    this.updateBounds();
+  }
+
+  /** Points around the parts that are not hidden; all parts if there are none. */
+  updateBounds(): void {
+    const shown = this.views.filter((view) => view.visibility !== "hidden");
+    const points = (shown.length > 0 ? shown : this.views).flatMap((view) => this.outline(view));
+    this.scene.camera.setBounds(this.centre, this.radius * 1.1, points);
+  }
+
+  private outline(view: PartView): THREE.Vector3[] {
+    const pose = poseMatrix(this.#reference, view.part.index, new THREE.Matrix4());
+    const { min, max } = view.copies.box;
+    const points: THREE.Vector3[] = [];
+    if (view.part.points.length === 0) return points;
+    if (view.part.copies > 1) {
+      let r = 0;
+      const p = view.part.points;
+      for (let i = 0; i < p.length; i += 3) r = Math.max(r, Math.hypot(p[i]!, p[i + 1]!));
+      for (let k = 0; k < 24; k++) {
+        const angle = (2 * Math.PI * k) / 24;
+        for (const z of [min.z, max.z]) points.push(new THREE.Vector3(r * Math.cos(angle), r * Math.sin(angle), z));
+      }
+    } else {
+      for (let k = 0; k < 8; k++) {
+        points.push(new THREE.Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z));
+      }
+    }
+    return points.map((point) => point.applyMatrix4(pose));
+  }
+
+  setPosition(position: Position | null): void {
+    this.position = position;
+    this.meshes = this.views.map(() => []);
+    const views: SurfaceView[][] = this.views.map(() => []);
+    const replaced = this.views.map(() => new Set<number>());
+    if (position) {
+      const { views: prepared } = this.prepare(position);
+      position.meshes.forEach((mesh, i) => {
+        this.meshes[mesh.part]!.push(mesh);
+        views[mesh.part]!.push(prepared[i]!);
+        for (const copy of mesh.copies) replaced[mesh.part]!.add(copy);
+      });
+    }
+    this.views.forEach((view, i) => {
+      poseMatrix(position?.poses ?? null, i, view.group.matrix);
+      view.setMeshes(views[i]!, replaced[i]!);
+    });
+  }
+
+  private prepare(position: Position) {
+    let prepared = this.#prepared.get(position);
+    if (!prepared) {
+      const views = position.meshes.map((mesh) => {
+        const surface = buildSurface(mesh.points, mesh.triangles, 1);
+        return new SurfaceView({ ...mesh, surface }, this.views[mesh.part]!.meshMaterials, null);
+      });
+      prepared = { views, field: null };
+      this.#prepared.set(position, prepared);
+    }
+    return prepared;
+  }
+
+  /** Frees the graphics memory of a position. */
+  release(position: Position): void {
+    for (const view of this.#prepared.get(position)?.views ?? []) view.dispose();
+  }
+
+  /** Values of a field at the nodes of a mesh. */
+  values(mesh: DeformedMesh, field: NodalField): Float64Array {
+    let fields = this.#values.get(mesh);
+    if (!fields) this.#values.set(mesh, (fields = new Map()));
+    let values = fields.get(field);
+    if (!values) fields.set(field, (values = nodalValues(mesh, field)));
+    return values;
+  }
+
+  /** Limits of a field in a position, over the parts that are not hidden. */
+  limitsOf(position: Position, state: ViewState): Limits | null {
+    const extremes = this.extremes(position, state);
+    return extremes ? [extremes.min.value, extremes.max.value] : null;
+  }
+
+  private shown(state: ViewState, part: number): boolean {
+    const name = this.views[part]?.part.name;
+    return name !== undefined && state.parts[name] !== "hidden";
+  }
+
+  /** A contact cell is displayed if one of its gears is. */
+  cellShown(state: ViewState, position: Position, cell: number): boolean {
+    const parts = position.contacts!.parts;
+    return this.shown(state, parts[2 * cell]!) || this.shown(state, parts[2 * cell + 1]!);
+  }
+
+  /** Smallest and largest value of the selected field and their locations. */
+  extremes(position: Position, state: ViewState): { min: Extreme; max: Extreme } | null {
+    const { field } = state.colours;
+    let min: Extreme | null = null;
+    let max: Extreme | null = null;
+    if (isNodal(field)) {
+      for (const mesh of position.meshes) {
+        if (!this.shown(state, mesh.part)) continue;
+        const values = this.values(mesh, field);
+        let mask = this.#masks.get(mesh);
+        if (!mask) this.#masks.set(mesh, (mask = surfaceNodes(mesh)));
+        for (let node = 0; node < values.length; node++) {
+          const value = values[node]!;
+          if (!mask[node] || !Number.isFinite(value)) continue;
+          if (!min || value < min.value) min = { value, mesh, index: node };
+          if (!max || value > max.value) max = { value, mesh, index: node };
+        }
+      }
+    } else if (field === "contact_pressure" && position.contacts) {
+      const shown = Float64Array.from(position.contacts.pressures, (pressure, cell) =>
+        pressure > 0 && this.cellShown(state, position, cell) ? pressure : NaN,
+      );
+      const range = rangeOf(shown);
+      if (range) {
+        // The scale begins at zero, where contact is lost.
+        min = { value: 0, mesh: null, index: range.minIndex };
+        max = { value: range.max, mesh: null, index: range.maxIndex };
+      }
+    }
+    return min && max ? { min, max } : null;
+  }
+
+  private extremePoint(extreme: Extreme, position: Position): THREE.Vector3 {
+    const point = new THREE.Vector3();
+    const { mesh, index } = extreme;
+    if (mesh) {
+      const u = new THREE.Vector3().fromArray(mesh.displacements, 3 * index).multiplyScalar(this.factor);
+      return point.fromArray(mesh.points, 3 * index).add(u).applyMatrix4(poseMatrix(position.poses, mesh.part, this.#matrix));
+    }
+    const corners = position.contacts!.corners;
+    for (let k = 0; k < 4; k++) {
+      point.x += corners[12 * index + 3 * k]! / 4;
+      point.y += corners[12 * index + 3 * k + 1]! / 4;
+      point.z += corners[12 * index + 3 * k + 2]! / 4;
+    }
+    return point;
+  }
+
+  /** Applies the state to the displayed position. Returns the labels of the scene. */
+  apply(state: ViewState, allLimits: Limits | null): Label[] {
+    const { uniforms } = this.scene;
+    const { colours } = state;
+    const position = this.position;
+    const nodal = isNodal(colours.field);
+    for (const view of this.views) {
+      const visibility: Visibility = state.parts[view.part.name] ?? "visible";
+      view.setVisibility(visibility);
+      view.setFieldMode(nodal);
+      view.setEdges(state.mesh_edges);
+    }
+    this.applyFrame(state);
+    this.factor = this.deformationFactor(state);
+    uniforms.deformation.value = this.factor;
+
+    if (position && nodal) {
+      const prepared = this.prepare(position);
+      if (prepared.field !== colours.field) {
+        prepared.field = colours.field as NodalField;
+        prepared.views.forEach((view, i) => view.setField(this.values(position.meshes[i]!, prepared.field!)));
+      }
+    }
+    const withCells = position && colours.field === "contact_pressure" ? position.contacts : null;
+    this.contacts.set(withCells, (cell) => this.cellShown(state, position!, cell));
+    this.contacts.setBehind(state.hidden_contacts);
+    const extremes = position ? this.extremes(position, state) : null;
+    this.limits = this.chooseLimits(state, extremes, allLimits);
+    if (this.limits) uniforms.limits.value.set(...this.limits);
+    fillScaleTexture(this.scene.scaleTexture, colours.scale, colours.bands);
+
+    this.forces.set(position?.forces ?? [], { ...state.forces, radius: this.radius });
+    this.applyCut(state);
+    const labels = [...this.forces.labels];
+    if (position && extremes && state.extremes) {
+      // Both labels have the unit of the larger value, as in the legend.
+      const size = Math.max(Math.abs(extremes.min.value), Math.abs(extremes.max.value));
+      const unit = FIELDS[colours.field].quantity === "length" ? displayUnit("m", size) : STRESS;
+      const mark = (extreme: Extreme, kind: "maximum" | "minimum", word: string) => {
+        const value = Math.abs(extreme.value) < 1e-9 * size ? 0 : extreme.value * unit.factor;
+        labels.push({ kind, text: `${word} ${formatNumber(value)} ${unit.symbol}`, point: this.extremePoint(extreme, position) });
+      };
+      mark(extremes.max, "maximum", "max");
+      if (nodal) mark(extremes.min, "minimum", "min");
+    }
+    return labels;
+  }
+
+  private chooseLimits(state: ViewState, extremes: { min: Extreme; max: Extreme } | null, all: Limits | null): Limits | null {
+    const { colours } = state;
+    if (colours.field === "plain") return null;
+    if (colours.limits === "fixed") return [Math.min(colours.min, colours.max), Math.max(colours.min, colours.max)];
+    if (colours.limits === "all" && all) return all;
+    return extremes ? [extremes.min.value, extremes.max.value] : null;
+  }
+
+  private deformationFactor(state: ViewState): number {
+    const { mode, factor } = state.deformation;
+    if (mode === "factor") return Number.isFinite(factor) ? factor : 0;
+    let largest = 0;
+    for (const { displacements: u } of this.position?.meshes ?? []) {
+      for (let i = 0; i < u.length; i += 3) {
+        const square = u[i]! ** 2 + u[i + 1]! ** 2 + u[i + 2]! ** 2;
+        if (square > largest) largest = square;
+      }
+    }
+    // The size of a scene is its diameter. A round factor is readable and steadier over positions.
+    return largest > 0 ? roundDown125((AUTOMATIC_DEFORMATION * 2 * this.radius) / Math.sqrt(largest)) : 1;
+  }
+
+  private applyFrame(state: ViewState): void {
+    const { root } = this.scene;
+    root.matrix.identity();
+    const index = this.views.findIndex((view) => view.part.name === state.frame);
+    if (index >= 0 && this.position && this.#reference) {
+      poseMatrix(this.#reference, index, root.matrix);
+      root.matrix.multiply(poseMatrix(this.position.poses, index, this.#matrix).invert());
+    }
+    root.updateMatrixWorld(true);
+  }
+
+  applyCut(state: ViewState): void {
+    this.cut.apply(state.cut, this.scene.uniforms.cutPlane.value);
+    for (const view of this.views) {
+      view.cap.matrix.copy(this.cut.capMatrix);
+      view.cap.updateMatrixWorld(true);
+    }
+    if (this.#cutOn === state.cut.on) return;
+    this.#cutOn = state.cut.on;
+    for (const view of this.views) view.setCut(this.#cutOn);
+    for (const material of this.contacts.materials) material.cut = this.#cutOn;
+  }
+
+  get cutPlane(): THREE.Vector4 | null {
+    return this.#cutOn ? this.scene.uniforms.cutPlane.value : null;
+  }
+
+  /** Chooses the copies to draw. */
+  prepareFrame(): void {
+    const frustum = this.scene.frustum();
+    const { active, state, direction } = this.scene.camera;
+    const scale = this.scene.height / state.height;
+    const distance = active.position.distanceTo(target.fromArray(state.target));
+    const orthographic = state.projection === "orthographic";
+    const pixels = (centre: THREE.Vector3): number => {
+      if (orthographic) return scale;
+      const depth = toCentre.copy(active.position).sub(centre).dot(direction);
+      return depth > 0 ? (scale * distance) / depth : scale;
+    };
+    this.triangles = 0;
+    for (const view of this.views) this.triangles += view.prepare(frustum, pixels);
+  }
+
+  clear(): void {
+    for (const view of this.views) {
+      view.group.removeFromParent();
+      view.cap.removeFromParent();
+      view.dispose();
+    }
+    this.views = [];
+    this.position = null;
+    this.#cutOn = false;
+    for (const material of this.contacts.materials) material.cut = false;
+  }
+
+  dispose(): void {
+    this.clear();
+    this.contacts.dispose();
+    this.forces.dispose();
+  }
+}
+
+/** An extreme value: at a node of a mesh, or in a contact cell if there is no mesh. */
+interface Extreme {
+  value: number;
+  mesh: DeformedMesh | null;
+  index: number;
+}
+
+const target = new THREE.Vector3();
+const toCentre = new THREE.Vector3();
+
+/** Writes the pose of a part into a matrix; the identity if there are no poses. */
+export function poseMatrix(poses: Float64Array | null, part: number, matrix: THREE.Matrix4): THREE.Matrix4 {
+  if (!poses) return matrix.identity();
+  const [a, b, c, d, e, f, g, h, i, x, y, z] = poses.subarray(12 * part, 12 * part + 12);
+  return matrix.set(a!, b!, c!, x!, d!, e!, f!, y!, g!, h!, i!, z!, 0, 0, 0, 1);
+}

@@ -1,0 +1,78 @@
+// Force vectors at bearings and meshes.
+
+import * as THREE from "three";
+import type { Label } from "./labels.ts";
+import type { Force } from "./run_data.ts";
+import { formatValue } from "./units.ts";
+
+const COLOURS = { bearing: "#2f6fb5", mesh: "#c2502b" };
+const UP = new THREE.Vector3(0, 1, 0);
+
+export interface ForceOptions {
+  bearings: boolean;
+  meshes: boolean;
+  labels: boolean;
+  scale: number;
+  /** Radius of the scene, m. The longest arrow has half of it. */
+  radius: number;
+}
+
+export class ForceView {
+  /** In ground coordinates. */
+  readonly group = new THREE.Group();
+  labels: Label[] = [];
+
+  #shaft = new THREE.CylinderGeometry(1, 1, 1, 20).translate(0, 0.5, 0);
+  #head = new THREE.ConeGeometry(1, 1, 24).translate(0, 0.5, 0);
+  #materials = {
+    bearing: new THREE.MeshBasicMaterial({ color: COLOURS.bearing }),
+    mesh: new THREE.MeshBasicMaterial({ color: COLOURS.mesh }),
+  };
+
+  set(forces: Force[], options: ForceOptions): void {
+    this.group.clear();
+    this.labels = [];
+    let largest = 0;
+    for (const { force } of forces) largest = Math.max(largest, Math.hypot(...force));
+    if (!(largest > 0)) return;
+    for (const force of forces) {
+      if (force.kind === "bearing" ? !options.bearings : !options.meshes) continue;
+      const size = Math.hypot(...force.force);
+      if (!(size > 0)) continue;
+      const length = (options.scale * 0.5 * options.radius * size) / largest;
+      const arrow = this.arrow(force, length, options.radius * 0.011);
+      this.group.add(arrow);
+      const tip = new THREE.Vector3(...force.force).multiplyScalar(length / size).add(new THREE.Vector3(...force.point));
+      if (options.labels) {
+        const text = `${force.name ? `${force.name}: ` : ""}${formatValue(size, "N", 3)}`;
+        this.labels.push({ text, point: tip, kind: force.kind });
+      }
+    }
+  }
+
+  private arrow(force: Force, length: number, thickness: number): THREE.Group {
+    const material = this.#materials[force.kind];
+    const arrow = new THREE.Group();
+    const head = Math.min(4.2 * thickness, 0.45 * length);
+    const shaft = new THREE.Mesh(this.#shaft, material);
+    shaft.scale.set(0.55 * thickness, length - head, 0.55 * thickness);
+    const tip = new THREE.Mesh(this.#head, material);
+    tip.scale.set(0.36 * head, head, 0.36 * head);
+    tip.position.y = length - head;
+    arrow.add(shaft, tip);
+    arrow.position.set(...force.point);
+    arrow.quaternion.setFromUnitVectors(UP, new THREE.Vector3(...force.force).normalize());
+    // Bearings and contacts lie inside of parts: the arrows are drawn over them.
+    for (const mesh of [shaft, tip]) mesh.renderOrder = 200000;
+    material.depthTest = false;
+    material.transparent = true;
+    material.opacity = 0.92;
+    return arrow;
+  }
+
+  dispose(): void {
+    this.#shaft.dispose();
+    this.#head.dispose();
+    for (const material of Object.values(this.#materials)) material.dispose();
+  }
+}

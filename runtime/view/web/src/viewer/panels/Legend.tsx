@@ -1,0 +1,63 @@
+// Legend of the colours.
+
+import { banded, colourAt, cssColour } from "../colours.ts";
+import type { Core } from "../core.ts";
+import { legendTicks, legendTitle } from "../legend.ts";
+
+/** CSS gradient from the bottom upwards. */
+function gradient(core: Core): string {
+  const { scale, bands } = core.state.colours;
+  const stops: string[] = [];
+  if (bands > 0) {
+    for (let i = 0; i < bands; i++) {
+      const colour = cssColour(colourAt(scale, banded((i + 0.5) / bands, bands)));
+      stops.push(`${colour} ${(100 * i) / bands}% ${(100 * (i + 1)) / bands}%`);
+    }
+  } else {
+    for (let i = 0; i <= 20; i++) stops.push(`${cssColour(colourAt(scale, i / 20))} ${5 * i}%`);
+  }
+  return `linear-gradient(to top, ${stops.join(", ")})`;
+}
+
+export function Legend({ core }: { core: Core }) {
+  const { field } = core.state.colours;
+  if (field === "plain") return null;
+  const { ticks, unit } = legendTicks(core);
+  if (core.missingField || ticks.length === 0) {
+    return (
+      <div class="cv-legend cv-legend-empty" role="note">
+        <strong>{legendTitle(core)}</strong>
+        <span>No values in this position</span>
+      </div>
+    );
+  }
+  const { limits } = core.state.colours;
+  const range = limits === "all" ? "all positions" : limits === "fixed" ? "fixed limits" : "this position";
+  return (
+    <button
+      type="button"
+      class="cv-legend"
+      aria-label={`Legend: ${legendTitle(core)} from ${ticks[0]!.text} to ${ticks[ticks.length - 1]!.text} ${unit}. Opens the settings.`}
+      title="Settings of the colours"
+      onClick={() => core.update({ panels: { settings: !core.state.panels.settings } })}
+    >
+      <strong>
+        {legendTitle(core)}
+        {unit ? <span class="cv-legend-unit"> in {unit}</span> : null}
+      </strong>
+      <span class="cv-scale">
+        <span class="cv-bar" style={{ background: gradient(core) }} />
+        <span class="cv-ticks">
+          {ticks.map((tick, i) => (
+            <span key={i} style={{ bottom: `${100 * tick.fraction}%` }}>
+              {tick.text}
+            </span>
+          ))}
+        </span>
+      </span>
+      <span class="cv-range">
+        {core.progress !== null ? `reading … ${Math.round(100 * core.progress)} %` : range}
+      </span>
+    </button>
+  );
+}

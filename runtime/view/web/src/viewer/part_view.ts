@@ -1,0 +1,189 @@
+// A part in the scene: its copies, the deformed meshes that replace some of them, and its cap.
+
+import * as THREE from "three";
+import { createCapMaterial, createMaterialSet, type MaterialSet, type SharedUniforms, type ViewMaterial } from "./materials.ts";
+import type { Part } from "./run_data.ts";
+import type { Visibility } from "./state.ts";
+import { buildSurface, type Surface } from "./surface.ts";
+import { SurfaceView } from "./surface_view.ts";
+
+const TRANSLUCENT = 0.28;
+/** Projected size of a copy in pixels below which its outline would only darken the picture. */
+const OUTLINE_PIXELS = 5;
+
+export class PartView {
+  /** Moves with the part. */
+  readonly group = new THREE.Group();
+  readonly cap: THREE.Mesh;
+  readonly copies: SurfaceView;
+  readonly surface: Surface;
+  readonly radius: number;
+  meshes: SurfaceView[] = [];
+  visibility: Visibility = "visible";
+
+  #instanced: MaterialSet;
+  #deformed: MaterialSet;
+  #capMaterial: ViewMaterial;
+  #colour: THREE.Color;
+  /** Colour where there is no field: a hint of the part's colour, which does not compete with the scale. */
+  #neutral: THREE.Color;
+  /** Copies that no mesh replaces. */
+  #candidates: number[];
+  #shown: Uint32Array;
+  #shownCount = -1;
+  #shownHash = NaN;
+  #fieldMode = false;
+  #edges = false;
+  #cut = false;
+  #order: number;
+
+  constructor(
+    readonly part: Part,
+    shared: SharedUniforms,
+    capGeometry: THREE.BufferGeometry,
+    colour: string,
+  ) {
+    this.#colour = new THREE.Color(colour);
+    this.#neutral = new THREE.Color("#b4b9bf").lerp(this.#colour, 0.4);
+    this.#instanced = createMaterialSet(shared, false);
+    this.#deformed = createMaterialSet(shared, true);
+    this.#capMaterial = createCapMaterial(shared);
+    this.surface = buildSurface(part.points, part.triangles, part.copies);
+    this.copies = new SurfaceView({ ...part, surface: this.surface }, this.#instanced, part.copies);
+    this.#candidates = Array.from({ length: part.copies }, (_, k) => k);
+    this.#shown = new Uint32Array(part.copies);
+    let square = 0;
+    for (let i = 0; i < part.points.length; i += 3) {
+      square = Math.max(square, part.points[i]! ** 2 + part.points[i + 1]! ** 2 + part.points[i + 2]! ** 2);
+    }
+    this.radius = Math.sqrt(square);
+    this.group.matrixAutoUpdate = false;
+    this.group.add(this.copies.group);
+    this.cap = new THREE.Mesh(capGeometry, this.#capMaterial);
+    this.cap.frustumCulled = false;
+    this.cap.matrixAutoUpdate = false;
+    // Each cap uses the stencil alone: its part is counted, drawn and cleared before the next one.
+    this.cap.onAfterRender = (renderer) => renderer.clearStencil();
+    this.#order = part.index;
+    this.refresh();
+  }
+
+  get materials(): ViewMaterial[] {
+    return [...Object.values(this.#instanced), ...Object.values(this.#deformed), this.#capMaterial] as ViewMaterial[];
+  }
+
+  /** Replaces the deformed meshes and the copies that they stand for. */
+  setMeshes(meshes: SurfaceView[], replaced: ReadonlySet<number>): void {
+    for (const mesh of this.meshes) this.group.remove(mesh.group);
+    this.meshes = meshes;
+    for (const mesh of meshes) this.group.add(mesh.group);
+    this.#candidates = [];
+    for (let k = 0; k < this.part.copies; k++) if (!replaced.has(k)) this.#candidates.push(k);
+    this.#shownHash = NaN;
+    this.refresh();
+  }
+
+  get meshMaterials(): MaterialSet {
+    return this.#deformed;
+  }
+
+  /** Copies that the scene contains, whether or not they are in the picture. */
+  get presentCopies(): readonly number[] {
+    return this.#candidates;
+  }
+
+  setVisibility(visibility: Visibility): void {
+    this.visibility = visibility;
+    this.refresh();
+  }
+
+  /** Colours the meshes by a field; everything without a field becomes neutral. */
+  setFieldMode(on: boolean): void {
+    this.#fieldMode = on;
+    this.refresh();
+  }
+
+  setEdges(on: boolean): void {
+    this.#edges = on;
+    this.refresh();
+  }
+
+  setCut(on: boolean): void {
+    this.#cut = on;
+    for (const material of this.materials) material.cut = on;
+    this.refresh();
+  }
+
+  private refresh(): void {
+    const translucent = this.visibility === "translucent";
+    const visible = this.visibility !== "hidden";
+    this.group.visible = visible;
+    this.cap.visible = visible && this.#cut;
+    const alpha = translucent ? TRANSLUCENT : 1;
+    for (const set of [this.#instanced, this.#deformed]) {
+      set.surface.alpha = alpha;
+      set.surface.depthWrite = !translucent;
+      // Copies next to a deformed mesh are open at the seam, and so is the mesh.
+      const open = this.#cut || this.meshes.length > 0;
+      set.surface.side = open && !translucent ? THREE.DoubleSide : THREE.FrontSide;
+      set.surface.colour.copy(this.#fieldMode ? this.#neutral : this.#colour);
+      set.features.alpha = translucent ? 0.25 : 0.5;
+      set.edges.alpha = translucent ? 0.12 : 0.34;
+      set.stencilBack.transparent = set.stencilFront.transparent = translucent;
+    }
+    this.#deformed.surface.useField = this.#fieldMode;
+    this.#capMaterial.alpha = translucent ? 0.5 : 1;
+    this.#capMaterial.depthWrite = !translucent;
+    this.#capMaterial.colour.copy(this.#fieldMode ? this.#neutral : this.#colour).multiplyScalar(0.86);
+    const first = 10 + 3 * this.#order;
+    this.cap.renderOrder = first + 2;
+    for (const view of [this.copies, ...this.meshes]) {
+      view.edges.visible = this.#edges;
+      view.surface.renderOrder = translucent ? 100000 : 0;
+      view.features.renderOrder = view.edges.renderOrder = 100001;
+      view.stencils.forEach((stencil, i) => {
+        stencil.visible = this.#cut;
+        stencil.renderOrder = first + i;
+      });
+    }
+  }
+
+  /** Leaves out the copies outside of the picture. Returns the number of triangles that are drawn. */
+  prepare(frustum: THREE.Frustum, pixelsPerMetre: (centre: THREE.Vector3) => number): number {
+    if (this.visibility === "hidden") return 0;
+    const { sphere } = this.copies;
+    let count = 0;
+    let hash = 0;
+    let detail = 0;
+    const matrix = this.group.matrixWorld;
+    scratch.radius = sphere.radius;
+    for (const k of this.#candidates) {
+      const angle = (2 * Math.PI * k) / this.part.copies;
+      const cos = Math.cos(angle);
+      const sin = Math.sin(angle);
+      const { x, y, z } = sphere.center;
+      scratch.center.set(cos * x - sin * y, sin * x + cos * y, z).applyMatrix4(matrix);
+      if (!frustum.intersectsSphere(scratch)) continue;
+      this.#shown[count++] = k;
+      hash = (hash * 31 + k + 1) % 4294967291;
+      detail = Math.max(detail, sphere.radius * 2 * pixelsPerMetre(scratch.center));
+    }
+    if (count !== this.#shownCount || hash !== this.#shownHash) {
+      this.copies.setCopies(this.#shown, count);
+      this.#shownCount = count;
+      this.#shownHash = hash;
+    }
+    this.copies.features.visible = detail > OUTLINE_PIXELS;
+    this.copies.edges.visible = this.#edges && detail > 2 * OUTLINE_PIXELS;
+    let triangles = count * this.copies.triangleCount;
+    for (const mesh of this.meshes) triangles += mesh.triangleCount;
+    return triangles;
+  }
+
+  dispose(): void {
+    this.copies.dispose();
+    for (const material of this.materials) material.dispose();
+  }
+}
+
+const scratch = new THREE.Sphere();
