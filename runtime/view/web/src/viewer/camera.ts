@@ -28,6 +28,9 @@ export class OrbitCamera {
   #centre = new THREE.Vector3();
   #radius = 1;
   #points: THREE.Vector3[] = [];
+  /** The picture is fitted, and is fitted again when its shape changes. */
+  #fit = false;
+  #wantsFit = false;
   #transition = 0;
   #x = new THREE.Vector3();
   #y = new THREE.Vector3();
@@ -53,13 +56,15 @@ export class OrbitCamera {
     this.#points = points;
   }
 
+  /** Sets the ratio of width to height. A fitted picture stays fitted until the user moves the camera. */
   setAspect(aspect: number): void {
     this.#aspect = aspect > 0 ? aspect : 1;
+    if (this.#fit) Object.assign(this.#state, this.fitted(this.#state.azimuth, this.#state.elevation));
     this.update();
   }
 
   set(state: CameraState, user = false): void {
-    cancelAnimationFrame(this.#transition);
+    this.interrupt();
     this.#state = { ...state, target: [...state.target] };
     this.changed(user);
   }
@@ -70,7 +75,7 @@ export class OrbitCamera {
   }
 
   orbit(azimuth: number, elevation: number): void {
-    cancelAnimationFrame(this.#transition);
+    this.interrupt();
     this.#state.azimuth = wrap(this.#state.azimuth + azimuth);
     this.#state.elevation = clamp(this.#state.elevation + elevation, -90, 90);
     this.changed(true);
@@ -78,14 +83,14 @@ export class OrbitCamera {
 
   /** Moves the picture by fractions of its height. */
   pan(right: number, up: number): void {
-    cancelAnimationFrame(this.#transition);
+    this.interrupt();
     this.shift(right, up);
     this.changed(true);
   }
 
   /** Zooms by a factor; the point at `x`, `y` (fractions of the height from the centre) keeps its place. */
   zoom(factor: number, x = 0, y = 0): void {
-    cancelAnimationFrame(this.#transition);
+    this.interrupt();
     const height = clamp(this.#state.height * factor, this.#radius * 1e-4, this.#radius * 40);
     const real = height / this.#state.height;
     this.shift(-x * (1 - real), -y * (1 - real));
@@ -97,14 +102,26 @@ export class OrbitCamera {
   view(name: StandardView, fit = true): void {
     const [azimuth, elevation] = STANDARD_VIEWS[name];
     const goal = { ...this.#state, azimuth, elevation };
+    this.#wantsFit = fit;
     if (fit) Object.assign(goal, this.fitted(azimuth, elevation));
     this.animateTo(goal);
   }
 
   fit(animate = true): void {
     const goal = { ...this.#state, ...this.fitted(this.#state.azimuth, this.#state.elevation) };
-    if (animate) this.animateTo(goal);
-    else this.set(goal, true);
+    this.#wantsFit = true;
+    if (animate) {
+      this.animateTo(goal);
+    } else {
+      this.set(goal, true);
+      this.#fit = true;
+    }
+  }
+
+  /** Stops a movement and the automatic fit. */
+  private interrupt(): void {
+    cancelAnimationFrame(this.#transition);
+    this.#fit = false;
   }
 
   /** Target and height at which the points fill the picture, seen along the given direction. */
@@ -117,14 +134,17 @@ export class OrbitCamera {
     directions(azimuth, elevation, x, y, z);
     const box = new THREE.Box3();
     const p = new THREE.Vector3();
-    for (const point of this.#points) box.expandByPoint(p.set(point.dot(x), point.dot(y), point.dot(z)));
-    const size = box.getSize(new THREE.Vector3());
+    const projected = this.#points.map((point) => new THREE.Vector3(point.dot(x), point.dot(y), point.dot(z)));
+    for (const point of projected) box.expandByPoint(point);
     const centre = box.getCenter(p);
-    let height = Math.max(size.y, size.x / this.#aspect, 1e-3 * this.#radius) * 1.1;
-    if (this.#state.projection === "perspective") {
-      // Points nearer than the target look larger.
-      height += size.z * Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * 0.8;
+    // At distance d = height / (2 tan) the half height in the plane of a point is height / 2 − z tan.
+    const slope = this.#state.projection === "perspective" ? Math.tan((FIELD_OF_VIEW * Math.PI) / 360) : 0;
+    let height = 1e-3 * this.#radius;
+    for (const point of projected) {
+      const forward = (point.z - centre.z) * slope;
+      height = Math.max(height, 2 * (Math.abs(point.y - centre.y) + forward), 2 * (Math.abs(point.x - centre.x) / this.#aspect + forward));
     }
+    height *= 1.1;
     const target = x.multiplyScalar(centre.x).addScaledVector(y, centre.y).addScaledVector(z, centre.z);
     return { target: [target.x, target.y, target.z], height };
   }
@@ -133,6 +153,7 @@ export class OrbitCamera {
     cancelAnimationFrame(this.#transition);
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
       this.set(goal, true);
+      this.#fit = this.#wantsFit;
       return;
     }
     const from = this.state;
@@ -145,7 +166,10 @@ export class OrbitCamera {
       this.#state.elevation = from.elevation + s * (goal.elevation - from.elevation);
       this.#state.height = from.height * (goal.height / from.height) ** s;
       for (let k = 0; k < 3; k++) this.#state.target[k] = from.target[k]! + s * (goal.target[k]! - from.target[k]!);
-      if (t === 1) this.#state = { ...goal, target: [...goal.target] };
+      if (t === 1) {
+        this.#state = { ...goal, target: [...goal.target] };
+        this.#fit = this.#wantsFit;
+      }
       this.changed(true);
       if (t < 1) this.#transition = requestAnimationFrame(step);
     };

@@ -32,7 +32,7 @@ export class Display {
   triangles = 0;
   readonly cut = new CutView();
   readonly contacts: ContactView;
-  readonly forces = new ForceView();
+  readonly forces: ForceView;
   readonly centre = new THREE.Vector3();
   radius = 1;
 
@@ -45,6 +45,7 @@ export class Display {
 
   constructor(private readonly scene: Scene) {
     this.contacts = new ContactView(scene.uniforms);
+    this.forces = new ForceView(scene.uniforms);
     scene.root.add(this.contacts.group, this.forces.group);
     scene.scene.add(this.cut.group);
   }

@@ -1,6 +1,7 @@
 // Force vectors at bearings and meshes.
 
 import * as THREE from "three";
+import { ViewMaterial, type SharedUniforms } from "./materials.ts";
 import type { Label } from "./labels.ts";
 import type { Force } from "./run_data.ts";
 import { formatValue } from "./units.ts";
@@ -24,10 +25,21 @@ export class ForceView {
 
   #shaft = new THREE.CylinderGeometry(1, 1, 1, 20).translate(0, 0.5, 0);
   #head = new THREE.ConeGeometry(1, 1, 24).translate(0, 0.5, 0);
-  #materials = {
-    bearing: new THREE.MeshBasicMaterial({ color: COLOURS.bearing }),
-    mesh: new THREE.MeshBasicMaterial({ color: COLOURS.mesh }),
-  };
+  #materials: Record<Force["kind"], ViewMaterial>;
+  #clear = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ transparent: true }));
+
+  constructor(shared: SharedUniforms) {
+    const material = (colour: string) => {
+      const result = new ViewMaterial(shared, ["LIT"], { transparent: true });
+      result.colour.set(colour);
+      return result;
+    };
+    this.#materials = { bearing: material(COLOURS.bearing), mesh: material(COLOURS.mesh) };
+    // Bearings and contacts lie inside of parts: the arrows are drawn over them, with a depth of their own.
+    this.#clear.renderOrder = 200000;
+    this.#clear.frustumCulled = false;
+    this.#clear.onBeforeRender = (renderer) => renderer.clearDepth();
+  }
 
   set(forces: Force[], options: ForceOptions): void {
     this.group.clear();
@@ -35,6 +47,7 @@ export class ForceView {
     let largest = 0;
     for (const { force } of forces) largest = Math.max(largest, Math.hypot(...force));
     if (!(largest > 0)) return;
+    this.group.add(this.#clear);
     for (const force of forces) {
       if (force.kind === "bearing" ? !options.bearings : !options.meshes) continue;
       const size = Math.hypot(...force.force);
@@ -53,26 +66,24 @@ export class ForceView {
   private arrow(force: Force, length: number, thickness: number): THREE.Group {
     const material = this.#materials[force.kind];
     const arrow = new THREE.Group();
-    const head = Math.min(4.2 * thickness, 0.45 * length);
+    const head = Math.min(5.2 * thickness, 0.45 * length);
     const shaft = new THREE.Mesh(this.#shaft, material);
     shaft.scale.set(0.55 * thickness, length - head, 0.55 * thickness);
     const tip = new THREE.Mesh(this.#head, material);
-    tip.scale.set(0.36 * head, head, 0.36 * head);
+    tip.scale.set(0.33 * head, head, 0.33 * head);
     tip.position.y = length - head;
     arrow.add(shaft, tip);
     arrow.position.set(...force.point);
     arrow.quaternion.setFromUnitVectors(UP, new THREE.Vector3(...force.force).normalize());
-    // Bearings and contacts lie inside of parts: the arrows are drawn over them.
-    for (const mesh of [shaft, tip]) mesh.renderOrder = 200000;
-    material.depthTest = false;
-    material.transparent = true;
-    material.opacity = 0.92;
+    for (const mesh of [shaft, tip]) mesh.renderOrder = 200001;
     return arrow;
   }
 
   dispose(): void {
     this.#shaft.dispose();
     this.#head.dispose();
+    this.#clear.geometry.dispose();
+    this.#clear.material.dispose();
     for (const material of Object.values(this.#materials)) material.dispose();
   }
 }

@@ -117,7 +117,7 @@ void main() {
   float sky = 0.5 + 0.5 * n.y;
   float key = max(dot(n, vec3(-0.387, 0.560, 0.733)), 0.0);
   float fill = max(dot(n, vec3(0.707, -0.141, 0.693)), 0.0);
-  vec3 ambient = mix(vec3(0.30, 0.30, 0.32), vec3(0.54, 0.56, 0.59), sky);
+  vec3 ambient = mix(vec3(0.36, 0.36, 0.38), vec3(0.58, 0.60, 0.63), sky);
   vec3 light = ambient + vec3(0.62, 0.61, 0.59) * key + vec3(0.13, 0.14, 0.16) * fill;
   // Colours of a field must match the legend: less contrast, and no gloss.
   light = mix(vec3(0.55) + 0.45 * light, light, gloss);

@@ -15,6 +15,9 @@ export interface Surface {
 /** Cosine of the angle between faces from which an edge is a crease: 32°. */
 const CREASE = Math.cos((32 * Math.PI) / 180);
 
+/** Bits of a number, the same for 0 and −0. */
+const unsigned = (bits: number) => (bits === 0x80000000 ? 0 : bits);
+
 /** For each point the first point at the same location: faces that meet there are neighbours. */
 function weld(points: Float32Array): Uint32Array {
   const count = points.length / 3;
@@ -25,7 +28,7 @@ function weld(points: Float32Array): Uint32Array {
   const table = new Uint32Array(size);
   const result = new Uint32Array(count);
   for (let n = 0; n < count; n++) {
-    const [x, y, z] = [bits[3 * n]!, bits[3 * n + 1]!, bits[3 * n + 2]!];
+    const [x, y, z] = [unsigned(bits[3 * n]!), unsigned(bits[3 * n + 1]!), unsigned(bits[3 * n + 2]!)];
     let slot = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35);
     slot = (slot ^ (slot >>> 15)) & (size - 1);
     for (;;) {
@@ -36,7 +39,7 @@ function weld(points: Float32Array): Uint32Array {
         break;
       }
       const m = 3 * (entry - 1);
-      if (bits[m] === x && bits[m + 1] === y && bits[m + 2] === z) {
+      if (unsigned(bits[m]!) === x && unsigned(bits[m + 1]!) === y && unsigned(bits[m + 2]!) === z) {
         result[n] = entry - 1;
         break;
       }

@@ -41,10 +41,10 @@ export function Legend({ core }: { core: Core }) {
       title="Settings of the colours"
       onClick={() => core.update({ panels: { settings: !core.state.panels.settings } })}
     >
-      <strong>
-        {legendTitle(core)}
-        {unit ? <span class="cv-legend-unit"> in {unit}</span> : null}
-      </strong>
+      <span class="cv-legend-title">
+        <strong>{legendTitle(core)}</strong>
+        {unit ? <span class="cv-legend-unit">{unit}</span> : null}
+      </span>
       <span class="cv-scale">
         <span class="cv-bar" style={{ background: gradient(core) }} />
         <span class="cv-ticks">
