@@ -254,7 +254,9 @@ export class Display {
       const unit = FIELDS[colours.field].quantity === "length" ? displayUnit("m", size) : STRESS;
       const mark = (extreme: Extreme, kind: "maximum" | "minimum", word: string) => {
         const value = Math.abs(extreme.value) < 1e-9 * size ? 0 : extreme.value * unit.factor;
-        labels.push({ kind, text: `${word} ${formatNumber(value)} ${unit.symbol}`, point: this.extremePoint(extreme, position) });
+        const point = this.extremePoint(extreme, position);
+        if (this.isCutAway(point)) return;
+        labels.push({ kind, text: `${word} ${formatNumber(value)} ${unit.symbol}`, point });
       };
       mark(extremes.max, "maximum", "max");
       if (nodal) mark(extremes.min, "minimum", "min");
@@ -305,6 +307,12 @@ export class Display {
     this.#cutOn = state.cut.on;
     for (const view of this.views) view.setCut(this.#cutOn);
     for (const material of this.contacts.materials) material.cut = this.#cutOn;
+  }
+
+  private isCutAway(point: THREE.Vector3): boolean {
+    const plane = this.cutPlane;
+    const p = toCentre.copy(point).applyMatrix4(this.scene.root.matrix);
+    return plane !== null && plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w > 0;
   }
 
   get cutPlane(): THREE.Vector4 | null {

@@ -15,7 +15,13 @@ export function Tooltip({ core }: { core: Core }) {
   const vertical = probe.y > scene.height - 120 ? { bottom: scene.height - probe.y + 12 } : { top: probe.y + 16 };
   const known = probe.value !== null && Number.isFinite(probe.value);
   return (
-    <div class="cv-tooltip" role="status" data-value={probe.value === null ? "" : String(probe.value)} style={{ ...horizontal, ...vertical }}>
+    <div
+      class="cv-tooltip"
+      role="status"
+      aria-label="Value at the pointer"
+      data-value={probe.value === null ? "" : String(probe.value)}
+      style={{ ...horizontal, ...vertical }}
+    >
       {probe.value !== null ? (
         <div class="cv-tooltip-value">
           <span class="cv-muted">{FIELDS[core.state.colours.field].label}</span>

@@ -88,7 +88,7 @@ export function Select<T extends string>({ label, value, options, onChange, quie
   return (
     <label class="cv-field">
       <span class={quiet ? "cv-hidden" : ""}>{label}</span>
-      <select value={value} onChange={(event) => onChange(event.currentTarget.value as T)}>
+      <select aria-label={label} value={value} onChange={(event) => onChange(event.currentTarget.value as T)}>
         {options.map((option) => (
           <option key={option.value} value={option.value} disabled={option.disabled} selected={option.value === value}>
             {option.label}
