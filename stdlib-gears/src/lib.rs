@@ -163,6 +163,7 @@ pub mod modification_externs;
 mod modified_structure;
 pub mod mounting;
 pub mod observable_externs;
+mod outer_surface;
 pub(crate) mod phase_check;
 mod plausibility;
 pub mod power_flow;

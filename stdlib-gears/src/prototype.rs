@@ -10,6 +10,7 @@ use crate::gear::{Gear, ToothForm};
 use crate::helix::Helix;
 use crate::modification::{Modification, along_face, check_faces};
 use crate::modified_structure::modified_structure;
+use crate::outer_surface::CUTS;
 use crate::sector_mesh::{Refinement, sector_mesh};
 use crate::solid_prototype::SolidSector;
 use crate::stress_recovery::check_recovery;
@@ -24,6 +25,7 @@ use calyx_runtime::scene::{
     BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks, ToothMeridian,
 };
 use calyx_runtime::spline_contact::SplineContact;
+use calyx_runtime::structure::outer_surface::OuterSurface;
 use calyx_runtime::structure::solid::{ElasticSolid, SolidStructure};
 use calyx_runtime::structure::{
     BodyModes, BoreSupport, ElasticStructure, MeshedBody, ModifiedSurface, RingSource, SplitOptions,
@@ -247,7 +249,7 @@ impl GearPrototype {
             .collect();
         let ring = RingSource {
             sectors: self.gear.teeth(),
-            cuts: ["cut_right", "cut_left"],
+            cuts: CUTS,
             bore: "bore",
             support: self.rim.support_in_plane(),
             coupled: self.coupled_teeth(),
@@ -435,6 +437,16 @@ impl Prototype for GearPrototype {
         }
         let Some(surfaces) = self.own_surfaces(options)? else { return Ok(shared) };
         shared.with_modified_surfaces(surfaces).ok_or_else(misshapen)
+    }
+
+    fn outer_surface(
+        &self,
+        options: &StructureOptions,
+        three_dimensional: bool,
+        interrupt: &Interrupt,
+    ) -> Result<Option<OuterSurface>, EngineError> {
+        interrupt.check()?;
+        self.displayed(options, three_dimensional).map(Some)
     }
 
     fn meshed(

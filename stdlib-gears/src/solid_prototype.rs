@@ -8,6 +8,7 @@
 use crate::blank::Rim;
 use crate::gear_surface::GearSurface;
 use crate::modification::{LeadModification, Modification};
+use crate::outer_surface::CUTS;
 use crate::prototype::{GearPrototype, unmeshable};
 use crate::sector_mesh::webbed_sector_mesh;
 use crate::template::{along_face, section};
@@ -193,7 +194,7 @@ impl GearPrototype {
         interrupt.check()?;
         let ring = RingSource {
             sectors: self.gear.teeth(),
-            cuts: ["cut_right", "cut_left"],
+            cuts: CUTS,
             bore: "bore",
             support: self.rim.support,
             coupled: self.coupled_teeth(),

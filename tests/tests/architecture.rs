@@ -68,7 +68,8 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("calyx-lower", "compiler/lower", &["calyx-abi", "calyx-lang", "calyx-symbolic"]),
     ("calyx-codegen", "compiler/codegen", &["calyx-abi", "calyx-lang", "calyx-lower", "calyx-symbolic"]),
     ("calyx-gears", "stdlib-gears", &["calyx-abi", "calyx-runtime"]),
-    ("calyx-report", "runtime/report", &["calyx-abi", "calyx-runtime"]),
+    ("calyx-view", "runtime/view", &["calyx-runtime"]),
+    ("calyx-report", "runtime/report", &["calyx-abi", "calyx-runtime", "calyx-view"]),
     ("calyx-rt", "runtime/rt", &["calyx-abi", "calyx-gears", "calyx-report", "calyx-runtime"]),
     (
         "calyx-elaborate",

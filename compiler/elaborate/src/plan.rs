@@ -8,13 +8,17 @@ use calyx_abi::description::ModelDescription;
 use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
+use calyx_report::view::content;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::connection::{Attachment, ElasticConnection};
 use calyx_runtime::cost::Task;
 use calyx_runtime::elastic_body::ElasticBodySize;
+use calyx_runtime::error::EngineError;
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Wrench;
+use calyx_runtime::observables::{self, Fields};
 use calyx_runtime::plan::{ConnectionPlan, Plan};
+use calyx_runtime::resources::Resources;
 use calyx_runtime::results::OutputRequest;
 use calyx_runtime::scene::{Body, BodyId, DOF_NAMES, Fidelity, Prototype, Scene, StructureOptions};
 use calyx_runtime::settings_override::Grid;
@@ -93,6 +97,19 @@ impl PlannedWork {
     /// Returns the kinds of errors that are estimated.
     pub fn estimates(&self) -> Estimates {
         self.estimates
+    }
+
+    /// Returns the files of the viewer for the scene at time 0, without solving: parts and position.
+    ///
+    /// # Errors
+    /// The scene cannot be planned, a frame is NaN, or the computation is interrupted.
+    pub fn view_files(&self, model: &str, resources: &Resources) -> Result<[Vec<u8>; 2], EngineError> {
+        let planned = if self.in_time { Plan::in_time } else { Plan::new };
+        let plan = planned(&*self.scene, self.fidelity, self.structure)?;
+        let parts = Arc::new(observables::parts(&self.scene, &plan, resources)?);
+        let poses = observables::prescribed_poses(&self.scene, &parts, 0.0)?;
+        let fields = Fields { parts, poses, ..Fields::default() };
+        Ok([content::parts(&fields.parts, model), content::position((0, 0.0), &fields)])
     }
 
     pub(crate) fn task(&self) -> Task<'_> {

@@ -8,7 +8,7 @@ use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solv
 use crate::forced_response::{self, ForcedResponse};
 use crate::method::QuasiStatic;
 use crate::observables::Observe;
-use crate::observables::{CampbellDiagram, Equilibrium, Fields, MeshedBodies, ModesTable};
+use crate::observables::{CampbellDiagram, Displayed, Equilibrium, Fields, MeshedBodies, ModesTable, parts};
 pub use crate::options::AnalysisOptions;
 use crate::results::SearchProgress;
 use crate::results::{AnalysisResult, Timing};
@@ -32,6 +32,7 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::iter::FusedIterator;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Analysis that has passed planning and the restraint check, before anything expensive.
@@ -406,14 +407,14 @@ pub fn quasi_static(
     observer.observe(Event::Planned(planned.plan()))?;
     observer.observe(Event::Stage("structures"))?;
     let mut steps = planned.build()?;
-    let meshed = steps.timing.meshed(scene, &steps.plan, options)?;
+    let displayed = steps.timing.displayed(scene, &steps.plan, options)?;
     observer.observe(Event::Stage("positions"))?;
     while let Some(solved) = steps.next() {
         let solved = &solved?;
         let index = steps.solved().len() - 1;
         let requested = requests_fields(options.fields, index, positions.len());
         let equilibrium = steps.equilibrium().filter(|_| requested);
-        let fields = equilibrium.map(|at| at.fields_with(meshed.as_ref())).transpose()?;
+        let fields = equilibrium.map(|at| at.fields_with(&displayed)).transpose()?;
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
     }
     if scene.forced_response.is_some() {
@@ -426,16 +427,21 @@ pub fn quasi_static(
 }
 
 impl Timing {
-    /// Returns the meshes of the bodies if the fields include them.
-    pub(crate) fn meshed(
+    /// Returns the shapes of bodies that the fields include.
+    pub(crate) fn displayed(
         &mut self,
         scene: &Scene,
         plan: &Plan,
         options: &AnalysisOptions,
-    ) -> Result<Option<MeshedBodies>, EngineError> {
-        let wanted = options.bodies && options.fields > 0;
+    ) -> Result<Displayed, EngineError> {
+        if options.fields == 0 {
+            return Ok(Displayed::default());
+        }
         let meshed = || MeshedBodies::new(scene, plan, &options.resources);
-        wanted.then(|| self.stage("meshes", meshed)).transpose()
+        let meshed = options.bodies.then(|| self.stage("meshes", meshed)).transpose()?;
+        let shapes = || parts(scene, plan, &options.resources).map(Arc::new);
+        let parts = options.parts.then(|| self.stage("shapes", shapes)).transpose()?;
+        Ok(Displayed { meshed, parts })
     }
 }
 

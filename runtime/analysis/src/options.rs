@@ -27,6 +27,9 @@ pub struct AnalysisOptions {
     /// Includes deformed meshes of elastic bodies in the fields. This costs one factorization, and
     /// for each position a back-substitution per tooth.
     pub bodies: bool,
+    /// Includes the outer surfaces of all parts, their poses and the forces between them in the
+    /// fields. This meshes each gear once, without a factorization.
+    pub parts: bool,
     /// Records the loads of all meshes and bearings ([`crate::component_loads`]), unless positions
     /// of an earlier run are given.
     pub component_loads: bool,
@@ -44,6 +47,7 @@ impl Default for AnalysisOptions {
             solved: Vec::new(),
             fields: 0,
             bodies: false,
+            parts: false,
             component_loads: false,
             error_estimates: Estimates::None,
         }

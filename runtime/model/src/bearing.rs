@@ -26,6 +26,7 @@ mod nonlinear;
 mod nonlinear_state;
 mod rolling;
 mod springs;
+mod surface;
 
 pub use bearing_state::BearingState;
 pub use immobile::Mobility;
@@ -35,6 +36,7 @@ pub use nonlinear::{NonlinearLoad, Tangent};
 pub use nonlinear_state::NonlinearState;
 pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};
+pub use surface::marker;
 
 use crate::body::Body;
 use crate::dof::DOF_NAMES;

@@ -41,6 +41,7 @@ use calyx_fe::{Block, Curve, ElementOrder, MeshBuilder, MeshError, PlaneMesh, Pl
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::{Key, KeyWriter};
+use calyx_structure::outer_surface::OuterSurface;
 use calyx_structure::profile::{Profile, ProfilePoint};
 use calyx_structure::{
     BodyModes, ElasticStructure, MeshSupport, RigidStructure, SplitOptions, Structure, SurfaceSource,
@@ -241,6 +242,17 @@ impl Prototype for Disc {
 
     fn restore_modes(&self, _: &StructureOptions, stored: &[u8]) -> Option<Arc<BodyModes>> {
         Some(Arc::new(BodyModes::restored(stored, &self.quarters())?))
+    }
+
+    fn outer_surface(
+        &self,
+        _: &StructureOptions,
+        _: bool,
+        _: &Interrupt,
+    ) -> Result<Option<OuterSurface>, EngineError> {
+        let half = 0.5 * self.face_width;
+        let section = [[-half, 0.0], [half, 0.0], [half, self.radius], [-half, self.radius]];
+        Ok(Some(OuterSurface::revolved(&section)))
     }
 
     fn enclosing_radius(&self) -> f64 {

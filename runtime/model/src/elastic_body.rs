@@ -28,6 +28,7 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::AttachmentMatrices;
 use calyx_structure::cache::Key;
+use calyx_structure::outer_surface::OuterSurface;
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
@@ -153,6 +154,12 @@ pub trait ElasticBody: Any + Send + Sync {
     /// Those of [`Recovery::new`].
     fn recovery(&self, _interrupt: &Interrupt) -> Result<Option<Recovery>, EngineError> {
         Ok(None)
+    }
+
+    /// Returns the outer surface of the body in its coordinates, to display it; `None` if only its
+    /// attachments are known.
+    fn outer_surface(&self) -> Option<OuterSurface> {
+        None
     }
 
     /// Returns whether the body has mass.

@@ -6,6 +6,7 @@ use calyx_fe::inertia::Inertia;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::cache::Key;
+use calyx_structure::outer_surface::OuterSurface;
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::surface::Surface;
 use calyx_structure::{BodyModes, MeshedBody, Structure, StructureSize, VisualizationMesh};
@@ -181,6 +182,20 @@ pub trait Prototype: Any + Send + Sync {
         _three_dimensional: bool,
     ) -> Result<Arc<MeshedBody>, EngineError> {
         Ok(shared)
+    }
+
+    /// Returns the outer surface of the body, to display it: that of its finite element mesh, if it
+    /// has one at these options; `None` if the body has no shape.
+    ///
+    /// # Errors
+    /// The body cannot be meshed. Otherwise those of the interrupt.
+    fn outer_surface(
+        &self,
+        _options: &StructureOptions,
+        _three_dimensional: bool,
+        _interrupt: &Interrupt,
+    ) -> Result<Option<OuterSurface>, EngineError> {
+        Ok(None)
     }
 
     /// Returns the numbers of equations that [`Prototype::build`] or [`Prototype::build_solid`]

@@ -18,6 +18,7 @@ mod deformed;
 mod modes;
 mod segment;
 mod solid;
+mod surface;
 
 pub use beam::SectionForces;
 pub use segment::{ShaftSegment, shear_coefficient};

@@ -23,6 +23,7 @@ use calyx_runtime::results::{AnalysisResult, OutputSummary, Solved, StepRow, Str
 use calyx_runtime::settings_override::Override;
 use calyx_runtime::summary::Harmonic;
 use calyx_runtime::tolerance::{Attempt, Setting, ToleranceOutcome};
+use calyx_view::ViewFiles;
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -128,6 +129,7 @@ pub struct Record {
     pattern: ContactPattern,
     bearings: BearingLoads,
     vtu: Option<VtuFiles>,
+    view: ViewFiles,
     journal: Journal,
 }
 
@@ -147,6 +149,7 @@ impl Record {
             pattern: ContactPattern::create(directory)?,
             bearings: BearingLoads::create(directory)?,
             vtu: details.vtu.then(|| VtuFiles::begin(directory, Vec::new())).transpose()?,
+            view: ViewFiles::begin(directory, model_of(head))?,
             journal: Journal::create(directory, head)?,
         })
     }
@@ -155,6 +158,7 @@ impl Record {
     pub fn resume(
         directory: &Path,
         outputs: &[OutputDescription],
+        head: &Value,
         found: &FoundJournal,
         details: Details,
     ) -> io::Result<Record> {
@@ -171,8 +175,9 @@ impl Record {
             table.write(index, &solved.row)?;
         }
         let journal = Journal::resume(directory, found)?;
+        let view = ViewFiles::begin(directory, model_of(head))?;
         let directory = directory.to_owned();
-        Ok(Record { directory, table, tables, stresses, pattern, bearings, vtu, journal })
+        Ok(Record { directory, table, tables, stresses, pattern, bearings, vtu, view, journal })
     }
 
     pub fn write(
@@ -189,6 +194,7 @@ impl Record {
             let time = solved.row.position.time;
             self.bearings.add((index, time), fields)?;
             body_pictures::update(&self.directory, (index, time), fields)?;
+            self.view.write((index, time), fields)?;
             if let Some(vtu) = &mut self.vtu {
                 vtu.write(index, time, fields)?;
             }
@@ -196,6 +202,11 @@ impl Record {
         self.journal.write(solved)?;
         self.table.write(index, &solved.row)
     }
+}
+
+/// Returns the name of the model of a run.
+fn model_of(head: &Value) -> &str {
+    head["model"].as_str().unwrap_or_default()
 }
 
 /// Writer of `steps.csv`, one row per position.

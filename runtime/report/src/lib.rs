@@ -30,3 +30,5 @@ pub mod sweep;
 pub mod tradeoff;
 mod von_mises;
 pub mod vtu;
+
+pub use calyx_view as view;

@@ -181,6 +181,7 @@ mod tests {
             displacements: vec![[1e-6, 0.0, -2.5e-7]; cell.len()],
             stresses: vec![[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]; cell.len()],
             cells: vec![cell],
+            elements: vec![0],
         };
         let sectors = vec![sector(0, vec![3, 2, 1, 0]), sector(7, (0..8).collect())];
         let body = BodyField { body: "gear".into(), number: 2, sectors };

@@ -72,6 +72,7 @@ struct Setup {
     solved: Vec<Solved>,
     fields: usize,
     bodies: bool,
+    parts: bool,
     component_loads: bool,
     overrides: Override,
 }
@@ -94,6 +95,7 @@ impl Instance {
             solved: Vec::new(),
             fields: 0,
             bodies: false,
+            parts: false,
             component_loads: false,
             overrides: Override::default(),
         };
@@ -305,6 +307,12 @@ impl Instance {
         self.setup.bodies = bodies;
     }
 
+    /// Requests the outer surfaces of all parts, their poses and the forces between them as part of
+    /// the fields.
+    pub fn request_parts(&mut self, parts: bool) {
+        self.setup.parts = parts;
+    }
+
     /// Former name of [`Instance::request_bodies`].
     #[deprecated(since = "0.1.0", note = "use `request_bodies`")]
     pub fn tell_bodies(&mut self, bodies: bool) {
@@ -430,6 +438,7 @@ impl Job {
             host.analysis.solved = self.setup.solved;
             host.analysis.fields = self.setup.fields;
             host.analysis.bodies = self.setup.bodies;
+            host.analysis.parts = self.setup.parts;
             host.analysis.component_loads = self.setup.component_loads;
             host.overrides = self.setup.overrides;
         }

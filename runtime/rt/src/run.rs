@@ -21,7 +21,7 @@ use calyx_report::directory::{
 use calyx_report::journal::FoundJournal;
 use calyx_report::{
     bearing_loads, body_pictures, campbell, contact_pattern, field_tables, flank_tables, forced_response,
-    journal, modes_table, page, signals, stress_range, summary_table, vtu,
+    journal, modes_table, page, signals, stress_range, summary_table, view, vtu,
 };
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
@@ -137,6 +137,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     directory.check_folder(SIGNALS, |name| signals::is_name_of_a_run(description, name))?;
     directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
     directory.check_folder(body_pictures::FOLDER, body_pictures::is_name_of_a_run)?;
+    directory.check_folder(view::FOLDER, view::files::is_name_of_a_run)?;
     let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
     let found = match earlier(options, &head)? {
         EarlierRun::Finished => {
@@ -325,8 +326,9 @@ fn write_steps(
     let outputs = instance.description().outputs.clone();
     instance.request_fields(details.positions());
     instance.request_bodies(details.vtu);
+    instance.request_parts(true);
     let solved = found.map_or(0, |found| found.solved.len());
-    let record = match found.map(|found| Record::resume(path, &outputs, found, details)).transpose() {
+    let record = match found.map(|found| Record::resume(path, &outputs, head, found, details)).transpose() {
         Ok(record) => record,
         Err(error) => return (solved, Err(unwritable(error))),
     };
@@ -398,6 +400,9 @@ impl Written {
             }
         };
         directory.claim_all(fields.map(body_pictures::files_of).unwrap_or_default())?;
+        if fields.is_some() {
+            directory.claim_all(view::files::files_of(index))?;
+        }
         if details.vtu {
             directory.claim_all(vtu::files_of(index))?;
         }

@@ -10,7 +10,7 @@
 use calyx_report::directory::{REPORT, SIGNALS};
 use calyx_report::former_keys::{self, ResultFile};
 use calyx_report::sweep::PRINTED_TEXT;
-use calyx_report::{body_pictures, component_table, duty_cycle, journal, page, vtu};
+use calyx_report::{body_pictures, component_table, duty_cycle, journal, page, view, vtu};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -72,7 +72,7 @@ impl Kind {
     /// Returns the folders whose file names depend on the model.
     fn folders(self) -> &'static [&'static str] {
         match self {
-            Kind::Run => &[SIGNALS, vtu::FOLDER, body_pictures::FOLDER],
+            Kind::Run => &[SIGNALS, vtu::FOLDER, body_pictures::FOLDER, view::FOLDER],
             Kind::Tradeoff | Kind::Sweep => &[],
         }
     }
@@ -134,7 +134,8 @@ pub const FILES_OF_A_SWEEP: [&str; 6] =
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-const FILES_OF_A_RUN: [&str; 33] = [
+const FILES_OF_A_RUN: [&str; 34] = [
+    view::page::NAME,
     "run.json",
     "journal.jsonl",
     "run.json.part",

@@ -15,10 +15,11 @@ use super::condense::{Assembled, match_cuts};
 use super::elastic::chain;
 use super::solid::SegmentLoad;
 use super::{Chart, ModifiedSurface, RevolvedWeb, RingSource, StructureError, SurfaceLoad};
+use crate::mesh_cells::Outline;
 use calyx_fe::solid::{ABSENT, FaceSet, SolidModel};
 use calyx_fe::{EdgeChain, PlaneModel, SparseVector};
 use calyx_numerics::interrupt::Interrupt;
-use elements::{Elements, Outline};
+use elements::Elements;
 use ring::{ConstrainedSector, SolvedRing};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -67,6 +68,8 @@ pub struct DeformedSector {
     /// Corners of each cell as indices of points: four of a quadrilateral, counter-clockwise, or
     /// eight of a hexahedron, in VTK order.
     pub cells: Vec<Vec<usize>>,
+    /// Index of the finite element of each cell.
+    pub elements: Vec<usize>,
     /// Elastic displacements of the points, m.
     pub displacements: Vec<[f64; 3]>,
     /// Stresses at the points: xx, yy, zz, yz, zx, xy, Pa.
@@ -311,6 +314,7 @@ impl Mesh {
             tooth,
             points: nodes().map(|node| turn(self.nodes[node])).collect(),
             cells: outline.cells.clone(),
+            elements: outline.elements.clone(),
             displacements: nodes().map(displacement).collect(),
             stresses: nodes().map(|node| rotated_tensor(&rotation, stresses[node])).collect(),
         }

@@ -8,6 +8,7 @@ use super::surface::TabulatedSurface;
 use super::table::{Stations, ToothTable};
 use super::tooth::Tooth;
 use crate::error::Refusal;
+use crate::outer_surface::{CUTS, display_options};
 use crate::prototype::{COUPLED_TEETH, GearPrototype, SHARP_EDGE, SOURCE};
 use crate::sector_mesh::Refinement;
 use crate::solid_prototype::{split_options, stress_points};
@@ -22,6 +23,7 @@ use calyx_runtime::material::Material;
 use calyx_runtime::scene::{
     BodyModel, Fidelity, Ignored, Prototype, StructureOptions, ToothFlanks, ToothMeridian,
 };
+use calyx_runtime::structure::outer_surface::OuterSurface;
 use calyx_runtime::structure::solid::{ElasticSolid, HalfSpaceBody, SolidStructure, SolidSurfaceSource};
 use calyx_runtime::structure::{
     BoreSupport, MeshedBody, RingSource, Structure, StructureSize, VisualizationMesh,
@@ -163,7 +165,7 @@ impl TabulatedGear {
         let mesh = self.solid_mesh(options, interrupt)?;
         let ring = RingSource {
             sectors: self.teeth(),
-            cuts: ["cut_right", "cut_left"],
+            cuts: CUTS,
             bore: "bore",
             support: self.data.support,
             coupled: self.coupled_teeth(),
@@ -321,6 +323,16 @@ impl Prototype for TabulatedGear {
     fn restore_solid(&self, options: &StructureOptions, stored: &[u8]) -> Option<Arc<dyn SolidStructure>> {
         let surfaces = self.surfaces(options).ok()?.map(|surface| surface as Arc<dyn Surface>);
         Some(Arc::new(ElasticSolid::restored(stored, surfaces.to_vec())?))
+    }
+
+    fn outer_surface(
+        &self,
+        options: &StructureOptions,
+        _three_dimensional: bool,
+        interrupt: &Interrupt,
+    ) -> Result<Option<OuterSurface>, EngineError> {
+        let mesh = self.solid_mesh(&display_options(options), interrupt)?;
+        Ok(Some(OuterSurface::of_sector(&mesh, CUTS, self.teeth())))
     }
 
     fn meshed(

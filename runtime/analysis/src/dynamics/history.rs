@@ -497,12 +497,12 @@ pub fn dynamic(
     observer: &mut dyn Observer,
 ) -> Result<AnalysisResult, EngineError> {
     let mut history = History::new(scene, outputs, options, dynamics, observer)?;
-    let meshed = history.timing.meshed(scene, &history.plan, options)?;
+    let displayed = history.timing.displayed(scene, &history.plan, options)?;
     while let Some(solved) = history.next() {
         let solved = &solved?;
         let (index, count) = (history.solved().len() - 1, history.rows());
         let requested = requests_fields(options.fields, index, count);
-        let fields = history.equilibrium().filter(|_| requested).map(|at| at.fields_with(meshed.as_ref()));
+        let fields = history.equilibrium().filter(|_| requested).map(|at| at.fields_with(&displayed));
         let fields = fields.transpose()?;
         observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })?;
     }

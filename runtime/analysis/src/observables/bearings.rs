@@ -34,6 +34,16 @@ impl BearingLoad {
         self.placed.wrench_on(body, self.push)
     }
 
+    /// Returns the origin of the bearing in ground coordinates, m.
+    pub(super) fn origin(&self) -> [f64; 3] {
+        self.placed.origin
+    }
+
+    /// Transforms a vector from the bearing's axes to ground axes.
+    pub(super) fn to_ground(&self, vector: [f64; 3]) -> [f64; 3] {
+        self.placed.to_ground(vector)
+    }
+
     fn along(&self, [x, y, z]: [f64; 3], direction: Direction) -> f64 {
         match direction {
             Direction::Ground(axis) => self.placed.to_ground([x, y, z])[axis],

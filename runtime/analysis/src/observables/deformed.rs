@@ -44,6 +44,8 @@ pub struct SectorField {
     /// Corners of each cell as indices of points. Plane cells have four, counter-clockwise.
     /// Three-dimensional cells have eight: the first four around a face, then the opposite four.
     pub cells: Vec<Vec<usize>>,
+    /// Index of the finite element of each cell.
+    pub elements: Vec<usize>,
     /// Elastic displacement of each point relative to the body's frame, m.
     pub displacements: Vec<[f64; 3]>,
     /// Stresses xx, yy, zz, yz, zx, xy at each point, Pa.
@@ -227,6 +229,7 @@ impl Equilibrium<'_> {
                 tooth: sector.tooth,
                 points: sector.points.into_iter().map(|point| pose.point(point)).collect(),
                 cells: sector.cells,
+                elements: sector.elements,
                 displacements: sector.displacements.into_iter().map(|by| pose.direction(by)).collect(),
                 stresses: sector
                     .stresses

@@ -220,6 +220,21 @@ impl Contact<'_> {
         self.patch.wrench(side, origin, self.width())
     }
 
+    /// Returns the centres of the loaded cells in ground coordinates (m), with their forces (N).
+    pub(super) fn centres(&self) -> Vec<([f64; 3], f64)> {
+        let centre = |cell: usize| match &self.patch.grid {
+            ContactGrid::Plane { frame, cells, .. } => {
+                let [low, high] = cells[cell].x;
+                let along = 0.5 * (low + high);
+                let [x, y] = [0, 1].map(|axis| frame.point[axis] + along * frame.tangent[axis]);
+                [x, y, 0.0]
+            }
+            ContactGrid::Solid(grid) => grid.cells[cell].point,
+        };
+        let loaded = self.patch.forces.iter().enumerate().filter(|(_, force)| **force > 0.0);
+        loaded.map(|(cell, force)| (centre(cell), self.width() * force)).collect()
+    }
+
     /// Returns the moment of the patch on the body of a side about the body's own axis, N m.
     pub fn torque(&self, side: usize) -> f64 {
         let [.., x, y, z] = self.wrench(side);

@@ -3,14 +3,17 @@
 
 use super::deformed::{BodyField, ElasticBodyField, MeshedBodies};
 use super::flank_cells::FlankCorners;
+use super::parts::{Part, PartForce};
 use super::rolling::RollingBearingField;
 use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice};
+use calyx_contact::solid::Pose;
 use calyx_model::ids::BodyId;
 use calyx_model::lubrication::RollingContact;
 use calyx_model::observed::Location;
 use calyx_numerics::error::EngineError;
 use calyx_solve::step::ContactGrid;
+use std::sync::Arc;
 
 /// Fields of a solved position.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,6 +29,13 @@ pub struct Fields {
     pub elastic_bodies: Vec<ElasticBodyField>,
     /// Rolling bearings.
     pub rolling_bearings: Vec<RollingBearingField>,
+    /// Parts with their outer surfaces, if requested
+    /// ([`crate::options::AnalysisOptions::parts`]); equal at all positions.
+    pub parts: Arc<Vec<Part>>,
+    /// Pose of each part.
+    pub poses: Vec<Pose>,
+    /// Forces of bearings and meshes, if parts are requested.
+    pub forces: Vec<PartForce>,
     /// Bodies without a mesh, with the reason, phrased to follow the name.
     pub without_mesh: Vec<(String, &'static str)>,
 }
@@ -117,6 +127,15 @@ pub struct FilletStress {
     pub principal: [f64; 2],
 }
 
+/// Shapes of the bodies that fields include on request.
+#[derive(Default)]
+pub(crate) struct Displayed {
+    /// Factorized meshes.
+    pub meshed: Option<MeshedBodies>,
+    /// Parts with their outer surfaces.
+    pub parts: Option<Arc<Vec<Part>>>,
+}
+
 impl Equilibrium<'_> {
     /// Returns all fields except the meshes of bodies other than shafts. Rigid shafts and bearings
     /// have none.
@@ -132,13 +151,19 @@ impl Equilibrium<'_> {
         }
     }
 
-    /// Returns all fields, including the meshes of bodies if available.
+    /// Returns all fields, including the requested meshes of bodies and parts.
     ///
     /// # Errors
-    /// Those of [`Equilibrium::deformed`] and [`Equilibrium::deformed_elastic_bodies`].
-    pub(crate) fn fields_with(self, meshed: Option<&MeshedBodies>) -> Result<Fields, EngineError> {
-        let fields = self.fields();
-        let Some(meshed) = meshed else { return Ok(fields) };
+    /// Those of [`Equilibrium::deformed`], [`Equilibrium::deformed_elastic_bodies`] and
+    /// [`Equilibrium::poses`].
+    pub(crate) fn fields_with(self, shown: &Displayed) -> Result<Fields, EngineError> {
+        let mut fields = self.fields();
+        if let Some(parts) = &shown.parts {
+            fields.poses = self.poses(parts)?;
+            fields.forces = self.part_forces();
+            fields.parts = parts.clone();
+        }
+        let Some(meshed) = &shown.meshed else { return Ok(fields) };
         let mut elastic_bodies = self.deformed_elastic_bodies(meshed)?;
         elastic_bodies.extend(fields.elastic_bodies);
         Ok(Fields {

@@ -20,6 +20,7 @@ mod mesh;
 mod mesh_cycle;
 mod misalignment;
 mod mode_kind;
+mod parts;
 mod pressure;
 mod rolling;
 mod shafts;
@@ -41,6 +42,7 @@ pub use calyx_solve::vibrations::Vibrations;
 pub(crate) use deformed::MeshedBodies;
 pub use deformed::{BodyField, ElasticBodyField, SectorField};
 pub use equilibrium::{Contact, Equilibrium, Slice};
+pub(crate) use fields::Displayed;
 pub use fields::{ContactField, Fields, FilletField, FilletStress, LocalState, LubricatedState, PressedCell};
 pub use flank_cells::FlankCorners;
 pub use gauge::{Gauge, GaugeReading, Reading};
@@ -53,6 +55,7 @@ pub use misalignment::{Misalignment, MisalignmentComponent};
 pub use mode_kind::{
     ModeClassification, ModeEnergyShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet,
 };
+pub use parts::{ForceOf, Part, PartForce, PartKind, PartOf, parts, prescribed_poses};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use rolling::{
     BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingBearingField, RollingElementLoad,

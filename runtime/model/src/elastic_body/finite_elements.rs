@@ -1,7 +1,7 @@
 //! Elastic body as finite elements with attachments.
 
 use super::condensation::condense_model;
-use super::{AttachmentExtent, ElasticBody, ElasticBodySize, MassReduction, Recovery};
+use super::{AttachmentExtent, CellShape, ElasticBody, ElasticBodySize, MassReduction, Recovery};
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach_unnamed, on_a_line, rotating_nodes};
 use calyx_elastic::connectivity::parts_with_elements;
 use calyx_elastic::import::{MassProperties, mass_properties};
@@ -11,6 +11,7 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, length, minus};
 use calyx_structure::AttachmentMatrices;
 use calyx_structure::cache::{Key, KeyWriter};
+use calyx_structure::outer_surface::{OuterSurface, Skin};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -298,6 +299,14 @@ impl ElasticBody for FiniteElementBody {
             .attached(&self.attachments)
             .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
         Recovery::new(model, nodes, self.model.nodes.len(), interrupt).map(Some)
+    }
+
+    fn outer_surface(&self) -> Option<OuterSurface> {
+        let elements = self.model.elements.iter().enumerate();
+        let cells =
+            elements.filter_map(|(index, element)| Some(CellShape::of(element)?.cell(&element.nodes, index)));
+        let points: Vec<Vector> = self.model.nodes.iter().map(|node| node.position).collect();
+        Some(Skin::new(cells, |_| false).at(&points))
     }
 
     fn has_mass(&self) -> bool {

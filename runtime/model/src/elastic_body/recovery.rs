@@ -12,10 +12,13 @@ use calyx_elastic::assembly::System;
 use calyx_elastic::check::{determinate_support, parts};
 use calyx_elastic::model::{ShellShape, SolidShape};
 use calyx_elastic::stress::{Stress, nodal_stresses_of};
-use calyx_elastic::{ElasticModel, ElementKind, FixedComponents, NodalLoad, Node, Resources, statics};
+use calyx_elastic::{
+    ElasticModel, Element, ElementKind, FixedComponents, NodalLoad, Node, Resources, statics,
+};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use calyx_numerics::vec3::{Vector, minus};
+use calyx_structure::outer_surface::{Cell, CellKind};
 
 /// Motion of a node along the axes of the body, m and rad.
 type Six = [f64; 6];
@@ -29,6 +32,37 @@ pub enum CellShape {
     Shell(ShellShape),
     /// Solid.
     Solid(SolidShape),
+}
+
+impl CellShape {
+    /// Returns the shape of an element of an elastic body; `None` for springs and masses.
+    pub fn of(element: &Element) -> Option<CellShape> {
+        match &element.kind {
+            ElementKind::Solid(shape) => Some(CellShape::Solid(*shape)),
+            ElementKind::Shell { shape, .. } => Some(CellShape::Shell(*shape)),
+            ElementKind::Beam(_) | ElementKind::Rod { .. } => Some(CellShape::Line),
+            ElementKind::Spring { .. } | ElementKind::Mass { .. } => None,
+        }
+    }
+
+    /// Returns the cell with straight edges between the corners of an element of this shape.
+    pub fn cell(self, nodes: &[usize], element: usize) -> Cell<'_> {
+        let (kind, corners) = match self {
+            CellShape::Line => (CellKind::Line, nodes.len()),
+            CellShape::Shell(ShellShape::Triangle3 | ShellShape::Triangle6) => (CellKind::Face, 3),
+            CellShape::Shell(
+                ShellShape::Quadrilateral4 | ShellShape::Quadrilateral8 | ShellShape::Quadrilateral9,
+            ) => (CellKind::Face, 4),
+            CellShape::Solid(SolidShape::Tetrahedron4 | SolidShape::Tetrahedron10) => {
+                (CellKind::Tetrahedron, 4)
+            }
+            CellShape::Solid(SolidShape::Wedge6 | SolidShape::Wedge15) => (CellKind::Wedge, 6),
+            CellShape::Solid(
+                SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8 | SolidShape::Hexahedron20,
+            ) => (CellKind::Hexahedron, 8),
+        };
+        Cell { kind, corners: &nodes[..corners], element }
+    }
 }
 
 /// Deformed elastic body in its own coordinates.
@@ -155,15 +189,7 @@ impl Recovery {
     }
 
     fn cells(&self) -> Vec<(CellShape, Vec<usize>)> {
-        let cell = |element: &calyx_elastic::Element| {
-            let shape = match &element.kind {
-                ElementKind::Solid(shape) => CellShape::Solid(*shape),
-                ElementKind::Shell { shape, .. } => CellShape::Shell(*shape),
-                ElementKind::Beam(_) | ElementKind::Rod { .. } => CellShape::Line,
-                ElementKind::Spring { .. } | ElementKind::Mass { .. } => return None,
-            };
-            Some((shape, element.nodes.clone()))
-        };
+        let cell = |element: &Element| Some((CellShape::of(element)?, element.nodes.clone()));
         self.model.elements.iter().filter_map(cell).collect()
     }
 }

@@ -1,19 +1,9 @@
 //! Outer surface of a meshed body: faces that belong to one cell only, shells, and beams as lines.
 
 use crate::von_mises::von_mises;
-use calyx_runtime::elastic::model::{ShellShape, SolidShape};
 use calyx_runtime::elastic_body::CellShape;
 use calyx_runtime::observables::{BodyField, ElasticBodyField, Fields};
-use std::collections::BTreeMap;
-
-/// Faces of a cell, as indices of its corners.
-type Faces = &'static [&'static [usize]];
-
-/// Faces of a hexahedron, wedge and tetrahedron, outward.
-const HEXAHEDRON: [&[usize]; 6] =
-    [&[0, 3, 2, 1], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]];
-const WEDGE: [&[usize]; 5] = [&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]];
-const TETRAHEDRON: [&[usize]; 4] = [&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[2, 0, 3]];
+use calyx_runtime::structure::outer_surface::{Cell, CellKind, outer_faces};
 
 /// Outer surface of a body. Faces have their corners only; those between them are straight.
 pub struct Surface {
@@ -91,21 +81,20 @@ fn largest(vectors: &[[f64; 3]]) -> f64 {
 
 fn of_gear(body: &BodyField) -> Surface {
     let mut surface = Surface::empty(&body.body, body.number);
-    let mut cells: Vec<(Faces, Vec<usize>)> = Vec::new();
+    let mut cells: Vec<(CellKind, Vec<usize>)> = Vec::new();
     for sector in &body.sectors {
         let first = surface.points.len();
         surface.points.extend(&sector.points);
         surface.displacements.extend(&sector.displacements);
         surface.stresses.extend(sector.stresses.iter().map(|&stress| von_mises(stress)));
-        for cell in &sector.cells {
-            let corners: Vec<usize> = cell.iter().map(|corner| first + corner).collect();
-            match corners.len() {
-                8 => cells.push((&HEXAHEDRON, corners)),
-                _ => surface.faces.push(corners),
-            }
-        }
+        cells.extend(sector.cells.iter().map(|cell| {
+            let kind = if cell.len() == 8 { CellKind::Hexahedron } else { CellKind::Face };
+            (kind, cell.iter().map(|corner| first + corner).collect())
+        }));
     }
-    surface.faces.extend(outer_faces(&cells));
+    let cells = cells.iter().enumerate();
+    let cells = cells.map(|(element, (kind, corners))| Cell { kind: *kind, corners, element });
+    surface.faces.extend(outer_faces(cells).into_iter().map(|face| face.corners));
     surface
 }
 
@@ -114,45 +103,13 @@ fn of_elastic_body(body: &ElasticBodyField) -> Surface {
     surface.points.clone_from(&body.points);
     surface.displacements.clone_from(&body.displacements);
     surface.stresses = body.stresses.iter().map(|&stress| von_mises(stress)).collect();
-    let mut cells: Vec<(Faces, Vec<usize>)> = Vec::new();
-    for (shape, nodes) in &body.cells {
-        match shape {
-            CellShape::Line => surface.lines.push([nodes[0], nodes[nodes.len() - 1]]),
-            CellShape::Shell(ShellShape::Triangle3 | ShellShape::Triangle6) => {
-                surface.faces.push(nodes[..3].to_vec());
-            }
-            CellShape::Shell(
-                ShellShape::Quadrilateral4 | ShellShape::Quadrilateral8 | ShellShape::Quadrilateral9,
-            ) => surface.faces.push(nodes[..4].to_vec()),
-            CellShape::Solid(SolidShape::Tetrahedron4 | SolidShape::Tetrahedron10) => {
-                cells.push((&TETRAHEDRON, nodes[..4].to_vec()));
-            }
-            CellShape::Solid(SolidShape::Wedge6 | SolidShape::Wedge15) => {
-                cells.push((&WEDGE, nodes[..6].to_vec()));
-            }
-            CellShape::Solid(
-                SolidShape::Hexahedron8 | SolidShape::IncompatibleHexahedron8 | SolidShape::Hexahedron20,
-            ) => {
-                cells.push((&HEXAHEDRON, nodes[..8].to_vec()));
-            }
-        }
-    }
-    surface.faces.extend(outer_faces(&cells));
+    let cells = body.cells.iter().enumerate();
+    let cells =
+        cells.map(|(index, (shape, nodes)): (usize, &(CellShape, Vec<usize>))| shape.cell(nodes, index));
+    let beams = cells.clone().filter(|cell| cell.kind == CellKind::Line);
+    surface.lines.extend(beams.map(|cell| [cell.corners[0], cell.corners[cell.corners.len() - 1]]));
+    surface.faces.extend(outer_faces(cells).into_iter().map(|face| face.corners));
     surface
-}
-
-/// Returns the faces that belong to one cell only.
-fn outer_faces(cells: &[(Faces, Vec<usize>)]) -> Vec<Vec<usize>> {
-    let mut found: BTreeMap<Vec<usize>, Option<Vec<usize>>> = BTreeMap::new();
-    for (faces, corners) in cells {
-        for face in *faces {
-            let face: Vec<usize> = face.iter().map(|&corner| corners[corner]).collect();
-            let mut key = face.clone();
-            key.sort_unstable();
-            found.entry(key).and_modify(|other| *other = None).or_insert(Some(face));
-        }
-    }
-    found.into_values().flatten().collect()
 }
 
 impl Surface {
@@ -188,6 +145,7 @@ impl Surface {
 mod tests {
     use super::super::tests::cube;
     use super::*;
+    use calyx_runtime::elastic::model::SolidShape;
 
     #[test]
     fn common_faces_of_cells_are_inside() {
@@ -203,35 +161,5 @@ mod tests {
         assert_eq!((surface.faces.len(), surface.lines.len()), (10, 1));
         assert!(!surface.faces.iter().any(|face| face.iter().all(|corner| (4..8).contains(corner))));
         assert!((surface.diagonal() - 6.0_f64.sqrt()).abs() < 1e-15);
-    }
-
-    /// Faces of all shapes are outward: their normals point away from the centre.
-    #[test]
-    fn faces_are_outward() {
-        let shapes: [(Faces, Vec<[f64; 3]>); 3] = [
-            (&HEXAHEDRON, cube(0, 1.0).points),
-            (
-                &WEDGE,
-                [0.0, 1.0].iter().flat_map(|&z| [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z]]).collect(),
-            ),
-            (&TETRAHEDRON, vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
-        ];
-        for (faces, points) in shapes {
-            let centre = |corners: &[usize], k: usize| {
-                corners.iter().map(|&corner| points[corner][k]).sum::<f64>() / corners.len() as f64
-            };
-            let every: Vec<usize> = (0..points.len()).collect();
-            for face in faces {
-                let edge = |from: usize, to: usize| -> [f64; 3] {
-                    std::array::from_fn(|k| points[face[to]][k] - points[face[from]][k])
-                };
-                let [a, b] = [edge(0, 1), edge(0, 2)];
-                let normal: [f64; 3] = std::array::from_fn(|k| {
-                    a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]
-                });
-                let outward: f64 = (0..3).map(|k| normal[k] * (centre(face, k) - centre(&every, k))).sum();
-                assert!(outward > 0.0, "{face:?}");
-            }
-        }
     }
 }

@@ -1,30 +1,17 @@
-//! Output elements of a mesh: cells with straight edges between nodes, and nodal stresses.
+//! Output elements of a mesh: its cells ([`crate::mesh_cells`]) and nodal stresses.
 //!
-//! An element with a grid of nodes has as many cells as the grid; in coarse output it is a single
-//! cell, by its corners. Stress is sampled where that of the displacements is most accurate, at the
+//! Stress is sampled where that of the displacements is most accurate, at the
 //! Gauss points of the elements' order (Barlow 1976). It is extrapolated to the nodes by the
 //! polynomials through these points, and averaged over the elements that share a node (Hinton and
 //! Campbell 1974).
 
+use crate::mesh_cells::{Outline, cells};
 use calyx_fe::material::Plane;
 use calyx_fe::solid::{SolidElementPoint, SolidModel};
 use calyx_fe::{ElementPoint, PlaneModel};
 use calyx_numerics::quadrature::gauss_legendre;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// Local coordinates with a smaller difference are equal.
-const SAME: f64 = 1e-9;
-
-/// Cells between points.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Outline {
-    /// Nodes of the mesh, ascending.
-    pub nodes: Vec<usize>,
-    /// Corners as indices into these nodes: four of a quadrilateral, counter-clockwise; eight of a
-    /// hexahedron, those of the face towards the first station before their opposites.
-    pub cells: Vec<Vec<usize>>,
-}
 
 /// Data that elements of one type share.
 struct Kind {
@@ -113,18 +100,9 @@ impl Elements {
     /// Returns all elements by their cells, and by one cell each.
     pub fn outlines(&self) -> [Outline; 2] {
         [0, 1].map(|coarse| {
-            let cells = || {
-                self.elements.iter().flat_map(|element| {
-                    let cells = element.kind.cells[coarse].iter();
-                    cells.map(|cell| cell.iter().map(|&local| element.nodes[local]).collect::<Vec<_>>())
-                })
-            };
-            let mut nodes: Vec<usize> = cells().flatten().collect();
-            nodes.sort_unstable();
-            nodes.dedup();
-            let place = |node: &usize| nodes.partition_point(|other| other < node);
-            let cells = cells().map(|cell| cell.iter().map(place).collect()).collect();
-            Outline { nodes, cells }
+            let elements =
+                self.elements.iter().map(|element| (&element.nodes[..], &element.kind.cells[coarse][..]));
+            Outline::new(elements)
         })
     }
 
@@ -196,49 +174,6 @@ impl Kind {
     }
 }
 
-/// Returns the cells of an element from the local coordinates of its nodes, and the cell of its
-/// corners.
-fn cells(places: &[[f64; 3]]) -> [Vec<Vec<usize>>; 2] {
-    let values = |axis: usize| {
-        let mut values: Vec<f64> = places.iter().map(|place| place[axis]).collect();
-        values.sort_by(f64::total_cmp);
-        values.dedup_by(|a, b| (*a - *b).abs() < SAME);
-        values
-    };
-    let lines = [0, 1, 2].map(values);
-    let near = |a: &[f64; 3], b: &[f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < SAME);
-    // Finds the node at a point of the grid of all values.
-    let node = |at: [usize; 3]| {
-        let wanted = [0, 1, 2].map(|axis| lines[axis][at[axis]]);
-        places.iter().position(|place| near(place, &wanted))
-    };
-    let cell = |low: [usize; 3], high: [usize; 3]| {
-        let corners = [[0, 0], [1, 0], [1, 1], [0, 1]];
-        let layers = if low[2] == high[2] { 0..1 } else { 0..2 };
-        let corner = |layer: usize, [x, y]: [usize; 2]| {
-            let [x, y, layer] = [(x, 0), (y, 1), (layer, 2)].map(|(end, axis)| [low, high][end][axis]);
-            node([x, y, layer])
-        };
-        layers.flat_map(|layer| corners.map(|at| corner(layer, at))).collect::<Option<Vec<_>>>()
-    };
-    let last = lines.each_ref().map(|line| line.len() - 1);
-    let whole: Vec<Vec<usize>> = cell([0; 3], last).into_iter().collect();
-    let mut all = Some(Vec::new());
-    for k in 0..last[2].max(1) {
-        for j in 0..last[1] {
-            for i in 0..last[0] {
-                let one = cell([i, j, k], [i + 1, j + 1, (k + 1).min(last[2])]);
-                all = all.zip(one).map(|(mut all, one)| {
-                    all.push(one);
-                    all
-                });
-            }
-        }
-    }
-    // Nodes that do not form a grid leave gaps in it.
-    [all.unwrap_or_else(|| whole.clone()), whole]
-}
-
 /// Returns the weights of values at points in the polynomial through them at `x`.
 fn through(points: &[f64], x: f64) -> Vec<f64> {
     let others = |k: usize| points.iter().enumerate().filter(move |(other, _)| *other != k);
@@ -275,21 +210,5 @@ mod tests {
                 );
             }
         }
-    }
-
-    /// Nodes that form a grid make cells between all of them; otherwise the corners make one cell.
-    #[test]
-    fn elements_without_inner_nodes_are_one_cell() {
-        let at =
-            |places: &[[f64; 2]]| -> Vec<[f64; 3]> { places.iter().map(|&[x, y]| [x, y, 0.0]).collect() };
-        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-        let sides = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]];
-        let serendipity = at(&[corners, sides].concat());
-        let [all, whole] = cells(&serendipity);
-        assert_eq!((&all, &whole), (&vec![vec![0, 1, 2, 3]], &all));
-        let grid = at(&[&[[0.0, 0.0]], &corners[..], &sides[..]].concat());
-        let [all, whole] = cells(&grid);
-        assert_eq!((all.len(), whole), (4, vec![vec![1, 2, 3, 4]]));
-        assert_eq!(all[0], [1, 5, 0, 8]);
     }
 }
