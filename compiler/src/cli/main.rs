@@ -23,6 +23,7 @@ mod run;
 mod sweep;
 mod test;
 mod tradeoff;
+mod view;
 
 use calyx::rt::former_options;
 use clap::{CommandFactory, Parser, Subcommand};
@@ -81,6 +82,13 @@ enum Command {
     /// interrupted run, or to include the measurements of a later `calyx tradeoff`.
     #[command(after_help = report::EXAMPLES)]
     Report(report::Report),
+    /// Write the three-dimensional view of a run as one HTML file
+    ///
+    /// The page shows the gears, shafts, bearings and housings of the run at all positions, with
+    /// contact pressure, forces, and the deformed meshes of a run with --vtu. It needs neither a
+    /// server nor a network, so it can be sent to others.
+    #[command(after_help = view::EXAMPLES)]
+    View(view::View),
     /// Compile a model to a standalone executable or a C library
     ///
     /// The executable needs no Calyx installation. It has its own `--help`, generated from the
@@ -170,6 +178,7 @@ fn main() -> ExitCode {
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Report(command) => command.run(),
+        Command::View(command) => command.run(),
         Command::Build(command) => command.run(),
         Command::Fmt(command) => command.run(),
         Command::Test(command) => command.run(),

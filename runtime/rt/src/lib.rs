@@ -67,7 +67,7 @@ pub use calyx_abi::description::{ModelDescription, ParamValue};
 pub use calyx_abi::shell;
 #[cfg(feature = "command")]
 pub use calyx_report::sweep as sweep_table;
-pub use calyx_report::{component_table, directory, duty_cycle, page, tradeoff};
+pub use calyx_report::{component_table, directory, duty_cycle, page, tradeoff, view};
 pub use calyx_runtime::settings_override::Override;
 pub use engine::{Engine, EngineConfig};
 pub use error::{Error, ErrorKind};

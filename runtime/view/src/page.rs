@@ -14,6 +14,10 @@ use std::{error, fmt, fs};
 
 /// Name of the page in a run directory.
 pub const NAME: &str = "scene.html";
+/// Text near the beginning of every page, by which it is recognized.
+pub const MARK: &str = "<meta name=\"generator\" content=\"calyx view\">";
+/// Number of bytes from the beginning of a page within which [`MARK`] ends.
+pub const MARK_WITHIN: u64 = 1024;
 /// Program and style of the page.
 const SCRIPT: &str = include_str!("../web/dist/viewer.js");
 const STYLE: &str = include_str!("../web/dist/viewer.css");
@@ -76,7 +80,7 @@ pub fn page(directory: &Path) -> Result<String, PageError> {
     let data = data.to_string().replace('<', "\\u003c");
     let title = escaped(&title);
     Ok(format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{MARK}\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<main id=\"view\"></main>\n\
          <script type=\"application/json\" id=\"calyx-view\">{data}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n"
@@ -197,6 +201,7 @@ mod tests {
         fs::write(path.join("run.json"), run.to_string()).unwrap();
         let page = page(path).unwrap();
         assert!(page.contains("<title>&lt;pair&gt;.cx</title>"));
+        assert!(page[..MARK_WITHIN as usize].contains(MARK));
         let (_, rest) = page.split_once("id=\"calyx-view\">").unwrap();
         let data: Value = serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap();
         assert_eq!(data["title"], "<pair>.cx");

@@ -3,6 +3,7 @@
 use super::command_line::{changed, command, options, param_value, shown};
 use super::read::{End, Run, objects};
 use super::{accuracy, number, paragraphs, prose};
+use calyx_view::page;
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 
@@ -20,6 +21,15 @@ pub fn facts(run: &Run) -> Markup {
                 span { b { (run.positions.len()) } " positions" }
             }
             span { "Calyx " (run.text("calyx")) }
+        }
+    }
+}
+
+/// Returns a link to the three-dimensional view, if `calyx view` has written it.
+pub fn scene(run: &Run) -> Markup {
+    html! {
+        @if run.files.iter().any(|file| file == page::NAME) {
+            p { a href=(page::NAME) { "Three-dimensional view" } }
         }
     }
 }

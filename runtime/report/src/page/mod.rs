@@ -130,6 +130,7 @@ fn page(run: &Run) -> Markup {
                     @for paragraph in rest { p { (prose(&paragraph)) } }
                     (about::facts(run))
                     (about::notices(run))
+                    (about::scene(run))
                     nav { ul { @for (name, title, _) in &sections { li { a href={ "#" (name) } { (title) } } } } }
                 }
                 main {
