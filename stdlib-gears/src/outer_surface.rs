@@ -1,7 +1,6 @@
 //! Outer surfaces of gears, for display: those of their finite element meshes.
 
 use crate::prototype::{GearPrototype, unmeshable};
-use calyx_abi::math;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::fe::solid::SolidMesh;
 use calyx_runtime::scene::{BodyModel, StructureOptions};
@@ -47,17 +46,77 @@ impl GearPrototype {
             let polygon: Vec<[f64; 2]> = start.chain(end).collect();
             surface.add(OuterSurface::revolved_sector(&polygon, teeth, 0.0));
         }
+        if self.solid {
+            let (half, radius) = (0.5 * self.face_width, self.rim.fixed_radius);
+            let core = [[-half, 0.0], [half, 0.0], [half, radius], [-half, radius]];
+            surface.add(OuterSurface::revolved_sector(&core, teeth, 0.0));
+        }
         Ok(surface)
     }
 
-    /// Returns the plane mesh, extruded over the face width in one layer.
+    /// Returns the plane mesh of a spur gear, extruded over the face width in one layer.
     fn extruded(&self, options: &StructureOptions) -> Result<SolidMesh, EngineError> {
+        self.refuse_helix()?;
         let half = 0.5 * self.face_width;
-        let twist = self.twist_per_length();
-        let place = |[x, y]: [f64; 2], z: f64| {
-            let (sine, cosine) = math::sincos(twist * z);
-            [cosine * x - sine * y, sine * x + cosine * y, z]
-        };
+        let place = |[x, y]: [f64; 2], z: f64| [x, y, z];
         SolidMesh::swept(&self.plane_mesh(options)?, &[-half, half], 1, &place).map_err(unmeshable)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blank::{GearBlank, Rim};
+    use crate::rack::Rack;
+    use crate::tabulated::test_teeth::cylindrical;
+    use crate::web::{DiscWeb, Hub};
+    use calyx_runtime::interrupt::Interrupt;
+    use calyx_runtime::scene::Prototype;
+
+    const MODULE: f64 = 4e-3;
+    /// The mesh follows the profile with polynomials, the surface with straight edges between its
+    /// nodes; a circle has at least 96 of them.
+    const TOLERANCE: f64 = 2e-3;
+
+    /// Compares the volume that the surface encloses with that of the integrated section.
+    fn check(name: &str, gear: &GearPrototype) {
+        let expected = gear.inertia().mass / gear.material.density;
+        for (model, three_dimensional) in [
+            (BodyModel::Elements, true),
+            (BodyModel::Elements, false),
+            (BodyModel::Analytic, true),
+            (BodyModel::Rigid, true),
+        ] {
+            let plane = model == BodyModel::Elements && !three_dimensional;
+            if plane && !gear.helix.is_spur() {
+                continue;
+            }
+            let options = StructureOptions { model, ..StructureOptions::default() };
+            let surface = gear.outer_surface(&options, three_dimensional, &Interrupt::never());
+            let surface = surface.expect("a mesh").expect("a surface");
+            assert_eq!(surface.copies, gear.gear.teeth());
+            // A plane mesh contains no web.
+            if !plane || gear.rim.web.is_none() {
+                let found = surface.volume();
+                assert!((found / expected - 1.0).abs() < TOLERANCE, "{name}, {model:?}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn surfaces_enclose_the_volume_of_their_gears() {
+        let rack = Rack::new(MODULE, 20_f64.to_radians(), 0.3 * MODULE).expect("a rack");
+        let plain = GearBlank::standard(24, rack).face_width(5.0 * MODULE);
+        check("spur", &plain.clone().cut().expect("a gear"));
+        check("solid", &GearBlank { solid: true, ..plain.clone() }.cut().expect("a gear"));
+        check("helical", &cylindrical(20.0));
+        let (diameter, width) = (plain.root_diameter, plain.face_width);
+        let rim = Rim::new(diameter - MODULE, diameter - 6.0 * MODULE).expect("a rim");
+        let web = rim.clone().on_web(0.25 * width, 1e-3, 10e-3).expect("a web");
+        check("meshed web", &plain.clone().rim(web).cut().expect("a gear"));
+        let hub = Hub { radius: 8e-3, width, offset: 0.0 };
+        let disc = DiscWeb { hub: Some(hub), ..DiscWeb::plain(0.25 * width, 0.0) };
+        let web = rim.on_disc(0.25 * width, 0.0, 10e-3, disc).expect("a disc web");
+        check("disc", &plain.rim(web).cut().expect("a gear"));
     }
 }

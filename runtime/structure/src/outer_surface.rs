@@ -2,6 +2,7 @@
 
 use crate::mesh_cells::{Outline, cells};
 use calyx_fe::solid::{FaceSet, SolidMesh};
+use calyx_numerics::vec3::{cross, dot};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::f64::consts::TAU;
 
@@ -210,6 +211,15 @@ impl OuterSurface {
         revolved(polygon, (copies, SECTIONS.div_ceil(copies as usize).max(2)), start)
     }
 
+    /// Returns the volume that all copies together enclose, m³.
+    pub fn volume(&self) -> f64 {
+        let tetrahedron = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|corner| self.points[corner as usize]);
+            dot(a, cross(b, c)) / 6.0
+        };
+        f64::from(self.copies) * self.triangles.iter().map(tetrahedron).sum::<f64>()
+    }
+
     /// Adds another surface with the same number of copies.
     pub fn add(&mut self, other: OuterSurface) {
         let first = self.points.len() as u32;
@@ -256,16 +266,6 @@ fn revolved(polygon: &[[f64; 2]], (copies, sections): (u32, usize), start: f64) 
 mod tests {
     use super::*;
 
-    /// Returns the volume that a closed surface encloses, m³.
-    fn volume(surface: &OuterSurface) -> f64 {
-        let tetrahedron = |&[a, b, c]: &[u32; 3]| {
-            let [a, b, c] = [a, b, c].map(|k| surface.points[k as usize]);
-            let cross = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
-            (a[0] * cross[0] + a[1] * cross[1] + a[2] * cross[2]) / 6.0
-        };
-        surface.triangles.iter().map(tetrahedron).sum()
-    }
-
     /// The volume of a polygon of 96 corners is that of the circle less 0.07 %.
     #[test]
     fn surfaces_of_revolution_enclose_their_volume() {
@@ -273,14 +273,14 @@ mod tests {
         let circle = SECTIONS as f64 / TAU * (TAU / SECTIONS as f64).sin();
         let exact = 0.5 * TAU * 3.0 * 3.0;
         for polygon in [tube, [tube[3], tube[2], tube[1], tube[0]]] {
-            assert!((volume(&OuterSurface::revolved(&polygon)) - circle * exact).abs() < 1e-9 * exact);
+            assert!((OuterSurface::revolved(&polygon).volume() - circle * exact).abs() < 1e-9 * exact);
         }
         // A solid cylinder has its polygon on the axis.
         let solid = OuterSurface::revolved(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]]);
-        assert!((volume(&solid) - circle * TAU).abs() < 1e-9);
+        assert!((solid.volume() - circle * TAU).abs() < 1e-9);
         // The sides of a sector on the cuts are open; its copies are closed.
         let sector = OuterSurface::revolved_sector(&tube, 12, 0.3);
-        assert!((12.0 * volume(&sector) - circle * exact).abs() < 1e-9 * exact);
+        assert!((sector.volume() - circle * exact).abs() < 1e-9 * exact);
     }
 
     /// Faces of all shapes are outward: the volumes are positive.
@@ -300,7 +300,7 @@ mod tests {
             let corners: Vec<usize> = (0..points.len()).collect();
             let cell = Cell { kind, corners: &corners, element: 0 };
             let surface = Skin::new(std::iter::once(cell), |_| false).at(&points);
-            assert!((volume(&surface) - expected).abs() < 1e-15, "{kind:?}");
+            assert!((surface.volume() - expected).abs() < 1e-15, "{kind:?}");
         }
     }
 
@@ -325,7 +325,7 @@ mod tests {
             });
             let skin = Skin::new(cells.clone(), |_| false);
             assert_eq!((skin.nodes.len(), skin.triangles.len(), skin.edges.len()), (12, 20, edges));
-            assert!((volume(&skin.at(&points)) - 2.0).abs() < 1e-12);
+            assert!((skin.at(&points).volume() - 2.0).abs() < 1e-12);
             let open = Skin::new(cells, |corners| corners.iter().all(|node| node % 3 == 0));
             assert_eq!((open.triangles.len(), open.edges.len()), (18, edges));
         }

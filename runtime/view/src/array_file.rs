@@ -198,7 +198,7 @@ mod tests {
             json!(null),
             json!({ "type": "f32", "components": u64::MAX, "count": 2, "offset": 0 }),
             json!({ "type": "f16", "components": 1, "count": 1, "offset": 0 }),
-            json!({ "type": "f32", "components": 1, "count": 1, "offset": 1 << 40 }),
+            json!({ "type": "f32", "components": 1, "count": 1, "offset": 1_u64 << 40 }),
         ] {
             assert!(file.numbers(&reference).is_err(), "{reference}");
         }

@@ -163,6 +163,20 @@ fn spiral_bevel_gears_of_machine_settings_are_meshed() {
     }
 }
 
+/// The outer surfaces of all sectors together enclose the volume of the gear.
+#[test]
+fn surfaces_enclose_the_volume_of_bevel_gears() {
+    for gear in chapter_6() {
+        for model in [BodyModel::Elements, BodyModel::Analytic, BodyModel::Rigid] {
+            let options = StructureOptions { model, ..StructureOptions::default() };
+            let surface = gear.outer_surface(&options, true, &Interrupt::never());
+            let surface = surface.expect("a mesh").expect("a surface");
+            let (found, expected) = (surface.volume(), gear.inertia().mass / gear.data.material.density);
+            assert!((found / expected - 1.0).abs() < 5e-3, "{model:?}: {found} {expected}");
+        }
+    }
+}
+
 #[test]
 fn the_mass_lies_between_those_of_the_root_and_the_tip_cone() {
     let [pinion, gear] = chapter_6();
