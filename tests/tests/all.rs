@@ -37,4 +37,5 @@ mod theory;
 mod tooth_contact;
 mod transmission;
 mod tribology;
+mod view_files;
 mod whirl;

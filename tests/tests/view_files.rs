@@ -1,28 +1,41 @@
-//! Checks the files of the viewer against the scene and the solution: the shapes of gears have the
-//! volume of the gears, contacts lie on both gears, pressures and forces are in equilibrium, and
-//! meshes have the displacements and stresses of the VTU files.
+//! Checks the files of the viewer against the scene and the solution: contacts lie on both gears,
+//! their pressure integrates to the load, forces balance, and meshes have the displacements and
+//! stresses of the solved meshes.
 
 use calyx::rt::view::array_file::ArrayFile;
 use calyx::rt::view::content;
 use calyx::{Engine, Module, check_text};
 use calyx_rt::Instance;
 use calyx_runtime::observables::{Fields, PartOf};
-use calyx_runtime::scene::Scene;
+use calyx_runtime::vec3::{cross, dot, length, minus, plus};
 use serde_json::Value;
 use std::sync::{Arc, Mutex};
 
 type Vector = [f64; 3];
 
-/// Returns the fields of the first position of a model, with the meshes of bodies if requested.
-fn fields_of(model: &str, bodies: bool) -> Fields {
-    let checked = check_text("model.cx", model);
+/// Helical pair.
+const PAIR: &str = "
+import gears;
+units mm_N_s;
+param fidelity = \"analytic\";
+var pinion = gears.external(24, normal_module = 2.5 mm, helix_angle = 20 deg, hand = \"right\", face_width = 20 mm);
+var gear = gears.external(40, normal_module = 2.5 mm, helix_angle = 20 deg, hand = \"left\", face_width = 20 mm);
+var pair = gears.pair(pinion, gear, center_distance = 85.2 mm, torque = 100 N*m, speed = 1500 rpm);
+output transmission_error := gears.transmission_error(pair.mesh);
+output root_stress := gears.max_root_stress(pair.first);
+analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = fidelity, error_estimates = \"none\");
+";
+
+/// Returns the fields of the first position of a model.
+fn fields_of(model: &str, fidelity: &str) -> Fields {
+    let checked = check_text("model.cx", &model.replace("\"analytic\"", &format!("\"{fidelity}\"")));
     assert!(!checked.has_errors(), "{}", checked.render());
     let engine = Engine::default();
     let module = Module::from_checked(&engine, checked).expect("compiled");
     let mut instance = Instance::new(&engine, module.as_program());
     instance.request_fields(1);
     instance.request_parts(true);
-    instance.request_bodies(bodies);
+    instance.request_bodies(true);
     let found = Arc::new(Mutex::new(None));
     let kept = found.clone();
     instance.on_solved(move |_, _, fields| {
@@ -31,6 +44,169 @@ fn fields_of(model: &str, bodies: bool) -> Fields {
         Ok(())
     });
     instance.solve().expect("solved");
-    let mut found = found.lock().expect("one thread");
-    found.take().expect("fields")
+    found.lock().expect("one thread").take().expect("fields")
+}
+
+/// Rows of an array.
+fn rows<const N: usize>(file: &ArrayFile<'_>, reference: &Value) -> Vec<[f64; N]> {
+    assert_eq!(reference["components"], N, "{reference}");
+    let numbers = file.numbers(reference).expect("an array");
+    numbers.as_chunks().0.to_vec()
+}
+
+/// Part of a file with its pose.
+struct Shape {
+    copies: usize,
+    points: Vec<Vector>,
+    triangles: Vec<[usize; 3]>,
+    pose: [f64; 12],
+}
+
+impl Shape {
+    /// Returns a point of a copy in ground coordinates.
+    fn at(&self, copy: usize, [x, y, z]: Vector) -> Vector {
+        let (sine, cosine) = (std::f64::consts::TAU * copy as f64 / self.copies as f64).sin_cos();
+        self.to_ground([cosine * x - sine * y, sine * x + cosine * y, z])
+    }
+
+    fn to_ground(&self, v: Vector) -> Vector {
+        let p = &self.pose;
+        [0, 1, 2]
+            .map(|row: usize| p[3 * row] * v[0] + p[3 * row + 1] * v[1] + p[3 * row + 2] * v[2] + p[9 + row])
+    }
+
+    /// Returns the distance of a point from the planes of the triangles of a copy that contain its
+    /// projection, m.
+    fn distance(&self, copy: usize, point: Vector) -> f64 {
+        let corner = |k: usize| self.at(copy, self.points[k]);
+        let of = |&[a, b, c]: &[usize; 3]| {
+            let [a, b, c] = [a, b, c].map(corner);
+            let normal = cross(minus(b, a), minus(c, a));
+            let area = length(normal);
+            let inside = [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| {
+                dot(cross(minus(to, from), minus(point, from)), normal) >= -1e-6 * area * area
+            });
+            (area > 0.0 && inside).then(|| (dot(minus(point, a), normal) / area).abs())
+        };
+        self.triangles.iter().filter_map(of).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Content of both files of a position.
+struct Files {
+    parts: Vec<u8>,
+    position: Vec<u8>,
+}
+
+impl Files {
+    fn of(fields: &Fields) -> Files {
+        let parts = content::parts(&fields.parts, "model.cx");
+        Files { parts, position: content::position((0, 0.0), fields) }
+    }
+
+    fn shapes(&self) -> Vec<Shape> {
+        let (parts, position) = (read(&self.parts), read(&self.position));
+        let poses = rows::<12>(&position, &position.header["poses"]);
+        let listed = parts.header["parts"].as_array().expect("a list").iter().zip(poses);
+        listed
+            .map(|(part, pose)| Shape {
+                copies: part["copies"].as_u64().expect("a number") as usize,
+                points: rows(&parts, &part["points"]),
+                triangles: rows::<3>(&parts, &part["triangles"])
+                    .into_iter()
+                    .map(|row| row.map(|k| k as usize))
+                    .collect(),
+                pose,
+            })
+            .collect()
+    }
+}
+
+fn read(bytes: &[u8]) -> ArrayFile<'_> {
+    ArrayFile::read(bytes).expect("an array file")
+}
+
+/// Loaded cells lie on the flanks of both gears to a few micrometres, and their pressure times area
+/// is the force of the mesh, which the forces list with its direction.
+#[test]
+fn contacts_lie_on_both_gears_and_carry_the_load() {
+    for fidelity in ["rigid", "analytic", "medium"] {
+        let fields = fields_of(PAIR, fidelity);
+        let files = Files::of(&fields);
+        let (shapes, position) = (files.shapes(), read(&files.position));
+        let contacts = &position.header["contacts"];
+        let corners = rows::<12>(&position, &contacts["corners"]);
+        let pressures = rows::<1>(&position, &contacts["pressures"]);
+        let parts = rows::<2>(&position, &contacts["parts"]);
+        let teeth = rows::<2>(&position, &contacts["teeth"]);
+        assert!(corners.len() > 10 || fidelity == "rigid", "{fidelity}: {}", corners.len());
+        let mut total = 0.0;
+        for (index, corners) in corners.iter().enumerate() {
+            let [a, b, c, d] =
+                [0, 1, 2, 3].map(|k: usize| [corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]]);
+            total += pressures[index][0] * 0.5 * length(cross(minus(c, a), minus(d, b)));
+            let middle = [a, b, c, d].into_iter().fold([0.0; 3], plus).map(|axis| 0.25 * axis);
+            for side in [0, 1] {
+                let [part, tooth] = [parts[index][side], teeth[index][side]].map(|number| number as usize);
+                let distance = shapes[part].distance(tooth, middle);
+                assert!(distance < 2e-5, "{fidelity}, side {side}: {distance:e} m from the flank");
+            }
+        }
+        let forces = position.header["forces"].as_array().expect("a list");
+        let mesh = forces.iter().find(|force| force["kind"] == "mesh");
+        if fidelity == "rigid" {
+            continue;
+        }
+        let force = &mesh.expect("a mesh")["force"];
+        let force: Vector = [0, 1, 2].map(|axis: usize| force[axis].as_f64().expect("a number"));
+        assert!((total / length(force) - 1.0).abs() < 0.01, "{fidelity}: {total} {force:?}");
+        // 100 N m at the reference radius of the pinion.
+        let tangential = 100.0 / (0.5 * 24.0 * 2.5e-3 / 20_f64.to_radians().cos());
+        assert!(
+            (force[0].hypot(force[1]) * 20_f64.to_radians().cos() / tangential - 1.0).abs() < 0.03,
+            "{force:?}"
+        );
+    }
+}
+
+/// The nodes of meshes have the positions, displacements and stresses of the fields that the VTU
+/// files contain.
+#[test]
+fn meshes_are_the_solved_ones() {
+    for (fidelity, spur) in [("medium", false), ("plane", true)] {
+        let model =
+            if spur { PAIR.replace("20 deg", "0 deg").replace("85.2", "80.1") } else { PAIR.to_owned() };
+        let fields = fields_of(&model, fidelity);
+        let files = Files::of(&fields);
+        let (shapes, position) = (files.shapes(), read(&files.position));
+        let meshes = position.header["meshes"].as_array().expect("a list");
+        let sectors: Vec<_> = fields
+            .bodies
+            .iter()
+            .flat_map(|body| body.sectors.iter().map(move |sector| (body, sector)))
+            .collect();
+        assert_eq!(meshes.len(), sectors.len());
+        for (mesh, (body, sector)) in meshes.iter().zip(sectors) {
+            let part = mesh["part"].as_u64().expect("a number") as usize;
+            assert_eq!(fields.parts[part].of, PartOf::Body(body.number));
+            assert_eq!(mesh["copies"], serde_json::json!([sector.tooth]));
+            let points = rows::<3>(&position, &mesh["points"]);
+            let displacements = rows::<3>(&position, &mesh["displacements"]);
+            let stresses = rows::<6>(&position, &mesh["stresses"]);
+            let largest = displacements.iter().map(|v| length(*v)).fold(0.0, f64::max);
+            let near = |a: Vector, b: Vector| {
+                let [a, b] = if spur { [[a[0], a[1], 0.0], [b[0], b[1], 0.0]] } else { [a, b] };
+                length(minus(a, b)) < 1e-7
+            };
+            for (index, point) in points.iter().enumerate().step_by(7) {
+                let ground = shapes[part].to_ground(*point);
+                let node = sector.points.iter().position(|&other| near(other, ground)).expect("a node");
+                let expected = length(sector.displacements[node]);
+                assert!((length(displacements[index]) - expected).abs() <= 1e-6 * largest.max(1e-12));
+                // The trace does not depend on the axes.
+                let trace = |stress: &[f64; 6]| stress[0] + stress[1] + stress[2];
+                assert!((trace(&stresses[index]) - trace(&sector.stresses[node])).abs() < 200.0);
+            }
+        }
+    }
 }

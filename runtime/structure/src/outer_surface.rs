@@ -21,6 +21,8 @@ pub struct OuterSurface {
     pub triangles: Vec<[u32; 3]>,
     /// Edges of the elements or of the body, as indices of points.
     pub edges: Vec<[u32; 2]>,
+    /// True if the surface contains shells, whose both sides are visible: it encloses no volume.
+    pub open: bool,
 }
 
 /// Shape of a cell. The corners of solids are in VTK order.
@@ -67,6 +69,8 @@ pub struct Skin {
     pub triangles: Vec<[u32; 3]>,
     /// Edges of elements and beams, as indices of `nodes`.
     pub edges: Vec<[u32; 2]>,
+    /// True if the mesh contains shells.
+    pub open: bool,
 }
 
 impl CellKind {
@@ -119,6 +123,7 @@ impl Skin {
     ) -> Skin {
         let mut faces = outer_faces(cells.clone());
         faces.retain(|face| !left_out(&face.corners));
+        let open = cells.clone().any(|cell| cell.kind == CellKind::Face);
         let beams = cells.filter(|cell| cell.kind == CellKind::Line);
         let beams: Vec<[usize; 2]> =
             beams.map(|cell| [cell.corners[0], cell.corners[cell.corners.len() - 1]]).collect();
@@ -133,13 +138,13 @@ impl Skin {
         });
         let triangles = triangles.collect();
         let edges = element_edges(&faces).into_iter().chain(beams).map(|edge| edge.map(place)).collect();
-        Skin { nodes, triangles, edges }
+        Skin { nodes, triangles, edges, open }
     }
 
     /// Returns the surface at the points of the mesh, m.
     pub fn at(self, points: &[[f64; 3]]) -> OuterSurface {
         let points = self.nodes.iter().map(|&node| points[node]).collect();
-        OuterSurface { copies: 1, points, triangles: self.triangles, edges: self.edges }
+        OuterSurface { copies: 1, points, triangles: self.triangles, edges: self.edges, open: self.open }
     }
 }
 
@@ -226,6 +231,7 @@ impl OuterSurface {
         self.points.extend(other.points);
         self.triangles.extend(other.triangles.into_iter().map(|corners| corners.map(|k| first + k)));
         self.edges.extend(other.edges.into_iter().map(|ends| ends.map(|k| first + k)));
+        self.open |= other.open;
     }
 }
 
@@ -259,7 +265,7 @@ fn revolved(polygon: &[[f64; 2]], (copies, sections): (u32, usize), start: f64) 
             }
         }
     }
-    OuterSurface { copies, points, triangles, edges }
+    OuterSurface { copies, points, triangles, edges, open: false }
 }
 
 #[cfg(test)]

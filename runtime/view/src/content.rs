@@ -31,6 +31,7 @@ pub fn parts(parts: &[Part], model: &str) -> Vec<u8> {
             "name": part.name,
             "kind": kind,
             "copies": surface.copies,
+            "open": surface.open,
             "points": arrays.single(surface.points.iter().copied()),
             "triangles": arrays.indices(surface.triangles.iter().copied()),
             "edges": arrays.indices(surface.edges.iter().copied()),
@@ -140,6 +141,7 @@ fn written(arrays: &mut Arrays, mesh: &Deformed<'_>, (rotation, origin): &Pose) 
     json!({
         "part": mesh.part,
         "copies": mesh.copies,
+        "open": mesh.skin.open,
         "points": arrays.single(nodes().map(|&node| own(minus(mesh.points[node], *origin)))),
         "displacements": arrays.single(nodes().map(|&node| own(mesh.displacements[node]))),
         "stresses": arrays.single(nodes().map(|&node| rotated_tensor(&columns, mesh.stresses[node]))),
