@@ -128,10 +128,10 @@ test("the value at the pointer is the file's value", async ({ page }) => {
   await settle(page);
   const points = fixture.meshPoints;
   let checked = 0;
-  // Nodes on the upper face of the tooth.
+  // Nodes inside of the upper face; those at its border may be a pixel outside.
   for (let node = 0; node < points.length / 3 && checked < 6; node++) {
     const p = [points[3 * node]!, points[3 * node + 1]!, points[3 * node + 2]!] as [number, number, number];
-    if (p[2] < 14.9e-3 || p[0] < 27e-3 || p[0] > 36e-3 || Math.abs(p[1]) > 3e-3) continue;
+    if (p[2] < 14.9e-3 || p[0] < 22e-3 || p[0] > 32e-3 || Math.abs(p[1]) > 0.09 * p[0]) continue;
     const { x, y } = await project(page, "pinion", p);
     await page.mouse.move(x, y);
     const tooltip = page.getByRole("status", { name: "Value at the pointer" });
@@ -158,7 +158,7 @@ test("the cutting plane removes and caps", async ({ page }) => {
   await settings.getByLabel("Coordinate").fill("0");
   await settings.getByLabel("Coordinate").press("Enter");
   await restore(page, { panels: { settings: false } });
-  await page.keyboard.press("5");
+  await page.mouse.move(0, 0);
   await settle(page);
   await expect(page).toHaveScreenshot("cut.png");
   // The shaft is solid: its section has a colour like the shaft's, not the background's.
@@ -166,8 +166,6 @@ test("the cutting plane removes and caps", async ({ page }) => {
   const [r, g, b] = await pixel(page, centre.x, centre.y) as [number, number, number];
   expect(Math.max(r, g, b)).toBeLessThan(200);
   // The handle moves the plane.
-  await page.keyboard.press("7");
-  await settle(page);
   const before = (await state(page)).cut.offset!;
   await page.keyboard.press("]");
   expect((await state(page)).cut.offset!).toBeGreaterThan(before);

@@ -169,7 +169,7 @@ export const SHORTCUTS: [string, Shortcut[]][] = [
     "Pointer",
     [
       { keys: "Drag", label: "Orbit" },
-      { keys: "Right drag, Shift + drag", label: "Pan" },
+      { keys: "Right or Shift + drag", label: "Pan" },
       { keys: "Wheel", label: "Zoom at the pointer" },
       { keys: "Double click", label: "Fit" },
     ],

@@ -275,6 +275,8 @@ export class Display {
   private deformationFactor(state: ViewState): number {
     const { mode, factor } = state.deformation;
     if (mode === "factor") return Number.isFinite(factor) ? factor : 0;
+    // Contact cells and plain parts have no elastic displacements: those pictures stay undeformed.
+    if (!isNodal(state.colours.field)) return 0;
     let largest = 0;
     for (const { displacements: u } of this.position?.meshes ?? []) {
       for (let i = 0; i < u.length; i += 3) {

@@ -38,6 +38,7 @@ export interface ColourState {
 }
 
 export interface DeformationState {
+  /** Automatic: a round factor that makes displacements visible while a field of the meshes is displayed. */
   mode: "automatic" | "factor";
   factor: number;
 }

@@ -1,13 +1,13 @@
 // Overlay with the shortcuts.
 
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { Core } from "../core.ts";
 import { SHORTCUTS } from "../controls.ts";
 import { Tool } from "./ui.tsx";
 
 export function Help({ core }: { core: Core }) {
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
     dialog.current!.showModal();
   }, []);
   const close = () => {

@@ -7,7 +7,11 @@ import type { Core } from "../core.ts";
 /** Renders the component again after each change of the viewer. */
 export function useCore(core: Core): void {
   const [, refresh] = useReducer((n: number) => n + 1, 0);
-  useEffect(() => core.subscribe(() => refresh(0)), [core]);
+  useEffect(() => {
+    // The viewer may have changed between the first rendering and this effect.
+    refresh(0);
+    return core.subscribe(() => refresh(0));
+  }, [core]);
 }
 
 /** Paths of the icons on a grid of 16, drawn with lines. */
