@@ -2,13 +2,6 @@
 
 import { embeddedSource, Viewer, type EmbeddedData } from "./viewer/index.ts";
 
-declare global {
-  interface Window {
-    /** The viewer of the page, for scripts. */
-    calyxViewer?: Viewer;
-  }
-}
-
 function start(): void {
   const container = document.getElementById("calyx-viewer") ?? document.body;
   const viewer = new Viewer(container, { pageKeys: true });

@@ -2,14 +2,8 @@
 
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
-import type { Viewer } from "../src/viewer/index.ts";
 import { createFixture, displacement, embeddedData, uniaxialStress, writePage, type FixtureOptions } from "./fixture.ts";
 
-declare global {
-  interface Window {
-    calyxViewer?: Viewer;
-  }
-}
 
 const fixture = createFixture();
 const pageAddress = writePage("spur_pair", embeddedData(fixture));

@@ -2,14 +2,17 @@
 
 import * as THREE from "three";
 import { createCapMaterial, createMaterialSet, type MaterialSet, type SharedUniforms, type ViewMaterial } from "./materials.ts";
+import { levelFor } from "./lod.ts";
 import type { Part } from "./run_data.ts";
 import type { Visibility } from "./state.ts";
 import { buildSurface, type Surface } from "./surface.ts";
 import { SurfaceView } from "./surface_view.ts";
 
 const TRANSLUCENT = 0.28;
-/** Projected size of a copy in pixels below which its outline would only darken the picture. */
-const OUTLINE_PIXELS = 5;
+/** Projected pitch of the copies in pixels below which their outlines would only darken the picture. */
+const OUTLINE_PIXELS = 7;
+/** Triangles of a part below which a coarser surface does not pay. */
+const COARSE_FROM = 60_000;
 
 export class PartView {
   /** Moves with the part. */
@@ -173,9 +176,13 @@ export class PartView {
       this.#shownCount = count;
       this.#shownHash = hash;
     }
-    this.copies.features.visible = detail > OUTLINE_PIXELS;
-    this.copies.edges.visible = this.#edges && detail > 2 * OUTLINE_PIXELS;
-    let triangles = count * this.copies.triangleCount;
+    // A field of lines is denser than the diagonal of a narrow sector suggests.
+    const pitch = this.part.copies > 1 ? (2 * Math.PI * this.radius) / this.part.copies : 2 * sphere.radius;
+    const pitchPixels = (detail * Math.min(pitch, 2 * sphere.radius)) / (2 * sphere.radius || 1);
+    this.copies.features.visible = pitchPixels > OUTLINE_PIXELS;
+    this.copies.edges.visible = this.#edges && pitchPixels > 2 * OUTLINE_PIXELS;
+    this.copies.setLevel(count * this.copies.triangleCount > COARSE_FROM ? levelFor(detail) : -1);
+    let triangles = count * this.copies.drawnTriangles;
     for (const mesh of this.meshes) triangles += mesh.triangleCount;
     return triangles;
   }

@@ -10,6 +10,8 @@ export interface Surface {
   triangles: Uint32Array;
   /** Pairs of vertices at creases and open borders. */
   features: Uint32Array;
+  /** Nodes at open borders, as a mask. */
+  open: Uint8Array;
 }
 
 /** Cosine of the angle between faces from which an edge is a crease: 32°. */
@@ -174,7 +176,8 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
     features[2 * i] = result.triangles[c]!;
     features[2 * i + 1] = result.triangles[t + ((c + 1) % 3)]!;
   });
-  return { ...result, features };
+  for (let n = 0; n < count; n++) open[n] = open[welded[n]!]!;
+  return { ...result, features, open };
 }
 
 function cosine(a: Float32Array, i: number, b: ArrayLike<number>, j: number): number {

@@ -1,6 +1,7 @@
 // A surface in the scene: the copies of a part's shape, or a deformed mesh.
 
 import * as THREE from "three";
+import { coarsen, LEVELS } from "./lod.ts";
 import { NO_VALUE, type MaterialSet } from "./materials.ts";
 import type { Surface } from "./surface.ts";
 
@@ -36,13 +37,22 @@ export class SurfaceView {
   readonly box: THREE.Box3;
 
   #geometries: THREE.InstancedBufferGeometry[];
+  #full: THREE.InstancedBufferGeometry;
+  #levels: (THREE.InstancedBufferGeometry | undefined)[] = [];
+  #level = -1;
+  #count: number;
   #nodes: Uint32Array;
   #field: THREE.BufferAttribute | null = null;
   #copies: THREE.InstancedBufferAttribute | null = null;
   #total = 1;
 
-  constructor(input: SurfaceInput, materials: MaterialSet, copies: number | null) {
+  constructor(
+    private readonly input: SurfaceInput,
+    materials: MaterialSet,
+    copies: number | null,
+  ) {
     const { surface, points } = input;
+    this.#count = copies ?? 1;
     this.#nodes = surface.nodes;
     this.triangleCount = surface.triangles.length / 3;
     const position = new THREE.BufferAttribute(atVertices(points, surface.nodes), 3);
@@ -73,6 +83,7 @@ export class SurfaceView {
     const features = geometry(surface.features);
     const edges = geometry(edgeVertices);
     this.#geometries = [faces, features, edges];
+    this.#full = faces;
     this.surface = new THREE.Mesh(faces, materials.surface);
     this.features = new THREE.LineSegments(features, materials.features);
     this.edges = new THREE.LineSegments(edges, materials.edges);
@@ -85,6 +96,31 @@ export class SurfaceView {
     }
     this.group.matrixAutoUpdate = false;
     if (copies !== null) this.setCopies(Array.from({ length: copies }, (_, k) => k), copies);
+  }
+
+  /** Draws a coarser surface: an index into `LEVELS`, or -1 for the full surface. */
+  setLevel(level: number): void {
+    if (level === this.#level || !this.#copies) return;
+    this.#level = level;
+    let geometry = level < 0 ? this.#full : this.#levels[level];
+    if (!geometry) {
+      const cell = (2 * this.sphere.radius) / LEVELS[level]!;
+      const coarse = coarsen(this.input.points, this.input.surface, cell);
+      geometry = new THREE.InstancedBufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(coarse.points, 3));
+      geometry.setAttribute("normal", new THREE.BufferAttribute(coarse.normals, 3));
+      geometry.setAttribute("copyRotation", this.#copies);
+      geometry.setIndex(new THREE.BufferAttribute(coarse.triangles, 1));
+      this.#levels[level] = geometry;
+      this.#geometries.push(geometry);
+    }
+    geometry.instanceCount = this.#count;
+    for (const mesh of [this.surface, ...this.stencils]) mesh.geometry = geometry;
+  }
+
+  /** Number of triangles of a copy as it is drawn. */
+  get drawnTriangles(): number {
+    return this.surface.geometry.index!.count / 3;
   }
 
   /** Draws only some of the copies. */
@@ -100,6 +136,7 @@ export class SurfaceView {
     attribute.clearUpdateRanges();
     attribute.addUpdateRange(0, 2 * length);
     attribute.needsUpdate = true;
+    this.#count = length;
     for (const geometry of this.#geometries) geometry.instanceCount = length;
     this.group.visible = length > 0;
   }
