@@ -116,6 +116,16 @@ function contactCells(phase: number) {
   return { corners, pressures, parts, teeth, centres };
 }
 
+/** Normal force of the fixture's contact cells, N: arc length by width by pressure. */
+export function contactLoad(phase: number): number {
+  const { corners, pressures } = contactCells(phase);
+  return pressures.reduce((sum, pressure, cell) => {
+    const [x0, y0, z0, x1, y1] = corners.slice(12 * cell, 12 * cell + 5) as [number, number, number, number, number];
+    const z3 = corners[12 * cell + 11]!;
+    return sum + pressure * Math.hypot(x1 - x0, y1 - y0) * Math.abs(z3 - z0);
+  }, 0);
+}
+
 function rotated(points: number[], angle: number): number[] {
   const c = Math.cos(angle);
   const s = Math.sin(angle);

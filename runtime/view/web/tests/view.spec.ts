@@ -2,7 +2,8 @@
 
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
-import { createFixture, displacement, embeddedData, uniaxialStress, writePage, type FixtureOptions } from "./fixture.ts";
+import type { Viewer } from "../src/viewer/index.ts";
+import { contactLoad, createFixture, displacement, embeddedData, uniaxialStress, writePage, type FixtureOptions } from "./fixture.ts";
 
 
 const fixture = createFixture();
@@ -329,6 +330,56 @@ test("runs without meshes, without contacts, with one position, without position
   await expect(button(page, "Play")).toBeDisabled();
   problems.push(...(await openWith(page, "no_positions", { positions: 0 })));
   await expect(page.getByText("No positions yet")).toBeVisible();
+  expect(problems).toEqual([]);
+});
+
+test("the pressure of the displayed cells integrates to the load", async ({ page }) => {
+  await open(page);
+  const loads = await page.evaluate(() => window.calyxViewer!.contactLoads());
+  expect(loads.map(({ parts }) => parts)).toEqual([["pinion", "wheel"]]);
+  // The fixture's cells are known: the sum over their centres is the exact integral of constant pressures.
+  expect(loads[0]!.load).toBeGreaterThan(1000);
+  expect(loads[0]!.load / contactLoad(0)).toBeGreaterThan(0.99);
+  expect(loads[0]!.load / contactLoad(0)).toBeLessThan(1.01);
+});
+
+test("two viewers with linked cameras", async ({ page }) => {
+  const problems = await open(page);
+  await page.evaluate(async () => {
+    const first = window.calyxViewer!;
+    const holder = document.createElement("div");
+    holder.id = "second";
+    holder.style.height = "400px";
+    document.body.append(holder);
+    const Viewer = first.constructor as new (container: HTMLElement) => NonNullable<typeof window.calyxViewer>;
+    const second = new Viewer(holder);
+    const data = JSON.parse(document.getElementById("calyx-view")!.textContent!);
+    const read = async (text: string) => {
+      const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+      return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+    };
+    await second.show({
+      title: "Second run",
+      parts: () => read(data.parts),
+      positions: async () => data.positions,
+      position: (index) => read(data.positions[index].data),
+    });
+    first.linkCamera(second);
+    (window as unknown as { second: typeof second }).second = second;
+  });
+  const cameras = () =>
+    page.evaluate(() => [window.calyxViewer!.state.camera, (window as unknown as { second: Viewer }).second.state.camera]);
+  await page.evaluate(() => window.calyxViewer!.restore({ camera: { ...window.calyxViewer!.state.camera!, azimuth: 12 } }));
+  await page.getByRole("img", { name: /Three-dimensional/ }).first().focus();
+  await page.keyboard.press("ArrowLeft");
+  let [first, second] = await cameras();
+  expect(second).toEqual(first);
+  await page.locator("#second canvas[role=img]").focus();
+  await page.keyboard.press("ArrowUp");
+  [first, second] = await cameras();
+  expect(first).toEqual(second);
+  await page.evaluate(() => (window as unknown as { second: Viewer }).second.dispose());
+  await page.keyboard.press("f");
   expect(problems).toEqual([]);
 });
 

@@ -1,6 +1,7 @@
 // The viewer: an element of a page that displays a run.
 
 import { render } from "preact";
+import { contactLoads } from "./contacts.ts";
 import { Core } from "./core.ts";
 import { controlPointer, handleKey } from "./controls.ts";
 import { exportImage, type ImageFormat } from "./export.ts";
@@ -138,6 +139,17 @@ export class Viewer {
   /** Value of the selected field at a node of a part's mesh, SI; NaN if it is unknown. */
   nodalValue(part: string, node: number): number {
     return this.#core.nodalValue(part, node);
+  }
+
+  /** Sums of pressure times area over the contact cells of each pair of gears in the displayed position, N. */
+  contactLoads(): { parts: [string, string]; load: number }[] {
+    const contacts = this.#core.display?.position?.contacts;
+    const names = this.#core.parts?.parts.map(({ name }) => name) ?? [];
+    if (!contacts) return [];
+    return [...contactLoads(contacts)].map(([key, load]) => {
+      const [first, second] = key.split(" ").map(Number) as [number, number];
+      return { parts: [names[first] ?? "", names[second] ?? ""], load };
+    });
   }
 
   dispose(): void {
