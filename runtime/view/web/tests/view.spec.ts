@@ -44,6 +44,33 @@ async function pixel(page: Page, x: number, y: number): Promise<number[]> {
   }, png.toString("base64"));
 }
 
+/** Middle of the pixels of a colour. */
+async function centreOfColour(page: Page, colour: [number, number, number]): Promise<{ x: number; y: number }> {
+  const png = await page.screenshot();
+  return page.evaluate(
+    async ([data, [r, g, b]]) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${data}`;
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      canvas.width = image.width;
+      canvas.height = image.height;
+      const context = canvas.getContext("2d")!;
+      context.drawImage(image, 0, 0);
+      const pixels = context.getImageData(0, 0, image.width, image.height).data;
+      let [x, y, n] = [0, 0, 0];
+      for (let i = 0; i < pixels.length; i += 4) {
+        if (Math.hypot(pixels[i]! - r, pixels[i + 1]! - g, pixels[i + 2]! - b) > 3) continue;
+        x += (i / 4) % image.width;
+        y += Math.floor(i / 4 / image.width);
+        n++;
+      }
+      return { x: x / n, y: y / n };
+    },
+    [png.toString("base64"), colour] as const,
+  );
+}
+
 const project = async (page: Page, part: string, point: [number, number, number]) =>
   (await page.evaluate(([p, q]) => window.calyxViewer!.project(p, q), [part, point] as const))!;
 
@@ -164,6 +191,53 @@ test("the cutting plane removes and caps", async ({ page }) => {
   const before = (await state(page)).cut.offset!;
   await page.keyboard.press("]");
   expect((await state(page)).cut.offset!).toBeGreaterThan(before);
+});
+
+test("the handle of the cutting plane can be dragged, also of a plane along the view", async ({ page }) => {
+  await open(page);
+  await restore(page, { cut: { on: true, normal: "x" }, panels: { settings: true } });
+  await page.getByRole("img", { name: /Three-dimensional/ }).focus();
+  await page.keyboard.press("-");
+  await page.keyboard.press("-");
+  await settle(page);
+  const before = (await state(page)).cut.offset ?? 0;
+  const handle = await centreOfColour(page, [0xe0, 0x7b, 0x1f]);
+  await page.mouse.move(handle.x, handle.y);
+  await expect(page.locator("canvas[role=img]")).toHaveAttribute("data-handle", "true");
+  await page.mouse.down();
+  await page.mouse.move(handle.x + 60, handle.y, { steps: 4 });
+  await page.mouse.up();
+  expect((await state(page)).cut.offset!).toBeGreaterThan(before + 5e-3);
+  const camera = (await state(page)).camera;
+  await page.getByRole("complementary", { name: "Settings" }).getByLabel("Normal").selectOption("view");
+  const { normal } = (await state(page)).cut;
+  expect(Math.hypot(...(normal as [number, number, number]))).toBeCloseTo(1, 6);
+  expect((await state(page)).camera).toEqual(camera);
+});
+
+test("orbit, pan and zoom with the pointer", async ({ page }) => {
+  await open(page);
+  const { x, y } = await project(page, "wheel", [0, 0, 0]);
+  const first = (await state(page)).camera!;
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 50, y + 20, { steps: 3 });
+  await page.mouse.up();
+  const orbited = (await state(page)).camera!;
+  expect([orbited.azimuth < first.azimuth, orbited.elevation > first.elevation]).toEqual([true, true]);
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(x + 80, y, { steps: 3 });
+  await page.mouse.up({ button: "right" });
+  const panned = (await state(page)).camera!;
+  expect(panned.target).not.toEqual(orbited.target);
+  // The point under the pointer keeps its place while zooming, nearly so in perspective.
+  const before = await project(page, "wheel", [0, 0, 14e-3]);
+  await page.mouse.move(before.x, before.y);
+  await page.mouse.wheel(0, -300);
+  await expect.poll(async () => (await state(page)).camera!.height).toBeLessThan(panned.height);
+  await settle(page);
+  const after = await project(page, "wheel", [0, 0, 14e-3]);
+  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(12);
 });
 
 test("the animation plays, pauses, steps and displays the time", async ({ page }) => {

@@ -86,7 +86,13 @@ function svgDocument(d: Drawing, content: string): string {
 
 /** Scene with its background, without the annotations. */
 function raster(core: Core, d: Drawing): HTMLCanvasElement {
+  // The outline and the handle of the cut are controls, not part of the picture.
+  const controls = core.display!.cut.group;
+  const shown = controls.visible;
+  controls.visible = false;
   const picture = core.scene!.snapshot(RATIO);
+  controls.visible = shown;
+  core.scene!.invalidate();
   const canvas = document.createElement("canvas");
   canvas.width = picture.width;
   canvas.height = picture.height;

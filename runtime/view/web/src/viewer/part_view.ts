@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { createCapMaterial, createMaterialSet, type MaterialSet, type SharedUniforms, type ViewMaterial } from "./materials.ts";
 import { levelFor } from "./lod.ts";
 import type { Part } from "./run_data.ts";
+import { OpenCopies } from "./seams.ts";
 import type { Visibility } from "./state.ts";
 import { buildSurface, type Surface } from "./surface.ts";
 import { SurfaceView } from "./surface_view.ts";
@@ -32,6 +33,7 @@ export class PartView {
   #neutral: THREE.Color;
   /** Copies that no mesh replaces. */
   #candidates: number[];
+  #seams: OpenCopies;
   #shown: Uint32Array;
   #shownCount = -1;
   #shownHash = NaN;
@@ -61,7 +63,8 @@ export class PartView {
     }
     this.radius = Math.sqrt(square);
     this.group.matrixAutoUpdate = false;
-    this.group.add(this.copies.group);
+    this.#seams = new OpenCopies(this.surface, part.points, part.copies, this.#instanced);
+    this.group.add(this.copies.group, ...this.#seams.meshes);
     this.cap = new THREE.Mesh(capGeometry, this.#capMaterial);
     this.cap.frustumCulled = false;
     this.cap.matrixAutoUpdate = false;
@@ -83,6 +86,7 @@ export class PartView {
     this.#candidates = [];
     for (let k = 0; k < this.part.copies; k++) if (!replaced.has(k)) this.#candidates.push(k);
     this.#shownHash = NaN;
+    this.#seams.set(replaced);
     this.refresh();
   }
 
@@ -144,11 +148,17 @@ export class PartView {
       view.edges.visible = this.#edges;
       view.surface.renderOrder = translucent ? 100000 : 0;
       view.features.renderOrder = view.edges.renderOrder = 100001;
-      view.stencils.forEach((stencil, i) => {
-        stencil.visible = this.#cut;
-        stencil.renderOrder = first + i;
-      });
+      for (const pair of [view.stencils, view.closures]) {
+        pair.forEach((stencil, i) => {
+          stencil.visible = this.#cut;
+          stencil.renderOrder = first + i;
+        });
+      }
     }
+    this.#seams.meshes.forEach((stencil, i) => {
+      stencil.visible = this.#cut && this.meshes.length > 0;
+      stencil.renderOrder = first + (i % 2);
+    });
   }
 
   /** Leaves out the copies outside of the picture. Returns the number of triangles that are drawn. */
@@ -189,6 +199,7 @@ export class PartView {
 
   dispose(): void {
     this.copies.dispose();
+    this.#seams.dispose();
     for (const material of this.materials) material.dispose();
   }
 }

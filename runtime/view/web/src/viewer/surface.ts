@@ -12,6 +12,8 @@ export interface Surface {
   features: Uint32Array;
   /** Nodes at open borders, as a mask. */
   open: Uint8Array;
+  /** Pairs of nodes: edges with a triangle on one side only, in the direction of that triangle. */
+  openEdges: Uint32Array;
 }
 
 /** Cosine of the angle between faces from which an edge is a crease: 32°. */
@@ -153,6 +155,7 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
 
   const open = new Uint8Array(count);
   const featureCorners: number[] = [];
+  const openEdges: number[] = [];
   for (let c = 0; c < triangles.length; c++) {
     const t = c - (c % 3);
     const a = joined[c]!;
@@ -162,6 +165,7 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
     const other = triangleWithEdge(joined, starts, corners, b, a);
     if (other < 0) {
       open[a] = open[b] = 1;
+      openEdges.push(a, b);
       if (copies === 1) featureCorners.push(c);
     } else if (t < other && cosine(faces, t, faces, other) < CREASE) {
       featureCorners.push(c);
@@ -177,7 +181,7 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
     features[2 * i + 1] = result.triangles[t + ((c + 1) % 3)]!;
   });
   for (let n = 0; n < count; n++) open[n] = open[welded[n]!]!;
-  return { ...result, features, open };
+  return { ...result, features, open, openEdges: Uint32Array.from(openEdges) };
 }
 
 function cosine(a: Float32Array, i: number, b: ArrayLike<number>, j: number): number {

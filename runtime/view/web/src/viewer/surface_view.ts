@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { coarsen, LEVELS } from "./lod.ts";
 import { NO_VALUE, type MaterialSet } from "./materials.ts";
+import { closeMesh } from "./seams.ts";
 import type { Surface } from "./surface.ts";
 
 export interface SurfaceInput {
@@ -31,6 +32,8 @@ export class SurfaceView {
   readonly features: THREE.LineSegments;
   readonly edges: THREE.LineSegments;
   readonly stencils: THREE.Mesh[];
+  /** Close the open seams of a deformed mesh in the stencil buffer. */
+  readonly closures: THREE.Mesh[] = [];
   readonly triangleCount: number;
   /** Sphere around one copy, in coordinates of the part, undeformed. */
   readonly sphere: THREE.Sphere;
@@ -88,7 +91,12 @@ export class SurfaceView {
     this.features = new THREE.LineSegments(features, materials.features);
     this.edges = new THREE.LineSegments(edges, materials.edges);
     this.stencils = [new THREE.Mesh(faces, materials.stencilBack), new THREE.Mesh(faces, materials.stencilFront)];
-    for (const object of [this.surface, this.features, this.edges, ...this.stencils]) {
+    if (input.displacements) {
+      const closure = closeMesh(surface, points, input.displacements, materials);
+      this.#geometries.push(closure.geometry);
+      this.closures = closure.meshes;
+    }
+    for (const object of [this.surface, this.features, this.edges, ...this.stencils, ...this.closures]) {
       // Three.js would cull by the bounds of one copy. The viewer culls the copies itself.
       object.frustumCulled = false;
       object.matrixAutoUpdate = false;

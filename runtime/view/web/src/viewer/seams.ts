@@ -1,0 +1,130 @@
+// Closing of open seams for the caps of the cut.
+//
+// Sectors are open where they meet their neighbours. All copies together are closed, but a deformed
+// mesh no longer meets its neighbours. Fans of triangles close both sides of such a seam. They are
+// drawn only into the stencil buffer, which counts how often a ray crosses the surface: any surface
+// with the right border serves.
+
+import * as THREE from "three";
+import type { MaterialSet } from "./materials.ts";
+import type { Surface } from "./surface.ts";
+
+/** Triangles between open edges and a centre; three points each. */
+interface Fan {
+  points: number[];
+  displacements: number[];
+}
+
+function fan(edges: number[], points: Float32Array, displacements?: Float32Array): Fan {
+  const result: Fan = { points: [], displacements: [] };
+  const mean = (values: Float32Array) =>
+    [0, 1, 2].map((k) => edges.reduce((sum, node) => sum + values[3 * node + k]!, 0) / Math.max(edges.length, 1));
+  const centre = mean(points);
+  const shift = displacements ? mean(displacements) : [];
+  for (let i = 0; i < edges.length; i += 2) {
+    // The surface has the edge from the first node to the second one, its closure the opposite edge.
+    for (const node of [edges[i + 1]!, edges[i]!]) {
+      result.points.push(points[3 * node]!, points[3 * node + 1]!, points[3 * node + 2]!);
+      if (displacements) result.displacements.push(...displacements.subarray(3 * node, 3 * node + 3));
+    }
+    result.points.push(...centre);
+    result.displacements.push(...shift);
+  }
+  return result;
+}
+
+/** Open edges in connected groups. */
+function groups(edges: Uint32Array): number[][] {
+  const parent = new Map<number, number>();
+  const find = (node: number): number => {
+    let root = node;
+    for (let next = parent.get(root); next !== undefined && next !== root; next = parent.get(root)) root = next;
+    parent.set(node, root);
+    return root;
+  };
+  for (let i = 0; i < edges.length; i += 2) parent.set(find(edges[i]!), find(edges[i + 1]!));
+  const result = new Map<number, number[]>();
+  for (let i = 0; i < edges.length; i += 2) {
+    const root = find(edges[i]!);
+    const group = result.get(root) ?? [];
+    group.push(edges[i]!, edges[i + 1]!);
+    result.set(root, group);
+  }
+  return [...result.values()];
+}
+
+function stencilMeshes(geometry: THREE.InstancedBufferGeometry, materials: MaterialSet): THREE.Mesh[] {
+  return [materials.stencilBack, materials.stencilFront].map((material) => {
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    return mesh;
+  });
+}
+
+/** Closes all open edges of a deformed mesh. */
+export function closeMesh(surface: Surface, points: Float32Array, displacements: Float32Array, materials: MaterialSet) {
+  const fans = groups(surface.openEdges).map((edges) => fan(edges, points, displacements));
+  const geometry = new THREE.InstancedBufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(fans.flatMap((f) => f.points), 3));
+  geometry.setAttribute("displacement", new THREE.Float32BufferAttribute(fans.flatMap((f) => f.displacements), 3));
+  geometry.instanceCount = fans.length > 0 ? 1 : 0;
+  return { geometry, meshes: stencilMeshes(geometry, materials) };
+}
+
+/** Closes the seams of copies next to copies that are left out. */
+export class OpenCopies {
+  readonly meshes: THREE.Mesh[];
+  #sides: { geometry: THREE.InstancedBufferGeometry; rotation: THREE.InstancedBufferAttribute; next: number }[];
+
+  constructor(
+    surface: Surface,
+    points: Float32Array,
+    private readonly copies: number,
+    materials: MaterialSet,
+  ) {
+    let x = 0;
+    let y = 0;
+    for (let i = 0; i < points.length; i += 3) {
+      x += points[i]!;
+      y += points[i + 1]!;
+    }
+    const { openEdges } = surface;
+    this.#sides = [1, -1].map((sign) => {
+      const edges: number[] = [];
+      for (let i = 0; i < openEdges.length; i += 2) {
+        const [a, b] = [3 * openEdges[i]!, 3 * openEdges[i + 1]!];
+        const [mx, my] = [points[a]! + points[b]!, points[a + 1]! + points[b + 1]!];
+        // On the side of the next copy if the middle of the edge is counter-clockwise of the sector's.
+        if (Math.sign(x * my - y * mx) === sign) edges.push(openEdges[i]!, openEdges[i + 1]!);
+      }
+      const geometry = new THREE.InstancedBufferGeometry();
+      geometry.setAttribute("position", new THREE.Float32BufferAttribute(fan(edges, points).points, 3));
+      const rotation = new THREE.InstancedBufferAttribute(new Float32Array(2 * copies), 2);
+      geometry.setAttribute("copyRotation", rotation);
+      geometry.instanceCount = 0;
+      return { geometry, rotation, next: sign };
+    });
+    this.meshes = this.#sides.flatMap(({ geometry }) => stencilMeshes(geometry, materials));
+  }
+
+  /** Chooses the seams to close from the copies that are left out. */
+  set(omitted: ReadonlySet<number>): void {
+    for (const { geometry, rotation, next } of this.#sides) {
+      let count = 0;
+      if (omitted.size > 0) {
+        for (let k = 0; k < this.copies; k++) {
+          if (omitted.has(k) || !omitted.has((k + next + this.copies) % this.copies)) continue;
+          const angle = (2 * Math.PI * k) / this.copies;
+          rotation.setXY(count++, Math.cos(angle), Math.sin(angle));
+        }
+        rotation.needsUpdate = true;
+      }
+      geometry.instanceCount = count;
+    }
+  }
+
+  dispose(): void {
+    for (const { geometry } of this.#sides) geometry.dispose();
+  }
+}
