@@ -1,78 +1,8 @@
-// The view in a browser.
+// Display of a run in a browser.
 
-import AxeBuilder from "@axe-core/playwright";
-import { expect, test, type Page } from "@playwright/test";
-import type { Viewer } from "../src/viewer/index.ts";
-import { contactLoad, createFixture, displacement, embeddedData, uniaxialStress, writePage, type FixtureOptions } from "./fixture.ts";
-
-
-const fixture = createFixture();
-const pageAddress = writePage("spur_pair", embeddedData(fixture));
-
-async function open(page: Page, address = pageAddress): Promise<string[]> {
-  const problems: string[] = [];
-  page.on("pageerror", (error) => problems.push(error.message));
-  page.on("console", (message) => {
-    if (message.type() === "error" || (message.type() === "warning" && !/GPU stall|GL Driver/.test(message.text()))) problems.push(message.text());
-  });
-  await page.goto(address);
-  await page.getByRole("img", { name: /Three-dimensional view/ }).waitFor();
-  await expect(page.getByRole("group", { name: "Animation" }).or(page.getByText("No positions yet"))).toBeVisible();
-  return problems;
-}
-
-const openWith = (page: Page, name: string, options: FixtureOptions) => open(page, writePage(name, embeddedData(createFixture(options))));
-const state = (page: Page) => page.evaluate(() => window.calyxViewer!.state);
-const restore = (page: Page, patch: object) => page.evaluate((s) => window.calyxViewer!.restore(s), patch);
-const button = (page: Page, name: string | RegExp) => page.getByRole("button", { name, exact: typeof name === "string" });
-
-/** Waits until two frames have passed, so that changes are displayed. */
-const settle = (page: Page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-
-/** Colour of the scene at a pixel of the page, from a screenshot without labels. */
-async function pixel(page: Page, x: number, y: number): Promise<number[]> {
-  const png = await page.screenshot({ clip: { x: Math.round(x) - 1, y: Math.round(y) - 1, width: 3, height: 3 } });
-  return page.evaluate(async (data) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${data}`;
-    await image.decode();
-    const canvas = document.createElement("canvas");
-    canvas.width = canvas.height = 3;
-    const context = canvas.getContext("2d")!;
-    context.drawImage(image, 0, 0);
-    return [...context.getImageData(1, 1, 1, 1).data].slice(0, 3);
-  }, png.toString("base64"));
-}
-
-/** Middle of the pixels of a colour. */
-async function centreOfColour(page: Page, colour: [number, number, number]): Promise<{ x: number; y: number }> {
-  const png = await page.screenshot();
-  return page.evaluate(
-    async ([data, [r, g, b]]) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${data}`;
-      await image.decode();
-      const canvas = document.createElement("canvas");
-      canvas.width = image.width;
-      canvas.height = image.height;
-      const context = canvas.getContext("2d")!;
-      context.drawImage(image, 0, 0);
-      const pixels = context.getImageData(0, 0, image.width, image.height).data;
-      let [x, y, n] = [0, 0, 0];
-      for (let i = 0; i < pixels.length; i += 4) {
-        if (Math.hypot(pixels[i]! - r, pixels[i + 1]! - g, pixels[i + 2]! - b) > 3) continue;
-        x += (i / 4) % image.width;
-        y += Math.floor(i / 4 / image.width);
-        n++;
-      }
-      return { x: x / n, y: y / n };
-    },
-    [png.toString("base64"), colour] as const,
-  );
-}
-
-const project = async (page: Page, part: string, point: [number, number, number]) =>
-  (await page.evaluate(([p, q]) => window.calyxViewer!.project(p, q), [part, point] as const))!;
+import { expect, test } from "@playwright/test";
+import { contactLoad, displacement, uniaxialStress } from "./fixture.ts";
+import { button, fixture, open, pixel, project, restore, settle, state } from "./page.ts";
 
 test("opens from a file and shows the parts", async ({ page }) => {
   const problems = await open(page);
@@ -106,8 +36,10 @@ test("hides a body", async ({ page }) => {
   await settle(page);
   const after = await pixel(page, point.x, point.y);
   expect(Math.hypot(...before.map((v, i) => v - after[i]!))).toBeGreaterThan(20);
-  await button(page, "Gears: translucent").click();
-  expect((await state(page)).parts).toMatchObject({ pinion: "hidden", wheel: "hidden" });
+  await button(page, "Gears: mixed").click();
+  expect((await state(page)).parts).not.toHaveProperty("wheel");
+  await button(page, "Gears: visible").click();
+  expect((await state(page)).parts).toMatchObject({ pinion: "translucent", wheel: "translucent" });
 });
 
 test("colours by each field with a legend", async ({ page }) => {
@@ -193,53 +125,6 @@ test("the cutting plane removes and caps", async ({ page }) => {
   expect((await state(page)).cut.offset!).toBeGreaterThan(before);
 });
 
-test("the handle of the cutting plane can be dragged, also of a plane along the view", async ({ page }) => {
-  await open(page);
-  await restore(page, { cut: { on: true, normal: "x" }, panels: { settings: true } });
-  await page.getByRole("img", { name: /Three-dimensional/ }).focus();
-  await page.keyboard.press("-");
-  await page.keyboard.press("-");
-  await settle(page);
-  const before = (await state(page)).cut.offset ?? 0;
-  const handle = await centreOfColour(page, [0xe0, 0x7b, 0x1f]);
-  await page.mouse.move(handle.x, handle.y);
-  await expect(page.locator("canvas[role=img]")).toHaveAttribute("data-handle", "true");
-  await page.mouse.down();
-  await page.mouse.move(handle.x + 60, handle.y, { steps: 4 });
-  await page.mouse.up();
-  expect((await state(page)).cut.offset!).toBeGreaterThan(before + 5e-3);
-  const camera = (await state(page)).camera;
-  await page.getByRole("complementary", { name: "Settings" }).getByLabel("Normal").selectOption("view");
-  const { normal } = (await state(page)).cut;
-  expect(Math.hypot(...(normal as [number, number, number]))).toBeCloseTo(1, 6);
-  expect((await state(page)).camera).toEqual(camera);
-});
-
-test("orbit, pan and zoom with the pointer", async ({ page }) => {
-  await open(page);
-  const { x, y } = await project(page, "wheel", [0, 0, 0]);
-  const first = (await state(page)).camera!;
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + 50, y + 20, { steps: 3 });
-  await page.mouse.up();
-  const orbited = (await state(page)).camera!;
-  expect([orbited.azimuth < first.azimuth, orbited.elevation > first.elevation]).toEqual([true, true]);
-  await page.mouse.down({ button: "right" });
-  await page.mouse.move(x + 80, y, { steps: 3 });
-  await page.mouse.up({ button: "right" });
-  const panned = (await state(page)).camera!;
-  expect(panned.target).not.toEqual(orbited.target);
-  // The point under the pointer keeps its place while zooming, nearly so in perspective.
-  const before = await project(page, "wheel", [0, 0, 14e-3]);
-  await page.mouse.move(before.x, before.y);
-  await page.mouse.wheel(0, -300);
-  await expect.poll(async () => (await state(page)).camera!.height).toBeLessThan(panned.height);
-  await settle(page);
-  const after = await project(page, "wheel", [0, 0, 14e-3]);
-  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(12);
-});
-
 test("the animation plays, pauses, steps and displays the time", async ({ page }) => {
   const problems = await open(page);
   await button(page, "Next position").click();
@@ -294,44 +179,6 @@ test("light and dark theme", async ({ page }) => {
   await expect(page.locator(".calyx-viewer")).toHaveAttribute("data-theme", "light");
 });
 
-test("everything works with the keyboard alone", async ({ page }) => {
-  await open(page);
-  const reached = new Set<string>();
-  for (let i = 0; i < 60; i++) {
-    await page.keyboard.press("Tab");
-    const name = await page.evaluate(() => {
-      const element = document.activeElement!;
-      if (!element.matches(":focus-visible")) return "";
-      return element.getAttribute("aria-label") ?? element.closest("label")?.textContent ?? element.textContent ?? "";
-    });
-    reached.add(name.slice(0, 40));
-  }
-  for (const name of ["Fit", "Mesh edges", "Cutting plane", "pinion: visible", "Play", "Loop", "Position", "Dark theme"]) {
-    expect([...reached]).toContain(name);
-  }
-  expect([...reached].some((name) => name.startsWith("Three-dimensional view"))).toBe(true);
-  const camera = (await state(page)).camera!;
-  await page.getByRole("img", { name: /Three-dimensional/ }).focus();
-  await page.keyboard.press("ArrowLeft");
-  await page.keyboard.press("+");
-  const moved = (await state(page)).camera!;
-  expect(moved.azimuth).not.toBe(camera.azimuth);
-  expect(moved.height).toBeLessThan(camera.height);
-  await page.keyboard.press("1");
-  expect((await state(page)).camera).toMatchObject({ azimuth: -90, elevation: 0 });
-  await page.keyboard.press("p");
-  await page.keyboard.press("m");
-  await page.keyboard.press("v");
-  await page.keyboard.press("c");
-  const all = await state(page);
-  expect(all.camera!.projection).toBe("orthographic");
-  expect([all.mesh_edges, all.forces.meshes, all.cut.on]).toEqual([true, true, true]);
-  await page.keyboard.press("?");
-  await expect(page.getByRole("dialog", { name: "Shortcuts" })).toBeVisible();
-  await page.keyboard.press("Escape");
-  await expect(page.getByRole("dialog")).toHaveCount(0);
-});
-
 test("plots an output with a cursor at the position", async ({ page }) => {
   const problems = await open(page);
   await button(page, "Plots").click();
@@ -359,54 +206,6 @@ test("exports PNG, SVG and PDF", async ({ page }) => {
   }
 });
 
-test("a truncated file of a position is named; the rest works", async ({ page }) => {
-  const data = embeddedData(createFixture());
-  const damaged = createFixture();
-  damaged.positions[1]!.data = damaged.positions[1]!.data.slice(0, 2000);
-  data.positions[1] = embeddedData(damaged).positions[1]!;
-  await open(page, writePage("truncated_position", data));
-  await button(page, "Next position").click();
-  await expect(page.getByRole("alert")).toContainText(/position-0001\.bin: .*truncated/);
-  await button(page, "Next position").click();
-  await expect(page.getByRole("alert")).toHaveCount(0);
-});
-
-test("damaged parts give a message instead of a blank page", async ({ page }) => {
-  const damaged = createFixture();
-  damaged.parts = damaged.parts.slice(0, 900);
-  await page.goto(writePage("truncated_parts", embeddedData(damaged)));
-  await expect(page.getByRole("alert")).toContainText(/parts\.bin: .*truncated/);
-  const data = embeddedData(createFixture());
-  data.parts = data.parts.slice(0, 2000);
-  await page.goto(writePage("damaged_parts", data));
-  await expect(page.getByRole("alert")).toContainText(/parts\.bin: the compressed data are damaged/);
-  await page.goto(writePage("no_data", {}));
-  await expect(page.getByRole("alert")).toContainText("parts.bin");
-});
-
-test("a browser without WebGL gives a message", async ({ page }) => {
-  await page.addInitScript(() => {
-    HTMLCanvasElement.prototype.getContext = () => null;
-  });
-  await page.goto(pageAddress);
-  await expect(page.getByRole("alert")).toContainText("WebGL 2 is not available");
-});
-
-test("runs without meshes, without contacts, with one position, without positions", async ({ page }) => {
-  const problems = await openWith(page, "no_meshes", { meshes: false });
-  await expect(page.getByRole("button", { name: /Legend: Contact pressure/ })).toBeVisible();
-  await page.getByLabel("Colours").selectOption("von_mises");
-  await expect(page.getByText("No values in this position")).toBeVisible();
-  problems.push(...(await openWith(page, "no_contacts", { contacts: false, meshes: false, positions: 1 })));
-  expect((await state(page)).colours.field).toBe("plain");
-  await page.getByLabel("Colours").selectOption("contact_pressure");
-  await page.keyboard.press("v");
-  await expect(button(page, "Play")).toBeDisabled();
-  problems.push(...(await openWith(page, "no_positions", { positions: 0 })));
-  await expect(page.getByText("No positions yet")).toBeVisible();
-  expect(problems).toEqual([]);
-});
-
 test("the pressure of the displayed cells integrates to the load", async ({ page }) => {
   await open(page);
   const loads = await page.evaluate(() => window.calyxViewer!.contactLoads());
@@ -417,57 +216,38 @@ test("the pressure of the displayed cells integrates to the load", async ({ page
   expect(loads[0]!.load / contactLoad(0)).toBeLessThan(1.01);
 });
 
-test("two viewers with linked cameras", async ({ page }) => {
+test("a run that is still being written grows, and a reload keeps the state", async ({ page }) => {
   const problems = await open(page);
+  await restore(page, { parts: { wheel: "hidden" }, theme: "dark" });
   await page.evaluate(async () => {
-    const first = window.calyxViewer!;
-    const holder = document.createElement("div");
-    holder.id = "second";
-    holder.style.height = "400px";
-    document.body.append(holder);
-    const Viewer = first.constructor as new (container: HTMLElement) => NonNullable<typeof window.calyxViewer>;
-    const second = new Viewer(holder);
     const data = JSON.parse(document.getElementById("calyx-view")!.textContent!);
     const read = async (text: string) => {
       const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
       return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
     };
-    await second.show({
-      title: "Second run",
+    const run = { written: 0 };
+    (window as unknown as { run: typeof run }).run = run;
+    await window.calyxViewer!.show({
+      title: "Growing run",
       parts: () => read(data.parts),
-      positions: async () => data.positions,
+      positions: async () => data.positions.slice(0, run.written),
       position: (index) => read(data.positions[index].data),
     });
-    first.linkCamera(second);
-    (window as unknown as { second: typeof second }).second = second;
   });
-  const cameras = () =>
-    page.evaluate(() => [window.calyxViewer!.state.camera, (window as unknown as { second: Viewer }).second.state.camera]);
-  await page.evaluate(() => window.calyxViewer!.restore({ camera: { ...window.calyxViewer!.state.camera!, azimuth: 12 } }));
-  await page.getByRole("img", { name: /Three-dimensional/ }).first().focus();
-  await page.keyboard.press("ArrowLeft");
-  let [first, second] = await cameras();
-  expect(second).toEqual(first);
-  await page.locator("#second canvas[role=img]").focus();
-  await page.keyboard.press("ArrowUp");
-  [first, second] = await cameras();
-  expect(first).toEqual(second);
-  await page.evaluate(() => (window as unknown as { second: Viewer }).second.dispose());
-  await page.keyboard.press("f");
+  await expect(page.getByText("No positions yet")).toBeVisible();
+  const write = (count: number) =>
+    page.evaluate(async (n) => {
+      (window as unknown as { run: { written: number } }).run.written = n;
+      await window.calyxViewer!.updatePositions();
+    }, count);
+  await write(1);
+  const slider = page.getByLabel("Position", { exact: true });
+  await expect(slider).toHaveAttribute("max", "0");
+  await write(3);
+  await expect(slider).toHaveAttribute("max", "2");
+  await slider.fill("2");
+  await page.evaluate(() => window.calyxViewer!.reload());
+  const { parts, theme, position } = await state(page);
+  expect([parts, theme, position]).toEqual([{ wheel: "hidden" }, "dark", 2]);
   expect(problems).toEqual([]);
-});
-
-test("axe-core finds nothing serious", async ({ page }) => {
-  await open(page);
-  await restore(page, { panels: { settings: true, plots: true }, cut: { on: true }, forces: { bearings: true, meshes: true } });
-  await page.waitForTimeout(500);
-  for (const theme of ["light", "dark"]) {
-    await restore(page, { theme });
-    await settle(page);
-    const { violations } = await new AxeBuilder({ page }).analyze();
-    expect(violations.filter(({ impact }) => impact === "serious" || impact === "critical").map(({ id, nodes }) => [id, nodes.map((n) => n.html)])).toEqual([]);
-  }
-  await page.keyboard.press("?");
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(violations.filter(({ impact }) => impact === "serious" || impact === "critical")).toEqual([]);
 });

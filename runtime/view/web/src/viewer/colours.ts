@@ -10,7 +10,7 @@ const SAMPLES = 256;
 
 // Samples at equal distances. Viridis (van der Walt and Smith 2015) and cividis (Nuñez et al. 2018)
 // are perceptually uniform and readable with deficient colour vision. Turbo (Mikhailov 2019) shows
-// more detail, but is not for every eye.
+// more detail, but is not safe for deficient colour vision.
 const SCALES: Record<ColourState["scale"], { label: string; colours: string[] }> = {
   viridis: {
     label: "Viridis",

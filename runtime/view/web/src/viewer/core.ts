@@ -101,7 +101,8 @@ export class Core {
   async show(source: ViewSource): Promise<void> {
     if (!this.scene) return;
     this.source = source;
-    this.status = "loading";
+    // A displayed scene stays until the new one is complete: geometry may change while the user types.
+    if (this.status !== "ready") this.status = "loading";
     this.notice = "";
     this.changed(false);
     await this.load(true);
@@ -136,10 +137,10 @@ export class Core {
       this.notice = notice;
       display.setParts(parts.parts, first);
       display.setPosition(first);
-      if (!this.#fieldChosen) {
+      // Before the first results there is nothing to choose from.
+      if (!this.#fieldChosen && (first?.meshes.length || first?.contacts)) {
         this.#fieldChosen = true;
-        if (first?.meshes.length) this.state.colours.field = "von_mises";
-        else if (first?.contacts) this.state.colours.field = "contact_pressure";
+        this.state.colours.field = first.meshes.length ? "von_mises" : "contact_pressure";
       }
       this.state.position = Math.min(Math.max(0, Math.trunc(this.state.position)), Math.max(0, positions.list.length - 1));
       this.status = "ready";

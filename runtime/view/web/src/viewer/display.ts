@@ -1,4 +1,4 @@
-// What the scene displays of a run: parts, deformed meshes, contacts, forces and the cut.
+// Objects of a run in the scene: parts, deformed meshes, contacts, forces and the cut.
 
 import * as THREE from "three";
 import { fillScaleTexture, partColour } from "./colours.ts";

@@ -148,7 +148,7 @@ export function pick(
     };
   };
   for (const view of views) {
-    // Translucent parts let the pointer through, as they let the eye.
+    // Translucent parts do not hide the parts behind them, so the pointer ignores them.
     if (view.visibility !== "visible") continue;
     inverse.copy(view.group.matrixWorld).invert();
     origin.copy(ray.origin).applyMatrix4(inverse);

@@ -84,7 +84,7 @@ function faceNormals(points: Float32Array, triangles: Uint32Array): Float32Array
   return normals;
 }
 
-/** Tells whether an edge from `a` to `b` occurs in a triangle, and returns that triangle or -1. */
+/** Returns the first corner of the triangle that has the edge from `a` to `b`, or -1. */
 function triangleWithEdge(
   triangles: Uint32Array,
   starts: Uint32Array,

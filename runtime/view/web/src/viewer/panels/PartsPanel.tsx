@@ -13,8 +13,8 @@ const GROUPS: { kind: PartKind; label: string }[] = [
   { kind: "body", label: "Bodies" },
 ];
 
-const NEXT: Record<Visibility, Visibility> = { visible: "translucent", translucent: "hidden", hidden: "visible" };
-const ICONS: Record<Visibility, IconName> = { visible: "eye", translucent: "half", hidden: "hidden" };
+const NEXT: Record<Visibility | "mixed", Visibility> = { mixed: "visible", visible: "translucent", translucent: "hidden", hidden: "visible" };
+const ICONS: Record<Visibility | "mixed", IconName> = { mixed: "half", visible: "eye", translucent: "half", hidden: "hidden" };
 
 export function PartsPanel({ core }: { core: Core }) {
   const parts = core.parts?.parts ?? [];
@@ -55,7 +55,7 @@ function Group({ core, label, parts }: { core: Core; label: string; parts: Part[
   const [open, setOpen] = useState(true);
   const names = parts.map(({ name }) => name);
   const states = new Set(names.map((name) => core.state.parts[name] ?? "visible"));
-  const common: Visibility = states.size === 1 ? [...states][0]! : "translucent";
+  const common = states.size === 1 ? [...states][0]! : "mixed";
   return (
     <div class="cv-group" role="group" aria-label={label}>
       <div class="cv-row cv-row-group">
@@ -90,7 +90,7 @@ function PartRow({ core, part }: { core: Core; part: Part }) {
   );
 }
 
-function VisibilityButton({ name, value, onChange }: { name: string; value: Visibility; onChange: (value: Visibility) => void }) {
+function VisibilityButton({ name, value, onChange }: { name: string; value: Visibility | "mixed"; onChange: (value: Visibility) => void }) {
   return (
     <button
       type="button"

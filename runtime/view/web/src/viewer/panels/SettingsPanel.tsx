@@ -37,7 +37,10 @@ export function SettingsPanel({ core }: { core: Core }) {
 function Colours({ core }: { core: Core }) {
   const { colours } = core.state;
   const unit = fieldUnit(core);
-  const limits = core.display?.limits ?? [0, 1];
+  const [low, high] = core.display?.limits ?? [0, 1];
+  // Rounding errors of zero stresses must not fill the field with digits.
+  const tiny = 1e-9 * Math.max(Math.abs(low), Math.abs(high));
+  const limits = [Math.abs(low) < tiny ? 0 : low, Math.abs(high) < tiny ? 0 : high] as const;
   const fix = (min: number, max: number) => core.update({ colours: { limits: "fixed", min, max } });
   return (
     <Section title="Colours">

@@ -1,0 +1,53 @@
+// Damaged and incomplete runs.
+
+import { expect, test } from "@playwright/test";
+import { createFixture, embeddedData, writePage } from "./fixture.ts";
+import { button, open, openWith, pageAddress, state } from "./page.ts";
+
+test("a truncated file of a position is named; the rest works", async ({ page }) => {
+  const data = embeddedData(createFixture());
+  const damaged = createFixture();
+  damaged.positions[1]!.data = damaged.positions[1]!.data.slice(0, 2000);
+  data.positions[1] = embeddedData(damaged).positions[1]!;
+  await open(page, writePage("truncated_position", data));
+  await button(page, "Next position").click();
+  await expect(page.getByRole("alert")).toContainText(/position-0001\.bin: .*truncated/);
+  await button(page, "Next position").click();
+  await expect(page.getByRole("alert")).toHaveCount(0);
+});
+
+test("damaged parts give a message instead of a blank page", async ({ page }) => {
+  const damaged = createFixture();
+  damaged.parts = damaged.parts.slice(0, 900);
+  await page.goto(writePage("truncated_parts", embeddedData(damaged)));
+  await expect(page.getByRole("alert")).toContainText(/parts\.bin: .*truncated/);
+  const data = embeddedData(createFixture());
+  data.parts = data.parts.slice(0, 2000);
+  await page.goto(writePage("damaged_parts", data));
+  await expect(page.getByRole("alert")).toContainText(/parts\.bin: the compressed data are damaged/);
+  await page.goto(writePage("no_data", {}));
+  await expect(page.getByRole("alert")).toContainText("parts.bin");
+});
+
+test("a browser without WebGL gives a message", async ({ page }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto(pageAddress);
+  await expect(page.getByRole("alert")).toContainText("WebGL 2 is not available");
+});
+
+test("runs without meshes, without contacts, with one position, without positions", async ({ page }) => {
+  const problems = await openWith(page, "no_meshes", { meshes: false });
+  await expect(page.getByRole("button", { name: /Legend: Contact pressure/ })).toBeVisible();
+  await page.getByLabel("Colours").selectOption("von_mises");
+  await expect(page.getByText("No values in this position")).toBeVisible();
+  problems.push(...(await openWith(page, "no_contacts", { contacts: false, meshes: false, positions: 1 })));
+  expect((await state(page)).colours.field).toBe("plain");
+  await page.getByLabel("Colours").selectOption("contact_pressure");
+  await page.keyboard.press("v");
+  await expect(button(page, "Play")).toBeDisabled();
+  problems.push(...(await openWith(page, "no_positions", { positions: 0 })));
+  await expect(page.getByText("No positions yet")).toBeVisible();
+  expect(problems).toEqual([]);
+});
