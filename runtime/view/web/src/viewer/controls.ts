@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { Core } from "./core.ts";
-import type { StandardView } from "./state.ts";
+import type { CutState, StandardView } from "./state.ts";
 
 /** Degrees per pixel of a drag. */
 const ORBIT = 0.35;
@@ -119,6 +119,14 @@ export function moveCut(core: Core, distance: number): void {
   core.update({ cut: { offset } });
 }
 
+/** Switches the cut, or changes its normal. The side towards the eye is removed, so that the section is visible. */
+export function setCut(core: Core, change: { on?: boolean; normal?: CutState["normal"] }): void {
+  const normal = change.normal ?? core.state.cut.normal;
+  const eye = core.scene!.camera.direction;
+  const along = typeof normal === "string" ? eye[normal] : eye.x * normal[0] + eye.y * normal[1] + eye.z * normal[2];
+  core.update({ cut: { ...change, ...(change.normal ? { offset: null } : {}), ...(change.on === false ? {} : { flipped: along < 0 }) } });
+}
+
 export interface Shortcut {
   keys: string;
   label: string;
@@ -229,7 +237,7 @@ export function handleKey(core: Core, event: KeyboardEvent): boolean {
       core.update({ forces: { bearings: on, meshes: on } });
       break;
     }
-    case "c": core.update({ cut: { on: !state.cut.on } }); break;
+    case "c": setCut(core, { on: !state.cut.on }); break;
     case "[": case "]":
       if (state.cut.on) moveCut(core, (event.key === "[" ? -0.04 : 0.04) * core.display!.radius);
       break;

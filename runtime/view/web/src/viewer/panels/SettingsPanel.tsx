@@ -1,6 +1,7 @@
 // Settings of the colours, the deformation, the cut, the forces and the display.
 
 import { SCALE_NAMES } from "../colours.ts";
+import { setCut } from "../controls.ts";
 import type { Core } from "../core.ts";
 import { isNodal } from "../fields.ts";
 import { fieldUnit } from "../legend.ts";
@@ -109,7 +110,7 @@ function Cut({ core }: { core: Core }) {
   const axis = typeof cut.normal === "string" ? cut.normal : "view";
   return (
     <Section title="Cutting plane">
-      <Toggle label="Cut" value={cut.on} onChange={(on) => core.update({ cut: { on } })} />
+      <Toggle label="Cut" value={cut.on} onChange={(on) => setCut(core, { on })} />
       {cut.on ? (
         <>
           <Select
@@ -121,7 +122,7 @@ function Cut({ core }: { core: Core }) {
               { value: "z", label: "z" },
               { value: "view", label: "View direction" },
             ]}
-            onChange={(value) => core.update({ cut: { normal: value === "view" ? direction() : (value as Axis), offset: null } })}
+            onChange={(value) => setCut(core, { normal: value === "view" ? direction() : (value as Axis) })}
           />
           <Slider
             label="Location"

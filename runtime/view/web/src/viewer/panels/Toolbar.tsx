@@ -2,6 +2,7 @@
 
 import { useState } from "preact/hooks";
 import type { Core } from "../core.ts";
+import { setCut } from "../controls.ts";
 import { download, type ImageFormat } from "../export.ts";
 import { FIELDS } from "../fields.ts";
 import type { Field, StandardView } from "../state.ts";
@@ -90,7 +91,8 @@ export function Toolbar({ core, showTitle, showTheme }: { core: Core; showTitle:
             pressed={state.cut.on}
             onClick={() => {
               const on = !state.cut.on;
-              core.update({ cut: { on }, panels: { settings: on || state.panels.settings } });
+              setCut(core, { on });
+              if (on) core.update({ panels: { settings: true } });
             }}
           />
         </>
