@@ -96,6 +96,8 @@ mod module;
 pub mod replace;
 #[cfg(feature = "cli")]
 pub mod session;
+#[cfg(feature = "studio")]
+pub mod studio;
 #[cfg(feature = "cli")]
 pub mod testing;
 mod typed;

@@ -110,7 +110,8 @@ const FENCED: &[(&str, &[&str])] = &[
     ("salsa", &["calyx-lang"]),
     ("clarabel", &["calyx-contact"]),
     ("faer", NUMERICAL),
-    ("tokio", &["calyx-lsp"]),
+    ("axum", &["calyx"]),
+    ("tokio", &["calyx", "calyx-lsp"]),
     ("tower", &["calyx-lsp"]),
 ];
 

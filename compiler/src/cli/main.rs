@@ -20,6 +20,7 @@ mod new;
 mod repl;
 mod report;
 mod run;
+mod studio;
 mod sweep;
 mod test;
 mod tradeoff;
@@ -76,6 +77,13 @@ enum Command {
     /// row per case, sweep.csv, and a page with plots, sweep.html.
     #[command(after_help = sweep::EXAMPLES)]
     Sweep(sweep::Sweep),
+    /// Set params, run a model and compare its results in the browser
+    ///
+    /// Starts a server on this computer, prints its address and opens it in the browser: a form of
+    /// the model's params, its runs with their progress, and their results. The page follows changes
+    /// of the model's file.
+    #[command(after_help = studio::EXAMPLES)]
+    Studio(studio::Studio),
     /// Regenerate the HTML report of a run
     ///
     /// Every run writes report.html. This command writes it again from the results: after an
@@ -177,6 +185,7 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
+        Command::Studio(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::View(command) => command.run(),
         Command::Build(command) => command.run(),

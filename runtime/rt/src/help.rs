@@ -75,7 +75,9 @@ fn section(title: &str, entries: Vec<Entry>, long: bool) -> String {
             text.push('\n');
         } else {
             let before = 2 + width + 2 + first_width + 2 + second_width + 2;
-            let said = cut(doc.lines().next().unwrap_or_default(), columns.saturating_sub(before));
+            // Headings group the params of a form.
+            let first = doc.lines().find(|line| !line.is_empty() && !line.starts_with("# "));
+            let said = cut(first.unwrap_or_default(), columns.saturating_sub(before));
             let gap = if second_width == 0 { "" } else { "  " };
             let _ = writeln!(text, "{}", format!("{line}{fill}{gap}{said}").trim_end());
         }

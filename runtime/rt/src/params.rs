@@ -61,6 +61,24 @@ impl Setting {
     }
 }
 
+/// Checks a value for its param alone: kind, dimension, choices, and a range that does not depend on
+/// other params.
+///
+/// # Errors
+/// The name is unknown, or the value is invalid.
+pub fn check_assignment(
+    description: &ModelDescription,
+    assignment: &ParamAssignment,
+) -> Result<(), InvalidParam> {
+    let checked = index_of(description, &assignment.name)
+        .and_then(|index| Setting::new(description, index, &assignment.value, assignment.origin.as_ref()));
+    match checked {
+        Err(Error::Given(invalid)) => Err(invalid),
+        // No other error arises here.
+        _ => Ok(()),
+    }
+}
+
 /// Fills the params of a context from the defaults and from `given` (the last one of a name
 /// counts).
 ///

@@ -40,6 +40,22 @@ pub fn read(path: &Path) -> Result<Vec<ParamAssignment>, InvalidParam> {
     parse(&Arc::new(FileDescription { name: path.display().to_string(), text }))
 }
 
+/// Parses the text of a JSON file, see [`read`].
+///
+/// # Errors
+/// The text is not an object of params.
+pub fn parse_json(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidParam> {
+    json(file)
+}
+
+/// Parses the text of a TOML file, see [`read`].
+///
+/// # Errors
+/// The text is not a table of params.
+pub fn parse_toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidParam> {
+    toml(file)
+}
+
 fn unreadable(path: &Path, why: &str) -> InvalidParam {
     InvalidParam::new(format!("cannot read {}: {why}", path.display()), "give the path of a file of params")
 }

@@ -18,6 +18,7 @@ use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 mod error;
 mod owner;
@@ -197,6 +198,20 @@ struct Marker {
     used: bool,
 }
 
+/// Returns the process that writes to a directory; `None` if there is none. Only a directory with
+/// an unfinished run is examined, because that needs the lock for a moment.
+pub fn writer(directory: &Path) -> Option<String> {
+    if !exists(&journal::path(directory)) {
+        return None;
+    }
+    let marker = regular(directory.join(MARKER))?;
+    let file = File::open(marker).ok()?;
+    match file.try_lock_shared() {
+        Err(TryLockError::WouldBlock) => Some(owner::read(&file)),
+        _ => None,
+    }
+}
+
 impl RunDirectory {
     /// Locks a directory for writing, and creates it if it does not exist. Removes and replaces
     /// nothing. With `force`, files of the user with names of results become files of the run.
@@ -239,7 +254,7 @@ impl RunDirectory {
                 }
                 file => file.map_err(unwritable)?,
             };
-            match file.try_lock() {
+            match lock_soon(&file) {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
                     let owner = owner::read(&file);
@@ -519,6 +534,19 @@ fn open(marker: &Path) -> io::Result<File> {
     match file.metadata()?.is_file() {
         true => Ok(file),
         false => Err(io::Error::new(ErrorKind::InvalidInput, format!("{MARKER} is not a regular file"))),
+    }
+}
+
+/// Locks a marker. A program that examines the directory has the lock for a moment, see [`writer`].
+fn lock_soon(file: &File) -> Result<(), TryLockError> {
+    /// Longest time in which such a program releases the lock.
+    const MOMENT: Duration = Duration::from_millis(20);
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => {
+            std::thread::sleep(MOMENT);
+            file.try_lock()
+        }
+        locked => locked,
     }
 }
 

@@ -1,0 +1,214 @@
+//! Routes of the server. Requests and responses are JSON; errors are `{code, message, help}`.
+//!
+//! | Route | Effect |
+//! |---|---|
+//! | `GET /` , `/studio.js`, `/studio.css` | the page |
+//! | `GET /api/studio` | version, what was opened |
+//! | `GET /api/model` | params with type, unit, range, choices, default, documentation and group; outputs; diagnostics |
+//! | `POST /api/check` | `{params}`: errors by param, diagnostics, and the plan with predicted time and memory: one elaboration provides all of them |
+//! | `POST /api/params` | `{name, text}`: values of a params file |
+//! | `GET, PUT /api/session` | the session file |
+//! | `GET /api/runs` | list of runs |
+//! | `POST /api/runs` | `{params}`: starts a run |
+//! | `POST /api/preview` | `{params}`: starts the automatic run in place of the previous one |
+//! | `GET /api/runs/ID` | results, positions and messages of a run |
+//! | `POST /api/runs/ID/cancel` | interrupts a run |
+//! | `GET /api/runs/ID/view` | positions for the viewer |
+//! | `GET /api/runs/ID/files/NAME` | a file of a run |
+//! | `GET /api/parts` | geometry of the model without a run |
+//! | `GET /api/events` | event stream: `model`, `runs`, `progress` |
+
+use super::check::{Outcome, Values, check};
+use super::error::RequestError;
+use super::page::{self, json_response};
+use super::runs::PREVIEW;
+use super::session::{self, Session};
+use super::{Studio, access, files, requests};
+use axum::Router;
+use axum::body::Bytes;
+use axum::extract::{DefaultBodyLimit, Path, State};
+use axum::http::{HeaderMap, StatusCode};
+use axum::middleware::from_fn_with_state;
+use axum::response::{IntoResponse, Response};
+use axum::routing::{get, post};
+use serde_json::{Value, json};
+use std::sync::Arc;
+
+/// Response of a request, or its error.
+type Answer = Result<Response, RequestError>;
+type Shared = State<Arc<Studio>>;
+
+/// Largest body of a request, bytes: a session and some space for its form.
+const LARGEST_BODY: usize = session::LONGEST + (4 << 10);
+
+/// Returns the routes, all behind the check of access.
+pub(crate) fn router(studio: Arc<Studio>) -> Router {
+    Router::new()
+        .route("/", get(page::page))
+        .route("/studio.js", get(page::script))
+        .route("/studio.css", get(page::style))
+        .route("/api/studio", get(about))
+        .route("/api/model", get(model))
+        .route("/api/check", post(check_values))
+        .route("/api/params", post(params_file))
+        .route("/api/session", get(read_session).put(write_session))
+        .route("/api/runs", get(runs).post(start))
+        .route("/api/preview", post(preview))
+        .route("/api/runs/{id}", get(results))
+        .route("/api/runs/{id}/cancel", post(cancel))
+        .route("/api/runs/{id}/view", get(view))
+        .route("/api/runs/{id}/files/{*name}", get(file))
+        .route("/api/parts", get(parts))
+        .route("/api/events", get(events))
+        .layer(DefaultBodyLimit::max(LARGEST_BODY))
+        .layer(from_fn_with_state(studio.clone(), access::guard))
+        .with_state(studio)
+}
+
+/// Runs a function that blocks: it reads files or checks a model.
+async fn blocking<T: Send + 'static>(
+    studio: &Arc<Studio>,
+    work: impl FnOnce(&Studio) -> Result<T, RequestError> + Send + 'static,
+) -> Result<T, RequestError> {
+    let studio = studio.clone();
+    let done = tokio::task::spawn_blocking(move || work(&studio));
+    done.await.map_err(|error| RequestError::internal("the request failed", &error))?
+}
+
+/// As [`blocking`], for a check of the model, of which few run at a time.
+async fn checking<T: Send + 'static>(
+    studio: &Arc<Studio>,
+    work: impl FnOnce(&Studio) -> Result<T, RequestError> + Send + 'static,
+) -> Result<T, RequestError> {
+    let permit = studio.checks.acquire().await;
+    let _permit = permit.map_err(|error| RequestError::internal("the request failed", &error))?;
+    blocking(studio, work).await
+}
+
+fn no_model() -> RequestError {
+    RequestError::conflict("the model of this run is not known", "start `calyx studio` with the model")
+}
+
+async fn about(State(studio): Shared) -> Answer {
+    let about = blocking(&studio, |studio| {
+        Ok(json!({
+            "calyx": env!("CARGO_PKG_VERSION"),
+            "model": studio.model.as_ref().map(|model| model.path().display().to_string()),
+            "opened": studio.runs.opened(),
+        }))
+    });
+    Ok(json_response(&about.await?))
+}
+
+async fn model(State(studio): Shared) -> Answer {
+    let model = checking(&studio, |studio| {
+        let model = studio.model.as_ref().ok_or_else(no_model)?;
+        Ok(model.now().json.clone())
+    });
+    Ok(json_response(&model.await?))
+}
+
+async fn checked(studio: &Arc<Studio>, values: Values) -> Result<Outcome, RequestError> {
+    checking(studio, move |studio| {
+        let model = studio.model.as_ref().ok_or_else(no_model)?;
+        let snapshot = model.now();
+        check(model, &snapshot, &values).map_err(|error| {
+            RequestError::conflict(format!("cannot read the model: {error}"), "restore its file")
+        })
+    })
+    .await
+}
+
+async fn check_values(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
+    let values = requests::values(&headers, &body)?;
+    Ok(json_response(&checked(&studio, values).await?.json))
+}
+
+async fn params_file(headers: HeaderMap, body: Bytes) -> Answer {
+    let body = requests::json(&headers, &body)?;
+    let (Some(name), Some(text)) = (body["name"].as_str(), body["text"].as_str()) else {
+        return Err(RequestError::invalid("the request has no texts `name` and `text`", ""));
+    };
+    let values = requests::params_file(name, text.to_owned())?;
+    Ok(json_response(&json!({ "params": values })))
+}
+
+fn session_of(studio: &Studio) -> Result<&Session, RequestError> {
+    studio.session.as_ref().ok_or_else(no_model)
+}
+
+async fn read_session(State(studio): Shared) -> Answer {
+    Ok(json_response(&blocking(&studio, |studio| session_of(studio)?.read()).await?))
+}
+
+async fn write_session(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
+    let session = requests::json(&headers, &body)?;
+    blocking(&studio, move |studio| session_of(studio)?.write(&session)).await?;
+    Ok(StatusCode::NO_CONTENT.into_response())
+}
+
+async fn runs(State(studio): Shared) -> Answer {
+    let list = blocking(&studio, |studio| Ok(studio.runs.list()));
+    Ok(json_response(&json!({ "runs": list.await? })))
+}
+
+/// Refuses to start what the check rejects, with the reasons in the key `check`.
+fn rejected(outcome: &Outcome) -> Response {
+    let body = json!({
+        "code": "invalid_model",
+        "message": "the model or its params have errors",
+        "help": "fix the errors that are shown",
+        "check": outcome.json,
+    });
+    (StatusCode::UNPROCESSABLE_ENTITY, json_response(&body)).into_response()
+}
+
+async fn start(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
+    let values = requests::values(&headers, &body)?;
+    let outcome = checked(&studio, values.clone()).await?;
+    if !outcome.is_runnable {
+        return Ok(rejected(&outcome));
+    }
+    // A process is started on a thread of the server: it belongs to its runtime.
+    let id = studio.runs.start(&values)?;
+    Ok((StatusCode::CREATED, json_response(&json!({ "id": id }))).into_response())
+}
+
+async fn preview(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
+    let values = requests::values(&headers, &body)?;
+    let outcome = checked(&studio, values.clone()).await?;
+    if !outcome.is_runnable {
+        return Ok(rejected(&outcome));
+    }
+    let started = studio.runs.start_preview(&values).await?;
+    let answer = json!({ "id": PREVIEW, "started": started });
+    Ok((StatusCode::ACCEPTED, json_response(&answer)).into_response())
+}
+
+async fn results(State(studio): Shared, Path(id): Path<String>) -> Answer {
+    Ok(json_response(&blocking(&studio, move |studio| studio.runs.results(&id)).await?))
+}
+
+async fn cancel(State(studio): Shared, Path(id): Path<String>) -> Answer {
+    studio.runs.cancel(&id)?;
+    Ok(StatusCode::ACCEPTED.into_response())
+}
+
+async fn view(State(studio): Shared, Path(id): Path<String>) -> Answer {
+    let listed: Value = blocking(&studio, move |studio| files::view(&studio.runs, &id)).await?;
+    Ok(json_response(&listed))
+}
+
+async fn file(State(studio): Shared, Path((id, name)): Path<(String, String)>) -> Answer {
+    files::send(&studio.runs, &id, &name).await
+}
+
+/// Geometry of the model without a run.
+async fn parts() -> Answer {
+    let message = "the geometry of a model without a run is not available";
+    Err(RequestError::new(StatusCode::NOT_FOUND, message, "run the model to see its parts"))
+}
+
+async fn events(State(studio): Shared) -> Response {
+    studio.events.stream()
+}

@@ -1,0 +1,103 @@
+//! Checks the values of a form as `calyx run` would, and predicts the cost of the run.
+
+use super::model::{Model, Snapshot, diagnostics, rendered};
+use crate::{Checked, check_run_within};
+use calyx_rt::options::rates_file;
+use calyx_rt::params::check_assignment;
+use calyx_rt::{InvalidParam, Override, ParamAssignment};
+use calyx_runtime::cost::Rates;
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+use std::io;
+use std::sync::OnceLock;
+
+/// Values of a form: texts by name, as after `--set`.
+pub(crate) type Values = BTreeMap<String, String>;
+
+/// Returns the assignments of a form.
+pub(crate) fn assignments(values: &Values) -> Vec<ParamAssignment> {
+    values.iter().map(|(name, value)| ParamAssignment::text(name, value.trim())).collect()
+}
+
+/// Result of a check: the JSON of the response, and whether a run would start.
+pub(crate) struct Outcome {
+    pub json: Value,
+    pub is_runnable: bool,
+}
+
+/// Checks the values of a form. Blocks while the model is elaborated.
+///
+/// # Errors
+/// The model cannot be read.
+pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::Result<Outcome> {
+    let mut errors = Map::new();
+    let given = assignments(values);
+    let (valid, invalid): (Vec<_>, Vec<_>) = given
+        .into_iter()
+        .map(|assignment| (check_assignment(&snapshot.description, &assignment), assignment))
+        .partition(|(checked, _)| checked.is_ok());
+    for (checked, assignment) in invalid {
+        if let Err(invalid) = checked {
+            errors.insert(assignment.name, reason(&invalid));
+        }
+    }
+    let given: Vec<ParamAssignment> = valid.into_iter().map(|(_, assignment)| assignment).collect();
+    let checked = check_run_within(model.path(), model.allowed(), &given, Override::default(), None)?;
+    let mut refused = Value::Null;
+    if let Some(invalid) = &checked.refused {
+        // The range of a param may depend on other params.
+        match named_param(invalid, snapshot) {
+            Some(name) => {
+                errors.insert(name, reason(invalid));
+            }
+            None => refused = reason(invalid),
+        }
+    }
+    let is_runnable =
+        errors.is_empty() && refused.is_null() && checked.program.is_some() && !checked.has_errors();
+    let json = json!({
+        "version": snapshot.version,
+        "runnable": is_runnable,
+        "errors": errors,
+        "refused": refused,
+        "diagnostics": diagnostics(&checked.diagnostics, &checked.files),
+        "rendered": rendered(&checked.diagnostics, &checked.files),
+        "plan": plan(&checked),
+        "gear_data": checked.gear_data.text(),
+    });
+    Ok(Outcome { json, is_runnable })
+}
+
+fn reason(invalid: &InvalidParam) -> Value {
+    json!({ "code": null, "message": invalid.message, "help": invalid.help })
+}
+
+/// Returns the param that a message names first.
+fn named_param(invalid: &InvalidParam, snapshot: &Snapshot) -> Option<String> {
+    let name = invalid.message.split('`').nth(1)?;
+    snapshot.description.params.iter().any(|param| param.name == name).then(|| name.to_owned())
+}
+
+/// Returns the plan and the predictions, as `calyx explain` prints them; `null` if the model analyses
+/// nothing or has errors.
+fn plan(checked: &Checked) -> Value {
+    let Some(plan) = &checked.plan else { return Value::Null };
+    static RATES: OnceLock<Rates> = OnceLock::new();
+    let rates = RATES.get_or_init(|| Rates::of_this_machine(rates_file().as_deref(), false));
+    let cost = plan.cost(rates);
+    json!({
+        "fidelity": plan.fidelity,
+        "three_dimensional": plan.three_dimensional,
+        "positions": plan.positions.iter().sum::<usize>(),
+        "time": cost.time(),
+        "memory": cost.memory(),
+        "text": plan.text(),
+        "cost": cost.text(),
+        "ignored_inputs": pairs(&plan.ignored_inputs),
+        "refused_outputs": plan.refused.iter().map(|(name, reason)| (name.clone(), json!(reason))).collect::<Map<_, _>>(),
+    })
+}
+
+fn pairs(all: &[(String, String)]) -> Map<String, Value> {
+    all.iter().map(|(name, reason)| (name.clone(), json!(reason))).collect()
+}

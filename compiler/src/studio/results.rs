@@ -1,0 +1,132 @@
+//! Results in the directory of a run, as JSON for the page.
+
+use super::error::RequestError;
+use calyx_abi::units::shortest;
+use calyx_rt::directory::read_run;
+use calyx_rt::run_directory::MARKER;
+use serde_json::{Map, Value, json};
+use std::collections::HashMap;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use std::time::UNIX_EPOCH;
+
+/// Returns true if a run wrote or writes this directory.
+pub(crate) fn is_run(directory: &Path) -> bool {
+    directory.join("run.json").is_file() || directory.join(MARKER).is_file()
+}
+
+/// Returns a number that changes if one of the files is written, replaced, created or removed.
+pub(crate) fn stamp(directory: &Path, files: &[&str]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for file in files {
+        let about = fs::metadata(directory.join(file)).ok();
+        about.map(|about| (about.len(), about.modified().ok())).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// Returns the time of the directory's last result, s since 1970.
+pub(crate) fn time_of(directory: &Path) -> Option<u64> {
+    let file = [directory.join("run.json"), directory.join(MARKER), directory.to_owned()];
+    let about = file.iter().find_map(|file| fs::metadata(file).ok())?;
+    Some(about.modified().ok()?.duration_since(UNIX_EPOCH).ok()?.as_secs())
+}
+
+/// Summaries of `run.json`, read again when the file changes.
+#[derive(Default)]
+pub(crate) struct Summaries(Mutex<HashMap<PathBuf, (u64, Value)>>);
+
+impl Summaries {
+    /// Returns the part of `run.json` that a list shows; `null` if there is no such file.
+    pub fn of(&self, directory: &Path) -> Value {
+        let now = stamp(directory, &["run.json"]);
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match known.get(directory) {
+            Some((then, summary)) if *then == now => summary.clone(),
+            _ => {
+                let summary = read_run(directory).ok().flatten().map_or(Value::Null, |run| summary(&run));
+                known.insert(directory.to_owned(), (now, summary.clone()));
+                summary
+            }
+        }
+    }
+}
+
+fn summary(run: &Value) -> Value {
+    let params = run["params"].as_object().into_iter().flatten();
+    let params: Map<String, Value> = params.map(|(name, param)| (name.clone(), of_param(param))).collect();
+    json!({
+        "params": params,
+        "positions": run["positions"],
+        "fidelity": run["fidelity"],
+        "calyx": run["calyx"],
+        "source": run["source"]["sha256"],
+        "incomplete": run["incomplete"],
+        "warnings": run["warnings"].as_array().map_or(0, Vec::len),
+    })
+}
+
+/// Returns a param as it is typed, in the unit of its default.
+fn of_param(param: &Value) -> Value {
+    let value = if param["display"].is_null() { &param["value"] } else { &param["display"]["value"] };
+    json!({
+        "text": typed(value),
+        "unit": param["display"]["unit"].as_str().unwrap_or_default(),
+        "at_default": param["at_default"],
+    })
+}
+
+fn typed(value: &Value) -> String {
+    match value {
+        Value::Bool(truth) => (if *truth { "TRUE" } else { "FALSE" }).to_owned(),
+        Value::Number(number) => shortest(number.as_f64().unwrap_or(f64::NAN)),
+        Value::String(text) => text.clone(),
+        Value::Array(all) => format!("[{}]", all.iter().map(typed).collect::<Vec<_>>().join(", ")),
+        _ => "?".to_owned(),
+    }
+}
+
+/// Returns `run.json` without the gear data, which the page does not show; `null` if there is none.
+///
+/// # Errors
+/// The file cannot be read.
+pub(crate) fn run(directory: &Path) -> Result<Value, RequestError> {
+    let unreadable = |error| RequestError::internal("cannot read run.json", &error);
+    let mut run = read_run(directory).map_err(unreadable)?.unwrap_or(Value::Null);
+    if let Some(entries) = run.as_object_mut() {
+        entries.remove("gear_data");
+    }
+    Ok(run)
+}
+
+/// Returns the columns of `steps.csv`, in SI, with `null` for missing values; `null` if there is no
+/// such table. A run may still be appending to it: the last, incomplete row is left out.
+///
+/// # Errors
+/// The file cannot be read.
+pub(crate) fn steps(directory: &Path) -> Result<Value, RequestError> {
+    let text = match fs::read_to_string(directory.join("steps.csv")) {
+        Ok(text) => text,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Value::Null),
+        Err(error) => return Err(RequestError::internal("cannot read steps.csv", &error)),
+    };
+    let complete = text.rfind('\n').map_or("", |end| &text[..=end]);
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(complete.as_bytes());
+    let names: Vec<String> = match reader.headers() {
+        Ok(names) => names.iter().map(str::to_owned).collect(),
+        Err(_) => return Ok(Value::Null),
+    };
+    let mut columns: Vec<Vec<Value>> = vec![Vec::new(); names.len()];
+    for record in reader.records().flatten().filter(|record| record.len() == names.len()) {
+        for ((column, name), cell) in columns.iter_mut().zip(&names).zip(&record) {
+            column.push(match name.as_str() {
+                "point" => json!(cell),
+                _ => json!(cell.parse::<f64>().ok()),
+            });
+        }
+    }
+    Ok(names.into_iter().zip(columns.into_iter().map(Value::from)).collect::<Map<_, _>>().into())
+}

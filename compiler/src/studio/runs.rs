@@ -1,0 +1,383 @@
+//! The runs of a model: those of the folder `MODEL.cx.studio`, of `MODEL.cx.run`, and the directory
+//! that the studio was opened with.
+
+use super::check::Values;
+use super::error::RequestError;
+use super::events::{Event, Events};
+use super::folder::{self, Preview};
+use super::process::{Process, Start, Status};
+use super::results::{self, Summaries};
+use calyx_rt::directory::default_directory;
+use calyx_rt::run_directory::writer;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+/// Identifier of the run in `MODEL.cx.run`.
+const OF_MODEL: &str = "model";
+/// Identifier of the run that the studio was opened with, if it is none of the others.
+const OPENED: &str = "opened";
+/// Identifier of the automatic run.
+pub(crate) const PREVIEW: &str = "preview";
+/// Largest number of runs of this studio at a time.
+const MOST_RUNNING: usize = 4;
+/// Time in which the processes of the studio end when it ends.
+const FAREWELL: Duration = Duration::from_secs(12);
+
+/// The runs of a model.
+pub(crate) struct Runs {
+    model: Option<PathBuf>,
+    opened: Option<PathBuf>,
+    command: PathBuf,
+    allowed: Arc<[PathBuf]>,
+    events: Events,
+    processes: Mutex<BTreeMap<String, Arc<Process>>>,
+    preview: Mutex<Option<Preview>>,
+    /// Number of the automatic run that was requested last.
+    requested: AtomicU64,
+    /// Automatic runs start one after another.
+    previewing: tokio::sync::Mutex<()>,
+    summaries: Summaries,
+}
+
+impl Runs {
+    pub fn new(
+        model: Option<PathBuf>,
+        opened: Option<PathBuf>,
+        command: PathBuf,
+        allowed: Arc<[PathBuf]>,
+        events: Events,
+    ) -> Runs {
+        Runs {
+            model,
+            opened,
+            command,
+            allowed,
+            events,
+            processes: Mutex::default(),
+            preview: Mutex::default(),
+            requested: AtomicU64::new(0),
+            previewing: tokio::sync::Mutex::default(),
+            summaries: Summaries::default(),
+        }
+    }
+
+    fn processes(&self) -> MutexGuard<'_, BTreeMap<String, Arc<Process>>> {
+        self.processes.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn process(&self, id: &str) -> Option<Arc<Process>> {
+        self.processes().get(id).cloned()
+    }
+
+    fn folder(&self) -> Option<PathBuf> {
+        self.model.as_deref().map(folder::of_model)
+    }
+
+    /// Returns the directory of a run. Only identifiers of this module have one, so that a request
+    /// cannot name another directory.
+    pub fn directory(&self, id: &str) -> Option<PathBuf> {
+        match id {
+            OF_MODEL => self.model.as_deref().map(default_directory),
+            OPENED => self.opened.clone(),
+            PREVIEW => {
+                let preview = self.preview.lock().unwrap_or_else(PoisonError::into_inner);
+                preview.as_ref().map(|preview| preview.directory.clone())
+            }
+            _ if folder::is_run_name(id) => Some(self.folder()?.join(id)),
+            _ => None,
+        }
+    }
+
+    /// Returns the directory of a run that exists.
+    ///
+    /// # Errors
+    /// There is no such run, or its directory was deleted.
+    pub fn existing(&self, id: &str) -> Result<PathBuf, RequestError> {
+        let directory = self.directory(id).filter(|directory| directory.is_dir());
+        directory.ok_or_else(|| {
+            let message = format!("there is no run `{}`", id.chars().take(40).collect::<String>());
+            RequestError::new(
+                axum::http::StatusCode::NOT_FOUND,
+                message,
+                "its directory may have been deleted",
+            )
+        })
+    }
+
+    /// Returns the identifier of the run that the studio was opened with.
+    pub fn opened(&self) -> Option<String> {
+        let opened = fs::canonicalize(self.opened.as_deref()?).ok()?;
+        let is_same = |id: &String| {
+            self.directory(id).and_then(|directory| fs::canonicalize(directory).ok()).as_ref()
+                == Some(&opened)
+        };
+        Some(self.known_ids().into_iter().find(is_same).unwrap_or_else(|| OPENED.to_owned()))
+    }
+
+    /// Returns the identifiers of the runs next to the model, whose directories exist.
+    fn known_ids(&self) -> Vec<String> {
+        let entries = self.folder().and_then(|folder| fs::read_dir(folder).ok());
+        let entries = entries.into_iter().flatten().flatten().filter(|entry| entry.path().is_dir());
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let mut ids: Vec<String> = names.filter(|name| folder::is_run_name(name)).collect();
+        ids.sort_by_key(|id| (id.len(), id.clone()));
+        let has_own = self.directory(OF_MODEL).is_some_and(|directory| results::is_run(&directory));
+        if has_own {
+            ids.insert(0, OF_MODEL.to_owned());
+        }
+        ids
+    }
+
+    fn ids(&self) -> Vec<String> {
+        let mut ids = self.known_ids();
+        if self.opened().as_deref() == Some(OPENED) {
+            ids.insert(0, OPENED.to_owned());
+        }
+        ids
+    }
+
+    /// Returns a value that changes with the list of runs, or with a run of another process.
+    pub fn state(&self) -> Vec<(String, u64, Option<String>)> {
+        let state = |id: String| {
+            let directory = self.directory(&id).unwrap_or_default();
+            let is_own = self.process(&id).is_some_and(|process| process.status() == Status::Running);
+            let files = if is_own { &["run.json"][..] } else { &["run.json", "steps.csv", "journal.jsonl"] };
+            let writer = if is_own { None } else { writer(&directory) };
+            (id, results::stamp(&directory, files), writer)
+        };
+        self.ids().into_iter().map(state).collect()
+    }
+
+    /// Returns the list of runs as JSON, the newest last.
+    pub fn list(&self) -> Vec<Value> {
+        self.ids().iter().filter_map(|id| self.summary(id)).collect()
+    }
+
+    /// Describes a run: status, time, params, and what it has. `None` without a directory.
+    pub fn summary(&self, id: &str) -> Option<Value> {
+        let directory = self.directory(id).filter(|directory| directory.is_dir())?;
+        let record = self.record(id);
+        let run = self.summaries.of(&directory);
+        let process = self.process(id);
+        let (status, message) = self.status(&directory, process.as_deref(), &record, &run);
+        let params = match &run["params"] {
+            Value::Object(params) => json!(params),
+            _ => record["params"].clone(),
+        };
+        Some(json!({
+            "id": id,
+            "directory": directory.display().to_string(),
+            "status": status,
+            "message": message,
+            "started": record["started"].as_u64().or_else(|| results::time_of(&directory)),
+            "params": params,
+            "progress": process.as_ref().filter(|process| process.status() == Status::Running).map(|process| process.progress()),
+            "positions": run["positions"],
+            "fidelity": run["fidelity"],
+            "calyx": run["calyx"],
+            "source": run["source"],
+            "warnings": run["warnings"],
+            "has_view": directory.join("view/parts.bin").is_file(),
+            "has_report": directory.join("report.html").is_file(),
+        }))
+    }
+
+    /// Returns the status of a run and a message about it.
+    fn status(
+        &self,
+        directory: &Path,
+        process: Option<&Process>,
+        record: &Value,
+        run: &Value,
+    ) -> (&'static str, Option<String>) {
+        let first_error = |messages: &Value| {
+            let mut all = messages.as_array().into_iter().flatten();
+            let error = all.find(|message| message["severity"] == "error")?;
+            Some(error["message"].as_str()?.to_owned())
+        };
+        if let Some(process) = process {
+            return (process.status().name(), first_error(&json!(process.messages())));
+        }
+        if let Some(writer) = writer(directory) {
+            return ("elsewhere", Some(format!("written by {writer}")));
+        }
+        if let Some(reason) = run["incomplete"]["message"].as_str() {
+            let status = if run["incomplete"]["code"] == "E0900" { "cancelled" } else { "interrupted" };
+            return (status, Some(reason.to_owned()));
+        }
+        if run.is_object() && !directory.join("journal.jsonl").exists() {
+            return ("finished", None);
+        }
+        match record["status"].as_str() {
+            Some("failed") => ("failed", first_error(&record["messages"])),
+            Some("cancelled") => ("cancelled", first_error(&record["messages"])),
+            // Another studio may have started it a moment ago.
+            Some("running") if is_recent(record) => {
+                ("elsewhere", Some("another studio starts it".to_owned()))
+            }
+            _ => ("interrupted", Some("the run ended without results".to_owned())),
+        }
+    }
+
+    /// Returns the record of the start of a run; `null` if there is none.
+    fn record(&self, id: &str) -> Value {
+        let path =
+            self.folder().filter(|_| folder::is_run_name(id)).map(|folder| folder.join(format!("{id}.json")));
+        let text = path.and_then(|path| fs::read(path).ok()).unwrap_or_default();
+        serde_json::from_slice(&text).unwrap_or(Value::Null)
+    }
+
+    /// Returns all results of a run as JSON.
+    ///
+    /// # Errors
+    /// There is no such run, or its files cannot be read.
+    pub fn results(&self, id: &str) -> Result<Value, RequestError> {
+        let directory = self.existing(id)?;
+        let mut summary = self.summary(id).unwrap_or_default();
+        let process = self.process(id);
+        let messages = process
+            .as_ref()
+            .map_or_else(|| self.record(id)["messages"].clone(), |process| json!(process.messages()));
+        summary["messages"] = messages;
+        summary["printed"] = json!(process.map(|process| process.printed()));
+        summary["run"] = results::run(&directory)?;
+        summary["steps"] = results::steps(&directory)?;
+        Ok(summary)
+    }
+
+    /// Starts a run in a new directory and returns its identifier.
+    ///
+    /// # Errors
+    /// There is no model, too many runs are in progress, or the directory or the process cannot be
+    /// made.
+    pub fn start(&self, values: &Values) -> Result<String, RequestError> {
+        let folder = self.folder().ok_or_else(no_model)?;
+        let running = self.processes().values().filter(|process| process.status() == Status::Running).count();
+        if running >= MOST_RUNNING {
+            let message = format!("{running} runs are in progress");
+            return Err(RequestError::conflict(message, "wait until one of them ends, or cancel one"));
+        }
+        let failed =
+            |error| RequestError::internal(format!("cannot start a run in {}", folder.display()), &error);
+        let id = folder::create_run(&folder).map_err(failed)?;
+        let directory = folder.join(&id);
+        let record = json!({
+            "calyx": env!("CARGO_PKG_VERSION"),
+            "started": seconds_now(),
+            "params": values.iter().map(|(name, text)| (name.clone(), json!({ "text": text }))).collect::<serde_json::Map<_, _>>(),
+            "status": Status::Running.name(),
+            "messages": [],
+        });
+        let path = folder.join(format!("{id}.json"));
+        let text = serde_json::to_vec_pretty(&record).map_err(|error| failed(error.into()))?;
+        folder::replace(&path, &text).map_err(failed)?;
+        self.launch(&id, &directory, values, Some((path, record)))?;
+        Ok(id)
+    }
+
+    /// Starts the automatic run in place of the previous one. Returns `false` if a later request
+    /// replaced this one.
+    ///
+    /// # Errors
+    /// There is no model, or the directory or the process cannot be made.
+    pub async fn start_preview(&self, values: &Values) -> Result<bool, RequestError> {
+        let folder = self.folder().ok_or_else(no_model)?;
+        let number = self.requested.fetch_add(1, Ordering::Relaxed) + 1;
+        let _one = self.previewing.lock().await;
+        if self.requested.load(Ordering::Relaxed) != number {
+            return Ok(false);
+        }
+        if let Some(before) = self.process(PREVIEW) {
+            before.cancel();
+            before.wait().await;
+        }
+        let directory = {
+            let mut preview = self.preview.lock().unwrap_or_else(PoisonError::into_inner);
+            if preview.is_none() {
+                let locked = Preview::lock(&folder);
+                let failed =
+                    |error| RequestError::internal(format!("cannot write {}", folder.display()), &error);
+                *preview = Some(locked.map_err(failed)?);
+            }
+            preview.as_ref().map(|preview| preview.directory.clone()).unwrap_or_default()
+        };
+        self.launch(PREVIEW, &directory, values, None)?;
+        Ok(true)
+    }
+
+    fn launch(
+        &self,
+        id: &str,
+        directory: &Path,
+        values: &Values,
+        record: Option<(PathBuf, Value)>,
+    ) -> Result<(), RequestError> {
+        let model = self.model.as_deref().ok_or_else(no_model)?;
+        let mut arguments: Vec<OsString> = vec!["run".into(), model.into()];
+        arguments.extend(values.iter().map(|(name, value)| format!("--set={name}={}", value.trim()).into()));
+        for path in self.allowed.iter() {
+            arguments.extend(["--allow-path".into(), path.into()]);
+        }
+        arguments.extend(["--out".into(), directory.into()]);
+        arguments.extend(["--progress", "json", "--message-format", "json"].map(OsString::from));
+        let start = Start { id: id.to_owned(), command: self.command.clone(), arguments, record };
+        let process = Process::start(start, self.events.clone())
+            .map_err(|error| RequestError::internal("cannot start a run", &error))?;
+        self.processes().insert(id.to_owned(), process);
+        self.events.send(Event::Runs);
+        Ok(())
+    }
+
+    /// Cancels a run of this studio.
+    ///
+    /// # Errors
+    /// This studio did not start it, or it has ended.
+    pub fn cancel(&self, id: &str) -> Result<(), RequestError> {
+        match self.process(id).filter(|process| process.status() == Status::Running) {
+            Some(process) => {
+                process.cancel();
+                Ok(())
+            }
+            None if self.directory(id).is_some() => Err(RequestError::conflict(
+                "this studio has no such run in progress",
+                "end a run of another process where it was started",
+            )),
+            None => Err(RequestError::not_found("there is no such run")),
+        }
+    }
+
+    /// Ends all processes.
+    pub async fn end_all(&self) {
+        let all: Vec<Arc<Process>> = self.processes().values().cloned().collect();
+        let running: Vec<_> = all.into_iter().filter(|process| process.status() == Status::Running).collect();
+        running.iter().for_each(|process| process.cancel());
+        let ended = async {
+            for process in &running {
+                process.wait().await;
+            }
+        };
+        // Those that remain are killed with their handles.
+        let _ = tokio::time::timeout(FAREWELL, ended).await;
+    }
+}
+
+fn no_model() -> RequestError {
+    RequestError::conflict("the model of this run is not known", "start `calyx studio` with the model")
+}
+
+fn seconds_now() -> u64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs())
+}
+
+/// Returns true if a run was started in the last seconds.
+fn is_recent(record: &Value) -> bool {
+    /// Time in which a process locks its directory: it checks the model before.
+    const STARTING: u64 = 30;
+    record["started"].as_u64().is_some_and(|started| seconds_now().saturating_sub(started) < STARTING)
+}
