@@ -15,7 +15,8 @@
 //! | `POST /api/runs/ID/cancel` | interrupts a run |
 //! | `GET /api/runs/ID/view` | positions for the viewer |
 //! | `GET /api/runs/ID/files/NAME` | a file of a run |
-//! | `GET /api/parts` | geometry of the model without a run |
+//! | `GET /api/parts` | geometry of the model without a run, at its defaults |
+//! | `POST /api/parts` | `{params}`: the same with the values of a form |
 //! | `GET /api/events` | event stream: `model`, `runs`, `progress` |
 
 use super::check::{Outcome, Values, check};
@@ -58,7 +59,7 @@ pub(crate) fn router(studio: Arc<Studio>) -> Router {
         .route("/api/runs/{id}/cancel", post(cancel))
         .route("/api/runs/{id}/view", get(view))
         .route("/api/runs/{id}/files/{*name}", get(file))
-        .route("/api/parts", get(parts))
+        .route("/api/parts", get(parts).post(parts))
         .route("/api/events", get(events))
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
         .layer(from_fn_with_state(studio.clone(), access::guard))
@@ -203,7 +204,8 @@ async fn file(State(studio): Shared, Path((id, name)): Path<(String, String)>) -
     files::send(&studio.runs, &id, &name).await
 }
 
-/// Geometry of the model without a run.
+/// Sends the geometry of the model without a run, in the format of `view/parts.bin`. There is no
+/// function of the engine for it yet.
 async fn parts() -> Answer {
     let message = "the geometry of a model without a run is not available";
     Err(RequestError::new(StatusCode::NOT_FOUND, message, "run the model to see its parts"))

@@ -69,7 +69,16 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::
 }
 
 fn reason(invalid: &InvalidParam) -> Value {
-    json!({ "code": null, "message": invalid.message, "help": invalid.help })
+    json!({ "code": null, "message": invalid.message, "help": without_option(&invalid.help) })
+}
+
+/// Removes the example of a command line, which does not apply to a form.
+fn without_option(help: &str) -> String {
+    let example = ", like `--set";
+    match help.split_once(example).and_then(|(before, rest)| Some((before, rest.split_once('`')?.1))) {
+        Some((before, after)) => format!("{before}{after}"),
+        None => help.to_owned(),
+    }
 }
 
 /// Returns the param that a message names first.

@@ -139,6 +139,9 @@ impl Runs {
         if self.opened().as_deref() == Some(OPENED) {
             ids.insert(0, OPENED.to_owned());
         }
+        if self.process(PREVIEW).is_some() {
+            ids.push(PREVIEW.to_owned());
+        }
         ids
     }
 

@@ -1,2 +1,2 @@
-// Style sheets are imported for their effect: esbuild collects them in a file of their own.
+// Style sheets are imports of the bundler.
 declare module "*.css";

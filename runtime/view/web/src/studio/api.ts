@@ -1,0 +1,223 @@
+// Requests to the server of the studio, and the JSON of their responses.
+
+export interface Param {
+  name: string;
+  /** Heading of the group; empty for the first params without a heading. */
+  group: string;
+  doc: string;
+  kind: "number" | "integer" | "boolean" | "choice" | "text" | "array";
+  unit: string;
+  /** Default as it is typed, in `unit`; null if it is not known. */
+  default: string | null;
+  low: number | null;
+  high: number | null;
+  /** Accepted values as text. */
+  domain: string;
+  /** False if default and range follow other params. */
+  independent: boolean;
+  choices: string[];
+}
+
+export interface Output {
+  name: string;
+  doc: string;
+  unit: string;
+  /** SI value of the unit. */
+  factor: number;
+  choices: string[];
+}
+
+export interface Place {
+  file: string;
+  line: number;
+  column: number;
+}
+
+export interface Message {
+  severity: "error" | "warning" | "note";
+  code: string | null;
+  message: string;
+  help: string | null;
+  primary?: Place | null;
+}
+
+export interface Model {
+  version: string;
+  model: string;
+  doc: string;
+  units: string;
+  calyx: string;
+  /** True if the language rejects the model, so that it has no form. */
+  broken: boolean;
+  params: Param[];
+  outputs: Output[];
+  diagnostics: Message[];
+  /** Diagnostics with excerpts of the source. */
+  rendered: string;
+}
+
+export interface Reason {
+  message: string;
+  help: string;
+}
+
+export interface Plan {
+  fidelity: string;
+  three_dimensional: boolean;
+  positions: number;
+  /** Predicted time, s. */
+  time: number;
+  /** Predicted memory, bytes. */
+  memory: number;
+  text: string;
+  cost: string;
+  ignored_inputs: Record<string, string>;
+  refused_outputs: Record<string, string>;
+}
+
+export interface Check {
+  version: string;
+  runnable: boolean;
+  errors: Record<string, Reason>;
+  refused: Reason | null;
+  diagnostics: Message[];
+  rendered: string;
+  plan: Plan | null;
+  gear_data: string;
+}
+
+export interface Progress {
+  stage: string;
+  done: number;
+  total: number | null;
+  seconds_left: number | null;
+}
+
+export type Status = "running" | "elsewhere" | "finished" | "failed" | "cancelled" | "interrupted";
+
+export interface RunParam {
+  text: string;
+  unit?: string;
+  at_default?: boolean;
+}
+
+export interface RunSummary {
+  id: string;
+  directory: string;
+  status: Status;
+  message: string | null;
+  /** Time of the start, s since 1970. */
+  started: number | null;
+  params: Record<string, RunParam> | null;
+  progress: Progress | null;
+  positions: number | null;
+  fidelity: string | null;
+  calyx: string | null;
+  source: string | null;
+  warnings: number | null;
+  has_view: boolean;
+  has_report: boolean;
+}
+
+export interface OutputSummary {
+  doc: string;
+  display: {
+    unit: string;
+    factor: number;
+    min: number | null;
+    max: number | null;
+    mean: number | null;
+    peak_to_peak: number | null;
+    positions?: Record<string, number>;
+  };
+  error_estimate?: {
+    min?: number | null;
+    max?: number | null;
+    mean?: number | null;
+    peak_to_peak?: number | null;
+    relative?: number | null;
+    includes_level?: boolean;
+    is_rounding?: boolean;
+  } | null;
+}
+
+export interface RunFile {
+  calyx: string;
+  model: string;
+  fidelity?: string;
+  positions?: number;
+  source: { sha256: string };
+  outputs?: Record<string, OutputSummary>;
+  warnings?: string[];
+  ignored_inputs?: Record<string, string>;
+  refused_outputs?: Record<string, string>;
+  certificate?: Record<string, number>;
+  overrides?: Record<string, unknown>;
+  incomplete?: { code: string; message: string };
+}
+
+export type Column = (number | string | null)[];
+
+export interface Results extends RunSummary {
+  messages: Message[] | null;
+  printed: string | null;
+  run: RunFile | null;
+  /** Columns of `steps.csv`, SI. */
+  steps: Record<string, Column> | null;
+}
+
+export interface Session {
+  version: 1;
+  params: Record<string, string>;
+  view: Record<string, unknown> | null;
+}
+
+/** Error of a request, with a remedy. */
+export class RequestError extends Error {
+  constructor(
+    message: string,
+    readonly status: number,
+    readonly help: string,
+    readonly body: unknown,
+  ) {
+    super(message);
+  }
+}
+
+async function request(path: string, options: RequestInit = {}): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(path, options);
+  } catch (error) {
+    if (error instanceof DOMException && error.name === "AbortError") throw error;
+    throw new RequestError("the studio does not respond", 0, "start `calyx studio` again", null);
+  }
+  if (response.ok) return response;
+  const body = await response.json().catch(() => null);
+  const { message, help } = (body ?? {}) as { message?: string; help?: string };
+  throw new RequestError(message ?? response.statusText, response.status, help ?? "", body);
+}
+
+export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
+  return (await request(path, { signal })).json();
+}
+
+export async function binary(path: string): Promise<ArrayBuffer> {
+  return (await request(path)).arrayBuffer();
+}
+
+export async function send<T>(method: "POST" | "PUT", path: string, body: unknown, signal?: AbortSignal): Promise<T> {
+  const response = await request(path, {
+    method,
+    signal,
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify(body ?? {}),
+  });
+  const text = await response.text();
+  return (text ? JSON.parse(text) : null) as T;
+}
+
+/** Path of a request about a run. */
+export function ofRun(id: string, rest = ""): string {
+  return `/api/runs/${encodeURIComponent(id)}${rest}`;
+}

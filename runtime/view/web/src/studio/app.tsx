@@ -1,0 +1,107 @@
+// The page: form, scene and results.
+
+import type { JSX } from "preact";
+import { useEffect, useState } from "preact/hooks";
+import { Rendered } from "./diagnostics.tsx";
+import { Form } from "./form.tsx";
+import { fileName } from "./format.ts";
+import { Outputs } from "./outputs.tsx";
+import { Plots } from "./plots.tsx";
+import { Provenance } from "./provenance.tsx";
+import { RunPanel } from "./run_panel.tsx";
+import { ParamDifferences, RunsList } from "./runs_list.tsx";
+import { Scene } from "./scene.tsx";
+import type { Studio } from "./store.ts";
+import { type Theme, applyTheme, storedTheme } from "./theme.ts";
+
+export function App({ studio }: { studio: Studio }): JSX.Element {
+  const [, render] = useState(0);
+  useEffect(() => studio.subscribe(() => render((count) => count + 1)), []);
+  useKeys(studio);
+  const model = studio.model;
+  return (
+    <>
+      <Header studio={studio} />
+      <NoticeBar studio={studio} />
+      <main class="columns">
+        <aside class="left" aria-label="Params">
+          {model?.broken ? <Rendered text={model.rendered} isError /> : <Form studio={studio} />}
+        </aside>
+        <div class="centre">
+          <Scene studio={studio} />
+          <Plots studio={studio} />
+        </div>
+        <aside class="right" aria-label="Runs and results">
+          <RunPanel studio={studio} />
+          <Outputs studio={studio} />
+          <ParamDifferences studio={studio} />
+          <RunsList studio={studio} />
+          <Provenance studio={studio} />
+        </aside>
+      </main>
+    </>
+  );
+}
+
+/** Ctrl+Enter starts a run from anywhere. */
+function useKeys(studio: Studio): void {
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => {
+      if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && studio.check?.runnable) void studio.run();
+    };
+    window.addEventListener("keydown", onKey);
+    return () => window.removeEventListener("keydown", onKey);
+  }, []);
+}
+
+function Header({ studio }: { studio: Studio }): JSX.Element {
+  const path = studio.model?.model ?? "";
+  const title = fileName(path) || "Calyx studio";
+  useEffect(() => {
+    document.title = path ? `${title} – Calyx studio` : "Calyx studio";
+  }, [title]);
+  return (
+    <header class="top">
+      <h1 title={path}>{title}</h1>
+      <p class="about">{studio.model?.doc.split("\n")[0]}</p>
+      <ThemeMenu />
+    </header>
+  );
+}
+
+function ThemeMenu(): JSX.Element {
+  const [theme, setTheme] = useState<Theme>(storedTheme());
+  return (
+    <label class="inline theme">
+      Theme
+      <select
+        value={theme}
+        onChange={(event) => {
+          const chosen = event.currentTarget.value as Theme;
+          setTheme(chosen);
+          applyTheme(chosen);
+        }}
+      >
+        <option value="system">System</option>
+        <option value="light">Light</option>
+        <option value="dark">Dark</option>
+      </select>
+    </label>
+  );
+}
+
+function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
+  if (!studio.isConnected) {
+    return <div class="notice error" role="alert">The studio does not respond. Start <code>calyx studio</code> again and open its address.</div>;
+  }
+  if (!studio.notice) return null;
+  return (
+    <div class="notice" role="alert">
+      <span>
+        {studio.notice.message}
+        {studio.notice.help && <span class="help"> {studio.notice.help}</span>}
+      </span>
+      <button type="button" class="quiet" onClick={() => studio.dismiss()}>Dismiss</button>
+    </div>
+  );
+}

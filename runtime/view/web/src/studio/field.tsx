@@ -1,0 +1,141 @@
+// A param in the form: label, control, unit, range and error.
+
+import type { JSX } from "preact";
+import type { Param, Reason } from "./api.ts";
+import { isPlainNumber, words } from "./format.ts";
+import type { Studio } from "./store.ts";
+
+/** Largest ratio of the ends of a range for which a slider is useful. */
+const WIDEST_RATIO = 200;
+/** Largest number of steps of a slider over whole numbers. */
+const MOST_STEPS = 1000;
+
+interface Props {
+  studio: Studio;
+  param: Param;
+}
+
+export function Field({ studio, param }: Props): JSX.Element {
+  const text = studio.value(param);
+  const isChanged = param.name in studio.values;
+  const error = studio.check?.errors[param.name];
+  const id = `param-${param.name}`;
+  const describedBy = [`${id}-doc`, error && `${id}-error`].filter(Boolean).join(" ");
+  return (
+    <div class={`field ${isChanged ? "changed" : ""} ${error ? "invalid" : ""}`} data-param={param.name}>
+      <div class="field-head">
+        <label for={id} title={param.name}>{words(param.name.split(".").pop() ?? param.name)}</label>
+        {isChanged && (
+          <button
+            type="button"
+            class="quiet small"
+            aria-label={`Reset ${words(param.name)} to ${param.default ?? "its default"}`}
+            title={`Reset to ${param.default ?? "its default"}`}
+            onClick={() => studio.reset(param.name)}
+          >
+            reset
+          </button>
+        )}
+      </div>
+      <Control studio={studio} param={param} id={id} text={text} describedBy={describedBy} isInvalid={Boolean(error)} />
+      <Slider studio={studio} param={param} text={text} />
+      <p class="doc" id={`${id}-doc`}>
+        {param.doc}
+        {!param.independent && <span class="note"> Default and range follow other params.</span>}
+        {(param.kind === "number" || param.kind === "integer" || param.kind === "array") && param.domain && (
+          <span class="range">{param.domain}</span>
+        )}
+      </p>
+      {error && <FieldError id={`${id}-error`} error={error} />}
+    </div>
+  );
+}
+
+function FieldError({ id, error }: { id: string; error: Reason }): JSX.Element {
+  return (
+    <p class="field-error" id={id} role="alert">
+      {error.message}
+      {error.help && <span class="help">{error.help}</span>}
+    </p>
+  );
+}
+
+interface ControlProps extends Props {
+  id: string;
+  text: string;
+  describedBy: string;
+  isInvalid: boolean;
+}
+
+function Control({ studio, param, id, text, describedBy, isInvalid }: ControlProps): JSX.Element {
+  const set = (value: string) => studio.setValue(param.name, value);
+  if (param.kind === "boolean") {
+    return (
+      <div class="control">
+        <input
+          id={id}
+          type="checkbox"
+          checked={text.toUpperCase() === "TRUE"}
+          aria-describedby={describedBy}
+          onChange={(event) => set(event.currentTarget.checked ? "TRUE" : "FALSE")}
+        />
+      </div>
+    );
+  }
+  if (param.kind === "choice") {
+    const choices = param.choices.includes(text) ? param.choices : [text, ...param.choices];
+    return (
+      <div class="control">
+        <select
+          id={id}
+          value={text}
+          aria-describedby={describedBy}
+          aria-invalid={isInvalid}
+          onChange={(event) => set(event.currentTarget.value)}
+        >
+          {choices.map((choice) => <option key={choice} value={choice}>{choice}</option>)}
+        </select>
+      </div>
+    );
+  }
+  const hasUnit = param.unit !== "" && (isPlainNumber(text) || text === "" || /^\s*\[[^\]]*\]\s*$/.test(text));
+  return (
+    <div class="control">
+      <input
+        id={id}
+        type="text"
+        inputMode={param.kind === "integer" ? "numeric" : undefined}
+        value={text}
+        placeholder={param.default ?? ""}
+        autocomplete="off"
+        spellcheck={false}
+        aria-describedby={describedBy}
+        aria-invalid={isInvalid}
+        onInput={(event) => set(event.currentTarget.value)}
+      />
+      {param.unit && <span class={`unit ${hasUnit ? "" : "off"}`}>{param.unit}</span>}
+    </div>
+  );
+}
+
+/** Slider over the range of a number; absent if the range is too wide or depends on other params. */
+function Slider({ studio, param, text }: Props & { text: string }): JSX.Element | null {
+  const { low, high } = param;
+  if ((param.kind !== "number" && param.kind !== "integer") || !param.independent) return null;
+  if (low === null || high === null || !(high > low) || !isPlainNumber(text)) return null;
+  if (low > 0 && high / low > WIDEST_RATIO) return null;
+  if (param.kind === "integer" && high - low > MOST_STEPS) return null;
+  const step = param.kind === "integer" ? 1 : 10 ** Math.floor(Math.log10((high - low) / 100));
+  return (
+    <input
+      type="range"
+      class="slider"
+      min={low}
+      max={high}
+      step={step}
+      value={text}
+      aria-label={`${words(param.name)}, slider`}
+      onInput={(event) => studio.setValue(param.name, String(Number(event.currentTarget.value)))}
+    />
+  );
+}

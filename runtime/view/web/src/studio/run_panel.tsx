@@ -1,0 +1,117 @@
+// The plan of the next run, its start, and the progress of the runs of this studio.
+
+import type { JSX } from "preact";
+import type { Progress, RunSummary } from "./api.ts";
+import { Messages, Rendered } from "./diagnostics.tsx";
+import { bytes, runName, seconds } from "./format.ts";
+import type { Studio } from "./store.ts";
+
+export function RunPanel({ studio }: { studio: Studio }): JSX.Element | null {
+  if (studio.withoutModel) return null;
+  const { check, model } = studio;
+  const canRun = Boolean(check?.runnable) && !studio.isStarting;
+  const running = studio.runs.filter((run) => run.status === "running");
+  return (
+    <section class="panel" aria-labelledby="run-heading">
+      <h2 id="run-heading">Run</h2>
+      <PlanSummary studio={studio} />
+      <div class="run-row">
+        <button type="button" class="primary" disabled={!canRun} onClick={() => void studio.run()}>Run</button>
+        <label class="switch">
+          <input
+            type="checkbox"
+            checked={studio.settings.automatic}
+            onChange={(event) => studio.setAutomatic(event.currentTarget.checked)}
+          />
+          Run after changes if below 1 s
+        </label>
+      </div>
+      {check?.refused && (
+        <p class="field-error" role="alert">
+          {check.refused.message}
+          <span class="help">{check.refused.help}</span>
+        </p>
+      )}
+      {check && !model?.broken && check.rendered && (
+        <details open={!check.runnable}>
+          <summary>{check.runnable ? "Warnings of the model" : "Errors of the model with these params"}</summary>
+          <Rendered text={check.rendered} isError={!check.runnable} />
+        </details>
+      )}
+      {running.map((run) => <Running key={run.id} studio={studio} run={run} />)}
+      {studio.settings.selected.slice(0, 1).map((id) => <Ended key={id} studio={studio} id={id} />)}
+    </section>
+  );
+}
+
+function PlanSummary({ studio }: { studio: Studio }): JSX.Element {
+  const { check } = studio;
+  const plan = check?.plan;
+  if (!plan) {
+    const text = check?.runnable ? "The model analyses nothing." : studio.isChecking ? "Checking …" : "No plan: the model or its params have errors.";
+    return <p class="muted" aria-busy={studio.isChecking}>{text}</p>;
+  }
+  return (
+    <div aria-busy={studio.isChecking}>
+      <dl class="facts">
+        <div><dt>Predicted time</dt><dd data-testid="predicted-time">{seconds(plan.time)}</dd></div>
+        <div><dt>Memory</dt><dd>{bytes(plan.memory)}</dd></div>
+        <div><dt>Fidelity</dt><dd>{plan.fidelity}</dd></div>
+        <div><dt>Positions</dt><dd>{plan.positions}</dd></div>
+      </dl>
+      <details>
+        <summary>Plan and gear data</summary>
+        <pre class="plain" tabIndex={0} aria-label="Plan">{`${plan.cost}\n${plan.text}\n${check.gear_data}`.trim()}</pre>
+      </details>
+    </div>
+  );
+}
+
+function Running({ studio, run }: { studio: Studio; run: RunSummary }): JSX.Element {
+  const progress = studio.progress[run.id] ?? run.progress;
+  return (
+    <div class="running">
+      <div class="running-head">
+        <span>{runName(run.id)}</span>
+        <button type="button" class="quiet" onClick={() => void studio.cancel(run.id)} aria-label={`Cancel ${runName(run.id)}`}>
+          Cancel
+        </button>
+      </div>
+      <ProgressBar name={runName(run.id)} progress={progress} />
+    </div>
+  );
+}
+
+function ProgressBar({ name, progress }: { name: string; progress: Progress | null }): JSX.Element {
+  const total = progress?.total ?? null;
+  const left = progress?.seconds_left;
+  return (
+    <>
+      <progress aria-label={`Progress of ${name}`} max={total ?? undefined} value={total === null ? undefined : progress?.done} />
+      <p class="muted small-text">
+        {progress?.stage ?? "starting"}
+        {total !== null && ` ${progress?.done} of ${total}`}
+        {left != null && left > 0 && `, ${seconds(left)} left`}
+      </p>
+    </>
+  );
+}
+
+/** Messages of the displayed run. */
+function Ended({ studio, id }: { studio: Studio; id: string }): JSX.Element | null {
+  const results = studio.results[id];
+  if (!results || results.status === "running") return null;
+  const messages = results.messages ?? [];
+  const shown = messages.filter((message) => message.severity !== "note");
+  const warnings = results.run?.warnings ?? [];
+  const texts = new Set(shown.map((message) => message.message));
+  const others = warnings.filter((text) => ![...texts].some((known) => text.includes(known)));
+  const all = [...shown, ...others.map((message) => ({ severity: "warning" as const, code: null, message, help: null }))];
+  if (results.status === "finished" && all.length === 0) return null;
+  return (
+    <div class="ended">
+      <p>{runName(id)}: {results.status}{results.message && shown.length === 0 ? `, ${results.message}` : ""}</p>
+      <Messages messages={all} />
+    </div>
+  );
+}

@@ -1,0 +1,190 @@
+// The scene: one viewer for each displayed run, with linked cameras.
+
+import type { JSX } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import { type PositionEntry, type ViewSource, Viewer, positionFileName } from "../viewer/index.ts";
+import { RequestError, type Results, type RunSummary, binary, get, ofRun, send } from "./api.ts";
+import { runName } from "./format.ts";
+import { provenanceOf } from "./provenance.tsx";
+import type { Studio } from "./store.ts";
+import { scheme, useColourScheme } from "./theme.ts";
+
+/** Largest number of viewers side by side. */
+const MOST_VIEWERS = 4;
+const STATE_DELAY = 500;
+
+export function Scene({ studio }: { studio: Studio }): JSX.Element {
+  const runs = studio.settings.selected.flatMap((id) => studio.runs.filter((run) => run.id === id));
+  const withView = runs.filter((run) => run.has_view).slice(0, MOST_VIEWERS);
+  const viewers = useRef(new Map<string, Viewer>());
+  const [count, setCount] = useState(0);
+  const { linked } = studio.settings;
+  useEffect(() => {
+    if (!linked) return;
+    const all = [...viewers.current.values()];
+    const unlink = all.slice(1).map((viewer) => all[0]?.linkCamera(viewer));
+    return () => unlink.forEach((end) => end?.());
+  }, [count, linked, withView.map((run) => run.id).join()]);
+  if (withView.length === 0) return <ModelScene studio={studio} runs={runs} />;
+  return (
+    <div class="scene-area">
+      {withView.length > 1 && (
+        <label class="switch link-cameras">
+          <input type="checkbox" checked={linked} onChange={(event) => studio.setLinked(event.currentTarget.checked)} />
+          Link cameras
+        </label>
+      )}
+      <div class={`scenes count-${withView.length}`}>
+        {withView.map((run) => (
+          <RunScene
+            key={run.id}
+            studio={studio}
+            run={run}
+            hasTitle={withView.length > 1}
+            onViewer={(viewer) => {
+              if (viewer) viewers.current.set(run.id, viewer);
+              else viewers.current.delete(run.id);
+              setCount((before) => before + 1);
+            }}
+          />
+        ))}
+      </div>
+    </div>
+  );
+}
+
+interface RunSceneProps {
+  studio: Studio;
+  run: RunSummary;
+  hasTitle: boolean;
+  onViewer: (viewer: Viewer | null) => void;
+}
+
+function RunScene({ studio, run, hasTitle, onViewer }: RunSceneProps): JSX.Element {
+  const container = useRef<HTMLDivElement>(null);
+  const viewer = useRef<Viewer | null>(null);
+  useEffect(() => {
+    if (!container.current) return;
+    const created = createViewer(container.current, studio);
+    viewer.current = created;
+    onViewer(created);
+    void created.show(sourceOf(studio, run.id));
+    return () => {
+      viewer.current = null;
+      onViewer(null);
+      created.dispose();
+    };
+  }, [run.id]);
+  useTheme(viewer);
+  // An automatic run replaces its files; other runs only add positions.
+  const isFirst = useRef(true);
+  useEffect(() => {
+    if (isFirst.current) isFirst.current = false;
+    else if (run.id === "preview") void viewer.current?.reload();
+    else void viewer.current?.updatePositions();
+  }, [run.status, run.positions, run.id === "preview" ? studio.results[run.id] : null]);
+  return (
+    <figure class="scene">
+      {hasTitle && <figcaption>{runName(run.id)}</figcaption>}
+      <div ref={container} class="viewer" />
+    </figure>
+  );
+}
+
+function createViewer(container: HTMLElement, studio: Studio): Viewer {
+  const state = (studio.settings.scene ?? {}) as Parameters<Viewer["restore"]>[0];
+  const created = new Viewer(container, { state: { ...state, theme: scheme() }, themeMenu: false, showTitle: false });
+  let timer = 0;
+  created.onChange = (changed) => {
+    window.clearTimeout(timer);
+    timer = window.setTimeout(() => studio.setScene(changed), STATE_DELAY);
+  };
+  return created;
+}
+
+function useTheme(viewer: { current: Viewer | null }): void {
+  const theme = useColourScheme();
+  useEffect(() => viewer.current?.restore({ theme }), [theme]);
+}
+
+/** Source of the files in `view/` of a run. */
+function sourceOf(studio: Studio, id: string): ViewSource {
+  let listed: PositionEntry[] = [];
+  const results: Results | undefined = studio.results[id];
+  return {
+    title: runName(id),
+    provenance: results ? provenanceOf(results) : [],
+    outputs: null,
+    parts: () => binary(ofRun(id, "/files/view/parts.bin")),
+    positions: async () => {
+      const view = await get<{ positions: { position: number; time: number | null }[] }>(ofRun(id, "/view"));
+      listed = view.positions.map(({ position, time }) => ({ position, time: time ?? position }));
+      return listed;
+    },
+    position: (index) => {
+      const entry = listed[index];
+      if (!entry) return Promise.reject(new Error(`position ${index} does not exist`));
+      return binary(ofRun(id, `/files/view/${positionFileName(entry.position)}`));
+    },
+  };
+}
+
+/** The geometry of the model without a run, or the reason why there is no picture. */
+function ModelScene({ studio, runs }: { studio: Studio; runs: RunSummary[] }): JSX.Element {
+  const container = useRef<HTMLDivElement>(null);
+  const viewer = useRef<Viewer | null>(null);
+  const parts = useRef<ArrayBuffer | null>(null);
+  const [reason, setReason] = useState("");
+  const { check } = studio;
+  useTheme(viewer);
+  useEffect(() => {
+    if (!check?.runnable) return;
+    let isCurrent = true;
+    void geometry(studio).then((outcome) => {
+      if (!isCurrent || !container.current) return;
+      if (typeof outcome === "string") {
+        setReason(outcome);
+        return;
+      }
+      setReason("");
+      parts.current = outcome;
+      if (viewer.current) {
+        void viewer.current.reload();
+        return;
+      }
+      viewer.current = createViewer(container.current, studio);
+      void viewer.current.show({
+        title: "Model",
+        parts: async () => parts.current ?? new ArrayBuffer(0),
+        positions: async () => [],
+        position: (index) => Promise.reject(new Error(`position ${index} does not exist`)),
+      });
+    });
+    return () => {
+      isCurrent = false;
+    };
+  }, [check]);
+  useEffect(() => () => viewer.current?.dispose(), []);
+  const text = runs.length > 0 ? "This run has no view files." : reason || "Run the model to see its parts.";
+  return (
+    <div class="scene-area">
+      <div ref={container} class="viewer" hidden={!viewer.current} />
+      {!viewer.current && (
+        <div class="no-scene">
+          <p>{text}</p>
+          {runs.length > 0 && <p class="muted">Runs of older versions have none. Run the model again for a 3-D view.</p>}
+        </div>
+      )}
+    </div>
+  );
+}
+
+/** Returns the parts of the model, or the reason why there are none. */
+async function geometry(studio: Studio): Promise<ArrayBuffer | string> {
+  try {
+    await send<null>("POST", "/api/parts", { params: studio.values });
+    return "Run the model to see its parts.";
+  } catch (error) {
+    return error instanceof RequestError && error.status !== 404 ? error.message : "Run the model to see its parts.";
+  }
+}

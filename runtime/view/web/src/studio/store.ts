@@ -1,0 +1,341 @@
+// State of the page and its actions.
+
+import {
+  type Check,
+  type Model,
+  type Param,
+  type Progress,
+  RequestError,
+  type Results,
+  type RunSummary,
+  type Session,
+  get,
+  ofRun,
+  send,
+} from "./api.ts";
+
+/** Values that differ from the defaults, as typed. */
+export type Values = Record<string, string>;
+
+export interface Notice {
+  message: string;
+  help: string;
+}
+
+/** Settings of the page that a session stores. */
+export interface ViewSettings {
+  /** Runs the model after each change if the predicted time is short. */
+  automatic: boolean;
+  linked: boolean;
+  selected: string[];
+  /** State of the viewer. */
+  scene: unknown;
+}
+
+/** Longest predicted time of an automatic run, s. */
+export const AUTOMATIC_LIMIT = 1;
+const CHECK_DELAY = 180;
+const RESULTS_DELAY = 700;
+const SESSION_DELAY = 800;
+
+export class Studio {
+  model: Model | null = null;
+  /** True if the model of the opened run is not known. */
+  withoutModel = false;
+  values: Values = {};
+  check: Check | null = null;
+  isChecking = false;
+  runs: RunSummary[] = [];
+  progress: Record<string, Progress> = {};
+  results: Record<string, Results> = {};
+  settings: ViewSettings = { automatic: true, linked: true, selected: [], scene: null };
+  notice: Notice | null = null;
+  isConnected = true;
+  isStarting = false;
+
+  #listeners = new Set<() => void>();
+  #checkTimer = 0;
+  #sessionTimer = 0;
+  #resultsTimers = new Map<string, number>();
+  #checkAbort: AbortController | null = null;
+  #isLoaded = false;
+  #previewed = "";
+
+  subscribe(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  #changed(): void {
+    for (const listener of this.#listeners) listener();
+  }
+
+  /** Loads everything and follows the events of the server. */
+  async load(): Promise<void> {
+    await this.#try(async () => {
+      const about = await get<{ model: string | null; opened: string | null }>("/api/studio");
+      this.withoutModel = about.model === null;
+      if (!this.withoutModel) await this.#restoreSession();
+      if (about.opened) this.settings.selected = [about.opened];
+    });
+    this.#isLoaded = true;
+    this.#follow();
+  }
+
+  async #restoreSession(): Promise<void> {
+    const session = await get<Session>("/api/session");
+    this.values = { ...session.params };
+    const view = (session.view ?? {}) as Partial<ViewSettings>;
+    if (typeof view.automatic === "boolean") this.settings.automatic = view.automatic;
+    if (typeof view.linked === "boolean") this.settings.linked = view.linked;
+    if (Array.isArray(view.selected)) {
+      this.settings.selected = view.selected.filter((id) => typeof id === "string" && id !== "preview");
+    }
+    this.settings.scene = view.scene ?? null;
+  }
+
+  /** The stream begins with both kinds of event, so that it also loads the page. */
+  #follow(): void {
+    const events = new EventSource("/api/events");
+    events.onopen = () => {
+      this.isConnected = true;
+      this.#changed();
+    };
+    events.onerror = () => {
+      this.isConnected = false;
+      this.#changed();
+    };
+    events.addEventListener("model", () => void this.#loadModel());
+    events.addEventListener("runs", () => void this.#loadRuns());
+    events.addEventListener("progress", (event) => {
+      const { id, ...progress } = JSON.parse((event as MessageEvent<string>).data) as Progress & { id: string };
+      this.progress[id] = progress;
+      if (this.settings.selected.includes(id)) this.#loadResultsSoon(id);
+      this.#changed();
+    });
+  }
+
+  async #loadModel(): Promise<void> {
+    if (this.withoutModel) return;
+    await this.#try(async () => {
+      const model = await get<Model>("/api/model");
+      this.model = model;
+      if (model.broken) {
+        this.check = null;
+        return;
+      }
+      const known = new Set(model.params.map((param) => param.name));
+      const dropped = Object.keys(this.values).filter((name) => !known.has(name));
+      for (const name of dropped) delete this.values[name];
+      if (dropped.length > 0) {
+        const message = `the model has no param ${dropped.map((name) => `\`${name}\``).join(", ")} any more`;
+        this.notice = { message, help: "its value in the form was dropped" };
+      }
+      this.#checkSoon(0);
+    });
+  }
+
+  async #loadRuns(): Promise<void> {
+    await this.#try(async () => {
+      const { runs } = await get<{ runs: RunSummary[] }>("/api/runs");
+      const before = new Map(this.runs.map((run) => [run.id, JSON.stringify(run)]));
+      this.runs = runs;
+      const known = new Set(runs.map((run) => run.id));
+      this.settings.selected = this.settings.selected.filter((id) => known.has(id));
+      for (const id of Object.keys(this.results)) if (!known.has(id)) delete this.results[id];
+      for (const run of runs) {
+        if (run.progress) this.progress[run.id] = run.progress;
+        const isStale = before.get(run.id) !== JSON.stringify(run) || run.id === "preview";
+        if (this.settings.selected.includes(run.id) && (isStale || !this.results[run.id])) void this.#loadResults(run.id);
+      }
+      if (this.settings.selected.length === 0) {
+        const last = runs.findLast((run) => run.status === "finished");
+        if (last) this.select([last.id]);
+      }
+    });
+  }
+
+  #loadResultsSoon(id: string): void {
+    if (this.#resultsTimers.has(id)) return;
+    const timer = window.setTimeout(() => {
+      this.#resultsTimers.delete(id);
+      void this.#loadResults(id);
+    }, RESULTS_DELAY);
+    this.#resultsTimers.set(id, timer);
+  }
+
+  async #loadResults(id: string): Promise<void> {
+    try {
+      this.results[id] = await get<Results>(ofRun(id));
+    } catch (error) {
+      // The directory was deleted: the next list of runs no longer has it.
+      if (!(error instanceof RequestError && error.status === 404)) this.#fail(error);
+      delete this.results[id];
+    }
+    this.#changed();
+  }
+
+  param(name: string): Param | undefined {
+    return this.model?.params.find((param) => param.name === name);
+  }
+
+  /** Value of a param as typed. */
+  value(param: Param): string {
+    return this.values[param.name] ?? param.default ?? "";
+  }
+
+  setValue(name: string, text: string): void {
+    const param = this.param(name);
+    if (param?.independent && param.default === text) delete this.values[name];
+    else this.values[name] = text;
+    this.#checkSoon(CHECK_DELAY);
+    this.#changed();
+  }
+
+  reset(name: string): void {
+    delete this.values[name];
+    this.#checkSoon(0);
+    this.#changed();
+  }
+
+  /** Replaces all values. */
+  setValues(values: Values): void {
+    this.values = {};
+    for (const [name, text] of Object.entries(values)) {
+      const param = this.param(name);
+      if (!param?.independent || param.default !== text) this.values[name] = text;
+    }
+    this.#checkSoon(0);
+    this.#changed();
+  }
+
+  #checkSoon(delay: number): void {
+    window.clearTimeout(this.#checkTimer);
+    this.isChecking = true;
+    this.#checkTimer = window.setTimeout(() => void this.#check(), delay);
+    this.#saveSession();
+  }
+
+  async #check(): Promise<void> {
+    if (!this.model || this.model.broken) {
+      this.isChecking = false;
+      return;
+    }
+    this.#checkAbort?.abort();
+    const abort = new AbortController();
+    this.#checkAbort = abort;
+    await this.#try(async () => {
+      const check = await send<Check>("POST", "/api/check", { params: this.values }, abort.signal);
+      if (abort.signal.aborted) return;
+      this.check = check;
+      this.isChecking = false;
+      await this.#preview();
+    });
+    if (this.#checkAbort === abort) this.isChecking = false;
+    this.#changed();
+  }
+
+  /** True if the check predicts a time in which the model may run after each change. */
+  get isQuick(): boolean {
+    return this.check?.plan != null && this.check.plan.time < AUTOMATIC_LIMIT;
+  }
+
+  async #preview(): Promise<void> {
+    const key = JSON.stringify([this.check?.version, this.values]);
+    if (!this.settings.automatic || !this.check?.runnable || !this.isQuick || this.#previewed === key) return;
+    this.#previewed = key;
+    await send("POST", "/api/preview", { params: this.values });
+    const selected = this.settings.selected;
+    if (selected.length <= 1) this.select(["preview"]);
+  }
+
+  setAutomatic(automatic: boolean): void {
+    this.settings.automatic = automatic;
+    this.#saveSession();
+    this.#changed();
+    if (automatic) void this.#try(() => this.#preview());
+  }
+
+  setLinked(linked: boolean): void {
+    this.settings.linked = linked;
+    this.#saveSession();
+    this.#changed();
+  }
+
+  setScene(scene: unknown): void {
+    this.settings.scene = scene;
+    this.#saveSession();
+  }
+
+  async run(): Promise<void> {
+    this.isStarting = true;
+    this.#changed();
+    await this.#try(async () => {
+      const { id } = await send<{ id: string }>("POST", "/api/runs", { params: this.values });
+      this.select([id]);
+    });
+    this.isStarting = false;
+    this.#changed();
+  }
+
+  async cancel(id: string): Promise<void> {
+    await this.#try(() => send("POST", ofRun(id, "/cancel"), {}));
+  }
+
+  /** Shows runs; the first one is the reference of comparisons. */
+  select(ids: string[]): void {
+    this.settings.selected = ids;
+    for (const id of ids) if (!this.results[id]) void this.#loadResults(id);
+    this.#saveSession();
+    this.#changed();
+  }
+
+  /** Adds a run to the comparison, or removes it. */
+  toggle(id: string): void {
+    const { selected } = this.settings;
+    this.select(selected.includes(id) ? selected.filter((other) => other !== id) : [...selected, id]);
+  }
+
+  /** Takes the values of a run into the form. */
+  useParams(run: RunSummary): void {
+    const values: Values = {};
+    for (const [name, param] of Object.entries(run.params ?? {})) {
+      if (this.param(name) && param.at_default !== true) values[name] = param.text;
+    }
+    this.setValues(values);
+  }
+
+  dismiss(): void {
+    this.notice = null;
+    this.#changed();
+  }
+
+  fail(error: unknown): void {
+    this.#fail(error);
+    this.#changed();
+  }
+
+  #fail(error: unknown): void {
+    if (error instanceof DOMException && error.name === "AbortError") return;
+    const help = error instanceof RequestError ? error.help : "";
+    this.notice = { message: error instanceof Error ? error.message : String(error), help };
+  }
+
+  async #try(action: () => Promise<unknown>): Promise<void> {
+    try {
+      await action();
+    } catch (error) {
+      this.#fail(error);
+    }
+    this.#changed();
+  }
+
+  #saveSession(): void {
+    if (!this.#isLoaded || this.withoutModel) return;
+    window.clearTimeout(this.#sessionTimer);
+    this.#sessionTimer = window.setTimeout(() => {
+      const session: Session = { version: 1, params: this.values, view: { ...this.settings } };
+      void this.#try(() => send("PUT", "/api/session", session));
+    }, SESSION_DELAY);
+  }
+}
