@@ -23,6 +23,7 @@ mod results;
 mod runner;
 mod settings_override;
 mod signals;
+mod studio;
 mod support;
 mod sweep;
 mod tradeoff;
