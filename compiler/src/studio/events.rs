@@ -72,24 +72,19 @@ impl Events {
 
 /// Watches the files of the model and the runs of other processes.
 pub(crate) async fn watch(studio: Arc<Studio>) {
-    let mut runs = None;
+    let (mut version, mut runs) = (None, None);
     loop {
         tokio::time::sleep(POLL).await;
         let here = studio.clone();
+        // A request may have checked a changed model before, so versions are compared.
         let looked = tokio::task::spawn_blocking(move || {
-            let changed = here.model.as_ref().is_some_and(|model| {
-                let changed = model.has_changed();
-                if changed {
-                    model.now();
-                }
-                changed
-            });
-            (changed, here.runs.state())
+            (here.model.as_ref().map(|model| model.now().version.clone()), here.runs.state())
         });
         // A panic of one look does not end the watch.
-        let Ok((changed, state)) = looked.await else { continue };
-        if changed {
+        let Ok((seen, state)) = looked.await else { continue };
+        if version != seen {
             studio.events.send(Event::Model);
+            version = seen;
         }
         if runs.as_ref() != Some(&state) {
             studio.events.send(Event::Runs);

@@ -59,12 +59,6 @@ impl Model {
         }
     }
 
-    /// Returns true if the files changed after the last check.
-    pub fn has_changed(&self) -> bool {
-        let checked = self.checked.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        checked.is_none_or(|snapshot| snapshot.version != version(&snapshot.files))
-    }
-
     fn check(&self) -> Snapshot {
         let before = version(std::slice::from_ref(&self.path));
         let outcome = check_file_allowing(&self.path, &self.allowed);
@@ -72,7 +66,7 @@ impl Model {
         let files = outcome.as_ref().map_or_else(|_| Vec::new(), |checked| self.files(checked));
         let files = if files.is_empty() { vec![self.path.clone()] } else { files };
         // A file that changed during the check has a version that is never current.
-        let version = if unchanged { version(&files) } else { String::new() };
+        let version = if unchanged { version(&files) } else { format!("changed after {before}") };
         let (json, description) = match outcome {
             Ok(checked) => (self.json(&version, &checked), checked.description),
             Err(error) => (self.unreadable(&version, &error), ModelDescription::default()),

@@ -1,7 +1,4371 @@
-"use strict";(()=>{var ue,so,iu,Xt,Ai,Ll,ao,Rl,uo,Oi,Di,ru,ol=Symbol.for("pv"),Vl={},Nl=[],ou=/^m(i|n|o|s|text|space)$/,Li=Array.isArray,co=Nl.slice,mn=Object.assign;function dn(e){e&&e.parentNode&&e.remove()}function Al(e,t,n,l,i){var o={type:e,props:t,key:n,ref:l,__k:null,__:null,__b:0,__e:null,__c:null,constructor:ol,__v:i||++so,__i:-1,__u:0};return!i&&ue.vnode&&ue.vnode(o),o}function gt(e){return e.children}function Dl(e,t){this.props=e,this.context=t,this.__g=0}function Zt(e,t){if(t==null)return e.__&&Zt(e.__,e.__i+1);for(var n;t<e.__k.length;t++)if((n=e.__k[t])&&n.__e)return n.__e;return typeof e.type!="function"||e.props.__P?null:Zt(e)}function su(e){var t,n=e.__v,l=n.__e,i=[],o=[],a=e.__P;a&&((t=mn({constructor:ol},n)).__v=n.__v+1,ue.vnode&&ue.vnode(t),Vi(a,t,n,e.__n,a.namespaceURI,32&n.__u?[l]:null,i,l||Zt(n),32&n.__u,o),t.__v=n.__v,t.__.__k[t.__i]=t,_o(i,t,o),n.__=n.__e=null,t.__e!=l&&fo(t))}function fo(e){if((e=e.__)&&e.__c&&!e.props.__P)return e.__e=null,e.__k.some(function(t){return t&&(e.__e=t.__e)}),fo(e)}function ro(e){(8&e.__g||(e.__g|=8,Xt.push(e),Ll++))&&Ai==ue.debounceRendering||((Ai=ue.debounceRendering)||queueMicrotask)(po)}function po(){try{for(var e,t=1;Xt.length;)Xt.length>t&&Xt.sort(ao),e=Xt.shift(),t=Xt.length,8&e.__g&&su(e)}finally{(Ll=Xt.length)&&(Ai||queueMicrotask)(po)}}function mo(e,t,n,l,i,o,a,u,d,m,h){var _,b,y,P,C,M,D=l.__k||Nl,w=t.length;for(d=au(n,t,D,d,w),_=0;_<w;_++)(y=n.__k[_])!=null&&(b=~y.__i&&D[y.__i]||Vl,y.__i=_,M=Vi(e,y,b,i,o,a,u,d,m,h),P=y.__e,(b.ref!=y.ref||8&b.__u)&&(b.ref&&Ni(b.ref,null,y,b),y.ref&&h.push(y.ref,y.__c||P,y)),C=C||P,4&y.__u?(d=ho(y,d,e,!b.__v),b.__e&&(b.__e=null)):typeof y.type=="function"&&M!==void 0?d=M:P&&(d=P.nextSibling),y.__u&=-21);return n.__e=C,d}function au(e,t,n,l,i){var o,a,u,d,m,h,_,b,y,P=n.length,C=P,M=0,D=0,w=e.__k=Array(i);for(o=0;o<i;o++)(a=t[o])!=null&&typeof a!="boolean"&&typeof a!="function"?(typeof a!="object"||a.constructor===String?a=w[o]=Al(null,a):Li(a)?a=w[o]=Al(gt,{children:a}):a.constructor===ol&&a.__b?a=w[o]=Al(a.type,a.props,a.key,a.ref,a.__v):w[o]=a,d=o+M,a.__=e,a.__b=e.__b+1,u=null,~(m=a.__i=uu(a,n,d,C))&&(C--,(u=n[m])&&(u.__u|=2)),u&&u.__v?(a.__u|=16,m==d-1?M--:m==d+1?M++:m!=d&&(m>d?M--:M++,D=1)):(~m||(i>P?M--:i<P&&M++),typeof a.type!="function"&&(a.__u|=4))):w[o]=null;if(D){for(h=[],_=[],o=0;o<i;o++)if((a=w[o])&&16&a.__u){for(M=0,b=h.length;M<b;)h[y=M+b>>1]<a.__i?M=y+1:b=y;h[M]=a.__i,_[o]=M+1}for(M=h.length;o--;)_[o]&&(_[o]==M?M--:w[o].__u|=4)}if(C)for(o=0;o<P;o++)!(u=n[o])||2&u.__u||(u.__e==l&&(l=Zt(u)),zi(u,u));return l}function ho(e,t,n,l){var i,o,a,u;if(typeof e.type=="function"){if(e.props.__P)return t;if(i=e.__k)for(o=0;o<i.length;o++)i[o]&&(i[o].__=e,t=ho(i[o],t,n,!1));return t}for(t&&!t.parentNode&&(t=Zt(e))&&!t.parentNode&&(t=null),a=e.__e,u=t;u&&u.nodeType==8;)u=u.nextSibling;for(a!=u&&(!l&&n.moveBefore&&a.parentNode?n.moveBefore(a,t):n.insertBefore(a,t||null)),t=a;(t=t&&t.nextSibling)&&t.nodeType==8&&!t.data.startsWith("$s"););return t}function uu(e,t,n,l){var i,o=e.key,a=e.type,u=t[n],d=u&&!(2&u.__u);if(u===null&&o==null||d&&o==u.key&&a==u.type)return n;if(l>(d?1:0)){for(i=n-1;i>=0;i--)if((u=t[i])&&!(2&u.__u)&&o==u.key&&a==u.type)return i;for(i=n+1;i<t.length;i++)if((u=t[i])&&!(2&u.__u)&&o==u.key&&a==u.type)return i}return-1}function oo(e,t,n){n==null&&(n=""),t[0]=="-"?e.setProperty(t,n):e[t]=n}function Cl(e,t,n,l,i){var o,a;if(t=="style")if(typeof n=="string")e.style.cssText=n;else{if(typeof l=="string"&&(e.style.cssText=l=""),l)for(t in l)n&&t in n||oo(e.style,t);if(n)for(t in n)l&&n[t]==l[t]||oo(e.style,t,n[t])}else if(t[0]=="o"&&t[1]=="n")typeof n!="function"&&(n=null),typeof l!="function"&&(l=null),(e.__e||(e.__e={}))[t]=n,n&&l||(a=Di[t]||(Di[t]=cu(t)),(e.__a||(e.__a={}))[t]=Oi,o=t!=(t=t.replace(uo,"$1")),(t=t.slice(2))[0]<"a"&&(t=t.toLowerCase()),n?e.addEventListener(t,a,o):e.removeEventListener(t,a,o));else{if(i=="http://www.w3.org/2000/svg")t=t.replace(/xlink(H|:h)/,"h").replace(/sName$/,"s");else if(t!="width"&&t!="height"&&t!="href"&&t!="list"&&t!="form"&&t!="tabIndex"&&t!="download"&&t!="rowSpan"&&t!="colSpan"&&t!="role"&&t!="popover"&&t in e)try{return void(e[t]=n??"")}catch{}if(typeof n=="function")return;n==null||n===!1&&t[4]!="-"?e.removeAttribute(t):e.setAttribute(t,t=="popover"&&n==1?"":n)}}function cu(e){return function(t){var n=this.__e;if(n){if(n=n[e],t[Rl]==null)t[Rl]=Oi++;else if(t[Rl]<this.__a[e])return;return n(ue.event?ue.event(t):t)}}}function Vi(e,t,n,l,i,o,a,u,d,m){var h,_,b,y,P,C,M,D,w,R,S,Y,N,q,U,X,j,E,W=t.type;if(t.constructor!==ol)return null;128&n.__u&&(d=32&n.__u,h=n.__c.__z)&&(t.__u|=d,_=o=[],h.nodeType==8?u=Ol(h,o):o.push(h),u=o[0]||u),(h=ue.__b)&&h(t);e:if(typeof W=="function"){b=a.length;try{if(D=t.props,w=(h=W.prototype)&&h.render,R=(h=W.contextType)&&l[h.__c],S=h?R?R.props.value:h.__:l,(y=n.__c)?(t.__c=y,2&y.__g&&(y.__g|=1)):(w?t.__c=y=new W(D,S):(t.__c=y=new Dl(D,S),y.constructor=W,y.render=pu),R&&R.sub(y),y.state||(y.state={}),y.__n=l,y.__g|=8,y.__h=[],y.__k=[]),w&&(y.__s||(y.__s=y.state),W.getDerivedStateFromProps&&(y.__s==y.state&&(y.__s=mn({},y.__s)),mn(y.__s,W.getDerivedStateFromProps(D,y.__s)))),P=y.props,C=y.state,y.__v=t,n.__c){if(D!==P&&w&&!W.getDerivedStateFromProps&&y.componentWillReceiveProps&&y.componentWillReceiveProps(D,S),t.__v==n.__v&&!(8&y.__g)||!(4&y.__g)&&y.shouldComponentUpdate&&y.shouldComponentUpdate(D,y.__s,S)===!1){t.__v!=n.__v&&(y.props=D,y.state=y.__s,y.__g&=-9),t.__e=n.__e,t.__k=n.__k,t.__k.some(function(O){O&&(O.__=t)}),Nl.push.apply(y.__h,y.__k),y.__k=[],y.__h.length&&a.push(y),u=Zt(n);break e}y.componentWillUpdate&&y.componentWillUpdate(D,y.__s,S),w&&y.componentDidUpdate&&y.__h.push(function(){y.componentDidUpdate(P,C,M)})}else w&&!W.getDerivedStateFromProps&&y.componentWillMount&&y.componentWillMount(),w&&y.componentDidMount&&y.__h.push(y.componentDidMount);y.context=S,y.props=D,y.__P=e,y.__g&=-5,Y=ue.__r,N=w?25:0;do y.__g&=-9,Y&&Y(t),h=y.render(y.props,y.state=y.__s,y.context);while(8&y.__g&&++N<25);w&&(Nl.push.apply(y.__h,y.__k),y.__k=[]),y.state=y.__s,y.getChildContext&&(l=mn({},l,y.getChildContext())),w&&n.__c&&y.getSnapshotBeforeUpdate&&(M=y.getSnapshotBeforeUpdate(P,C)),q=h&&h.type===gt&&h.key==null?h.props.children:h,D.__P&&(h=u,i=(e=D.__P).namespaceURI,d=o=null,n.props&&n.props.__P!=e&&(n.__k.some(function(O){O&&zi(O,O)}),n.__k=null),u=n.__k?Zt(n,0):null),u=mo(e,Li(q)?q:[q],t,n,l,i,o,a,u,d,m),D.__P&&(t.__e=null,u=h),t.__u&=-161,_&&_.some(dn),y.__h.length&&a.push(y),1&y.__g&&(y.__g&=-4)}catch(O){if(a.length=b,t.__v=null,d||o)if(O&&O.then){if(t.__u|=128|d,o){for(~(j=o.indexOf(u||void 0))||(j=o.length);(E=o[j-1])&&E.nodeType==8;)j--;for(;j<o.length;j++)if(E=o[j])if(o[j]=null,U){if(E==X)break}else{if(E.nodeType!=8)break;E.data.startsWith("$s")&&(X=Ol(U=E))}}if(!U){for(;u&&u.nodeType==8&&u.nextSibling;)u=u.nextSibling;U=u}(h=Ol(U=t.__c.__z||(t.__c.__z=U)))?(t.__e=U,u=h):t.__e=u,u=u&&u.nextSibling}else o&&o.some(dn);else t.__e=n.__e;t.__k||(t.__k=n.__k||[]),O&&O.then||go(t),ue.__e(O,t,n)}}else u=t.__e=fu(n.__e,t,n,l,i,o,a,d,m,e);return(h=ue.diffed)&&h(t),u}function Ol(e,t){if(e&&e.nodeType==8&&e.data.startsWith("$s"))for(var n=1;e=e.nextSibling;){if(e.nodeType==8){if(e.data.startsWith("$s"))n++;else if(e.data.startsWith("/$s")&&!--n)return e}t&&t.push(e)}}function go(e){e&&(e.__c&&(e.__c.__g|=4),e.__k&&e.__k.some(go))}function _o(e,t,n){for(var l=0;l<n.length;)Ni(n[l++],n[l++],n[l++]);ue.__c&&ue.__c(t,e),e.some(function(i){try{e=i.__h,i.__h=[],e.some(function(o){o.call(i)})}catch(o){ue.__e(o,i.__v)}})}function fu(e,t,n,l,i,o,a,u,d,m){var h,_,b,y,P,C,M,D,w=n.props||Vl,R=t.props,S=t.type;if(S=="svg"?i="http://www.w3.org/2000/svg":S=="math"?i="http://www.w3.org/1998/Math/MathML":i||(i="http://www.w3.org/1999/xhtml"),o){for(h=0;h<o.length;h++)if((P=o[h])&&(S?P.localName==S:P.nodeType==3)){e=P,o[h]=null;break}}if(!e){if(D=m.ownerDocument||document,!S)return D.createTextNode(R);e=D.createElementNS(i,S,R.is?R:m),u&&(ue.__m&&ue.__m(t,o),u=!1),o=null}if(S){if(m=S=="template"&&e.content||e,o=S=="textarea"&&R.defaultValue!=null?null:o&&co.call(m.childNodes),!u&&o)for(w={},h=0;h<e.attributes.length;h++)w[(P=e.attributes[h]).name]=P.value;for(h in w)P=w[h],h=="dangerouslySetInnerHTML"?b=P:h=="children"||h in R||h=="value"&&"defaultValue"in R||h=="checked"&&"defaultChecked"in R||Cl(e,h,null,P,i);for(h in R)P=R[h],h=="children"?y=P:h=="dangerouslySetInnerHTML"?_=P:h=="value"?C=P:h=="checked"?M=P:u&&typeof P!="function"||w[h]===P||Cl(e,h,P,w[h],i);_?(u||b&&(_.__html==b.__html||_.__html==e.innerHTML)||(e.innerHTML=_.__html),t.__k=[]):(b&&(e.textContent=""),(S=="foreignObject"||i=="http://www.w3.org/1998/Math/MathML"&&ou.test(S))&&(i="http://www.w3.org/1999/xhtml"),mo(m,Li(y)?y:[y],t,n,l,i,o,a,o?o[0]:n.__k&&Zt(n,0),u,d),o&&o.some(dn)),u&&S!="textarea"||(h="value",S=="progress"&&C==null?e.removeAttribute(h):C==null||C===e[h]&&(S!="progress"||C)||Cl(e,h,C,w[h],i),h="checked",M!=null&&M!=e[h]&&Cl(e,h,M,w[h],i))}else w===R||u&&e.data==R||(e.data=R);return e}function Ni(e,t,n,l){try{typeof e=="function"?t?t.__x=e(t)||1:l&&(l=l.__c||l.__e)&&(t=l.__x)&&(l.__x=null,typeof t=="function"?t():e(null)):e.current=t}catch(i){ue.__e(i,n)}}function zi(e,t,n){var l,i,o,a;if(ue.unmount&&ue.unmount(e),!(l=e.ref)||l.current&&l.current!=e.__e||Ni(l,null,t,e),l=e.__c){if(l.componentWillUnmount)try{l.componentWillUnmount()}catch(u){ue.__e(u,t)}l.__P=l.__n=null}if(l=e.__k)for(a=0;a<l.length;a++)l[a]&&zi(l[a],t,typeof e.type!="function"||n&&!e.props.__P);!n&&(l=e.__c)&&(l=l.__z)&&(i=Ol(l,o=[]))&&(l==e.__e&&o.some(dn),dn(i),dn(l)),n||dn(e.__e),e.__e=e.__c=e.__=null}function pu(e,t,n){return this.constructor(e,n)}function yo(e,t){var n,l,i,o;ue.__&&ue.__(e,t),t.nodeType==9&&(t=t.documentElement),l=(n=e&&32&e.__u)?null:t.__k,t.__k=Al(gt,{children:[e]}),i=[],o=[],Vi(t,t.__k,l||Vl,Vl,t.namespaceURI,l?null:t.firstChild?co.call(t.childNodes):null,i,l?l.__e:t.firstChild,n,o),_o(i,t.__k,o),t.__k.props.children=null}ue={__e:function(e,t,n,l){for(var i,o,a;t=t.__;)if((i=t.__c)&&!(1&i.__g)){i.__g|=4;try{if((a=(o=i.constructor)&&o.getDerivedStateFromError)&&i.setState(o.getDerivedStateFromError(e)),i.componentDidCatch&&(i.componentDidCatch(e,l||{}),a=1),a&&8&i.__g)return void(i.__g|=2)}catch(u){e=u}}throw Ll=0,e}},so=0,iu=function(e){return e!=null&&e.constructor===ol},Dl.prototype.setState=function(e,t){var n=this.__s;n&&n!=this.state||(n=this.__s=mn({},this.state)),typeof e=="function"&&(e=e(mn({},n),this.props)),e&&(mn(n,e),this.__v&&(t&&this.__k.push(t),ro(this)))},Dl.prototype.forceUpdate=function(e){this.__v&&(this.__g|=4,e&&this.__h.push(e),ro(this))},Dl.prototype.render=gt,Xt=[],Ll=0,ao=function(e,t){return e.__v.__b-t.__v.__b},Rl=Symbol(),uo=/(PointerCapture)$|Capture$/i,Oi=0,Di={},ru=0;var al,Re,Fi,vo,$i=Object.is,zl=0,Mo=[],Hi=[],Te=ue,bo=Te.__b,wo=Te.__r,xo=Te.diffed,So=Te.__c,ko=Te.unmount,Po=Te.__;function ji(e,t){Te.__h&&Te.__h(Re,e,zl||t),zl=0;var n=Re.__H||(Re.__H={__:[],__h:[]});return e>=n.__.length&&n.__.push({}),n.__[e]}function ot(e){return zl=1,du(Ro,e)}function du(e,t,n){var l=ji(al++,2);if(l.t=e,!l.__c&&(l.__=[n?n(t):Ro(void 0,t),function(o){var a=(l.__N||l.__)[0],u=l.t(a,o);$i(a,u)||(l.__N=[u,l.__[1]],l.__c.setState({}))}],l.__c=Re,!Re.__f)){Re.__f=!0;var i=Re.shouldComponentUpdate;Re.shouldComponentUpdate=function(o,a,u){var d=this.__H;if(!d)return!0;var m=!1,h=this.props!=o;if(d.__.some(function(b){b.__N&&(m=!0,$i(b.__[0],b.__N[0])||(h=!0))}),i){var _=i.call(this,o,a,u);return m?_||h:_}return!m||h}}return l.__}function Ke(e,t){var n=ji(al++,3);!Te.__s&&Co(n.__H,t)&&(n.__P=!0,n.__=e,n.u=t,Re.__H.__h.push(n))}function _t(e){return zl=5,mu(function(){return{current:e}},[])}function mu(e,t){var n=ji(al++,7);return Co(n.__H,t)&&(n.__=e(),n.__H=t),n.__}function hu(){var e;do{for(;e=Hi.shift();)try{sl(e)}catch(n){Te.__e(n,{__:(e=e.__P)&&e.__v})}for(;e=Mo.shift();){var t=e.__H;if(e.__P&&t)try{t.__h.some(sl),t.__h.some(Ii),t.__h=[]}catch(n){t.__h=[],Te.__e(n,e.__v)}}}while(Hi.length)}Te.__b=function(e){Re=null,bo&&bo(e)},Te.__=function(e,t){e&&t.__k&&t.__k.__m&&(e.__m=t.__k.__m),Po&&Po(e,t)},Te.__r=function(e){wo&&wo(e),al=0;var t=(Re=e.__c).__H;t&&(Fi==Re?Re.__h=[]:(t.__h.some(sl),t.__h.some(Ii),al=0),t.__h=[],t.__.some(function(n){n.__N&&(n.__=n.__N),n.u=n.__N=void 0})),Fi=Re},Te.diffed=function(e){xo&&xo(e);var t=e.__c;t&&t.__H&&(t.__H.__h.length&&Eo(Mo.push(t)),t.__H.__.some(function(n){n.u&&(n.__H=n.u)})),Fi=Re=null},Te.__c=function(e,t){t.some(function(n){try{n.__h.some(sl),n.__h=n.__h.filter(function(l){return!l.__||Ii(l)})}catch(l){n.__h=[function(){throw l}]}}),So&&So(e,t)},Te.unmount=function(e){ko&&ko(e);var t,n,l=e.__c;l&&l.__H&&(l.__H.__.some(function(i){try{if(i.__P&&i.__c){if(n===void 0){for(n=e.__;n&&(!n.__c||!n.__c.__P);)n=n.__;n=n&&n.__c}i.__P=n,Eo(Hi.push(i))}else sl(i)}catch(o){t=o}}),l.__H=void 0,t&&Te.__e(t,l.__v))};var To=typeof requestAnimationFrame=="function";function gu(e){var t,n=function(){clearTimeout(l),To&&cancelAnimationFrame(t),setTimeout(e)},l=setTimeout(n,35);To&&(t=requestAnimationFrame(n))}function Eo(e){e!=1&&vo==Te.requestAnimationFrame||((vo=Te.requestAnimationFrame)||gu)(hu)}function sl(e){var t=Re,n=e.__c;typeof n=="function"&&(e.__c=void 0,n()),Re=t}function Ii(e){var t=Re;e.__c=e.__(),Re=t}function Co(e,t){return!e||e.length!=t.length||t.some(function(n,l){return!$i(n,e[l])})}function Ro(e,t){return typeof t=="function"?t(e):t}function Pt(e){if(e==null||Number.isNaN(e))return"–";if(e===0)return"0";let t=Math.abs(e);return t>=1e6||t<1e-4?e.toExponential(3).replace("e+","e"):String(Number(e.toPrecision(5)))}function ul(e){return e<.095?`${Math.ceil(1e3*e)} ms`:e<9.5?`${e.toFixed(1)} s`:e<600?`${Math.round(e)} s`:e<7200?`${Math.round(e/60)} min`:`${(e/3600).toFixed(1)} h`}function Ao(e){return e<1e6?"below 1 MB":e<1e9?`${Math.ceil(1e-6*e)} MB`:`${(1e-9*e).toFixed(1)} GB`}function Do(e){let t=100*e;return t>=1?`${t.toFixed(1)} %`:`${Number(t.toPrecision(1))} %`}function Fl(e){if(e===null)return"";let t=new Date(1e3*e),n=t.toDateString()===new Date().toDateString(),l=t.toLocaleTimeString(void 0,{hour:"2-digit",minute:"2-digit"});return n?l:`${t.toLocaleDateString()} ${l}`}function je(e){return e==="preview"?"Automatic run":e==="model"?"Run from the command line":e==="opened"?"Opened run":`Run ${Number(e.replace("run-",""))}`}function Ue(e){return e.replaceAll("_"," ")}function Hn(e){return e.split("/").pop()??e}function Oo(e,t){return t?`${e} ${t}`:e}function cl(e){return/^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*$/.test(e)}var _u=Symbol.for("pv"),yu=0;function p(e,t,n,l,i,o){t||(t={});var a,u,d=t;if("ref"in d&&typeof e!="function")for(u in d={},t)u=="ref"?a=t[u]:d[u]=t[u];var m={type:e,props:d,key:n,ref:a,__k:null,__:null,__b:0,__e:null,__c:null,constructor:_u,__v:--yu,__i:-1,__u:0};return(i||o)&&(m.__source=i,m.__self=o),ue.vnode&&ue.vnode(m),m}function $l({text:e,isError:t}){return p("pre",{class:`rendered ${t?"error":"warning"}`,role:t?"alert":void 0,tabIndex:0,"aria-label":"Diagnostics of the model",children:e.trim()})}function Lo({messages:e}){return e.length===0?null:p("ul",{class:"messages",children:e.map((t,n)=>p("li",{class:t.severity,children:[t.code&&p("code",{children:t.code})," ",t.message,t.primary&&p("span",{class:"place",children:[" ",Hn(t.primary.file),":",t.primary.line]}),t.help&&p("span",{class:"help",children:t.help})]},n))})}var vu=200,bu=1e3;function Vo({studio:e,param:t}){let n=e.value(t),l=t.name in e.values,i=e.check?.errors[t.name],o=`param-${t.name}`,a=[`${o}-doc`,i&&`${o}-error`].filter(Boolean).join(" ");return p("div",{class:`field ${l?"changed":""} ${i?"invalid":""}`,"data-param":t.name,children:[p("div",{class:"field-head",children:[p("label",{for:o,title:t.name,children:Ue(t.name.split(".").pop()??t.name)}),l&&p("button",{type:"button",class:"quiet small","aria-label":`Reset ${Ue(t.name)} to ${t.default??"its default"}`,title:`Reset to ${t.default??"its default"}`,onClick:()=>e.reset(t.name),children:"reset"})]}),p(xu,{studio:e,param:t,id:o,text:n,describedBy:a,isInvalid:!!i}),p(Su,{studio:e,param:t,text:n}),p("p",{class:"doc",id:`${o}-doc`,children:[t.doc,!t.independent&&p("span",{class:"note",children:" Default and range follow other params."}),(t.kind==="number"||t.kind==="integer"||t.kind==="array")&&t.domain&&p("span",{class:"range",children:t.domain})]}),i&&p(wu,{id:`${o}-error`,error:i})]})}function wu({id:e,error:t}){return p("p",{class:"field-error",id:e,role:"alert",children:[t.message,t.help&&p("span",{class:"help",children:t.help})]})}function xu({studio:e,param:t,id:n,text:l,describedBy:i,isInvalid:o}){let a=d=>e.setValue(t.name,d);if(t.kind==="boolean")return p("div",{class:"control",children:p("input",{id:n,type:"checkbox",checked:l.toUpperCase()==="TRUE","aria-describedby":i,onChange:d=>a(d.currentTarget.checked?"TRUE":"FALSE")})});if(t.kind==="choice"){let d=t.choices.includes(l)?t.choices:[l,...t.choices];return p("div",{class:"control",children:p("select",{id:n,value:l,"aria-describedby":i,"aria-invalid":o,onChange:m=>a(m.currentTarget.value),children:d.map(m=>p("option",{value:m,children:m},m))})})}let u=t.unit!==""&&(cl(l)||l===""||/^\s*\[[^\]]*\]\s*$/.test(l));return p("div",{class:"control",children:[p("input",{id:n,type:"text",inputMode:t.kind==="integer"?"numeric":void 0,value:l,placeholder:t.default??"",autocomplete:"off",spellcheck:!1,"aria-describedby":i,"aria-invalid":o,onInput:d=>a(d.currentTarget.value)}),t.unit&&p("span",{class:`unit ${u?"":"off"}`,children:t.unit})]})}function Su({studio:e,param:t,text:n}){let{low:l,high:i}=t;if(t.kind!=="number"&&t.kind!=="integer"||!t.independent||l===null||i===null||!(i>l)||!cl(n)||l>0&&i/l>vu||t.kind==="integer"&&i-l>bu)return null;let o=t.kind==="integer"?1:10**Math.floor(Math.log10((i-l)/100));return p("input",{type:"range",class:"slider",min:l,max:i,step:o,value:n,"aria-label":`${Ue(t.name)}, slider`,onInput:a=>e.setValue(t.name,String(Number(a.currentTarget.value)))})}var jt=class extends Error{constructor(n,l,i,o){super(n);this.status=l;this.help=i;this.body=o}status;help;body};async function Ui(e,t={}){let n;try{n=await fetch(e,t)}catch(a){throw a instanceof DOMException&&a.name==="AbortError"?a:new jt("the studio does not respond",0,"start `calyx studio` again",null)}if(n.ok)return n;let l=await n.json().catch(()=>null),{message:i,help:o}=l??{};throw new jt(i??n.statusText,n.status,o??"",l)}async function Qt(e,t){return(await Ui(e,{signal:t})).json()}async function Wi(e){return(await Ui(e)).arrayBuffer()}async function zt(e,t,n,l){let o=await(await Ui(t,{method:e,signal:l,headers:{"Content-Type":"application/json"},body:JSON.stringify(n??{})})).text();return o?JSON.parse(o):null}function Tt(e,t=""){return`/api/runs/${encodeURIComponent(e)}${t}`}async function No(e){let t=await e.text(),{params:n}=await zt("POST","/api/params",{name:e.name,text:t});return n}function ku(e){let t=(e.model?.params??[]).filter(n=>n.independent||n.name in e.values).map(n=>{let l=e.value(n).trim();if(n.kind==="boolean")return[n.name,l.toUpperCase()==="TRUE"];let i=(n.kind==="number"||n.kind==="integer")&&cl(l);return[n.name,i?Number(l):l]});return`${JSON.stringify(Object.fromEntries(t),null,2)}
-`}function zo(e,t){let n=URL.createObjectURL(new Blob([ku(e)],{type:"application/json"})),l=document.createElement("a");l.href=n,l.download=t,l.click(),URL.revokeObjectURL(n)}function Fo({studio:e}){let t=e.model;if(!t)return p("p",{class:"empty",children:e.withoutModel?"The model of this run is not known.":"Loading …"});let n=Object.keys(e.values).length;return p("form",{class:"params","aria-label":"Params",onSubmit:l=>l.preventDefault(),children:[p(Tu,{studio:e,changed:n}),t.params.length===0&&p("p",{class:"empty",children:"The model has no params."}),Pu(t.params).map(([l,i])=>p("fieldset",{children:[p("legend",{class:l?"":"hidden-text",children:l||"Params"}),i.map(o=>p(Vo,{studio:e,param:o},o.name))]},l))]})}function Pu(e){let t=new Map;for(let n of e){let l=t.get(n.group);l?l.push(n):t.set(n.group,[n])}return[...t]}function Tu({studio:e,changed:t}){let n=_t(null),l=async i=>{if(i)try{e.setValues(await No(i))}catch(o){e.fail(o)}};return p("div",{class:"toolbar",children:[p("span",{class:"count",role:"status",children:t===0?"Defaults":`${t} changed`}),p("button",{type:"button",class:"quiet",disabled:t===0,onClick:()=>e.setValues({}),children:"Reset all"}),p("button",{type:"button",class:"quiet",onClick:()=>n.current?.click(),children:"Load …"}),p("button",{type:"button",class:"quiet",onClick:()=>zo(e,`${Hn(e.model?.model??"model")}.json`),children:"Save"}),p("input",{ref:n,type:"file",accept:".json,.toml",class:"hidden-text",tabIndex:-1,"aria-label":"Params file",onChange:i=>{let o=i.currentTarget;l(o.files?.[0]).finally(()=>o.value="")}})]})}var $o=["#2f6fb3","#c8641b","#2c8a57","#8c4fa8","#b3324b","#6b7280","#0f8b8d","#a8861b"];function In(e){return $o[e%$o.length]??"#2f6fb3"}var Eu=[["max","Maximum"],["mean","Mean"],["min","Minimum"],["peak_to_peak","Peak to peak"]];function Ho({studio:e}){let t=e.settings.selected,n=t.flatMap(l=>e.results[l]??[]);return p("section",{class:"panel","aria-labelledby":"outputs-heading",children:[p("h2",{id:"outputs-heading",children:"Outputs"}),t.length<=1&&(n[0]?.run?.outputs?p(Cu,{results:n[0]}):p(Mu,{studio:e})),t.length>1&&p(Au,{runs:n,places:t})]})}function Mu({studio:e}){let t=e.model?.outputs??[];return t.length===0?p("p",{class:"muted",children:"The model has no outputs."}):p("dl",{class:"declared",children:t.map(n=>p("div",{children:[p("dt",{children:[Ue(n.name)," ",n.unit&&p("span",{class:"unit",children:n.unit})]}),p("dd",{children:n.doc})]},n.name))})}function Cu({results:e}){let t=Object.entries(e.run?.outputs??{}),n=t.some(([,l])=>l.error_estimate?.includes_level===!1);return p("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Outputs",children:[p("table",{class:"outputs","data-testid":"outputs",children:[p("thead",{children:p("tr",{children:[p("th",{scope:"col",children:"Output"}),p("th",{scope:"col",children:"Min"}),p("th",{scope:"col",children:"Mean"}),p("th",{scope:"col",children:"Max"}),p("th",{scope:"col",children:"Error"})]})}),p("tbody",{children:t.map(([l,i])=>p("tr",{children:[p("th",{scope:"row",title:i.doc,children:[Ue(l)," ",p("span",{class:"unit",children:i.display.unit})]}),p("td",{children:Pt(i.display.min)}),p("td",{children:Pt(i.display.mean)}),p("td",{children:Pt(i.display.max)}),p("td",{children:Ru(i)})]},l))})]}),p("p",{class:"muted small-text",children:["Error: estimated, relative to the largest magnitude.",n&&" The error of the fidelity level itself is not included."]})]})}function Ru(e){let t=e.error_estimate;return t?t.is_rounding?"rounding":t.relative==null?"–":Do(t.relative):"–"}function Au({runs:e,places:t}){let[n,l]=ot("max"),i=[...new Set(e.flatMap(o=>Object.keys(o.run?.outputs??{})))];return p(gt,{children:[p("label",{class:"inline",children:["Value",p("select",{value:n,onChange:o=>l(o.currentTarget.value),children:Eu.map(([o,a])=>p("option",{value:o,children:a},o))})]}),p("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Compared outputs",children:p("table",{class:"outputs","data-testid":"compared",children:[p("thead",{children:p("tr",{children:[p("th",{scope:"col",children:"Output"}),e.map(o=>p("th",{scope:"col",children:[p("span",{class:"swatch",style:{background:In(t.indexOf(o.id))}}),je(o.id)]},o.id))]})}),p("tbody",{children:i.map(o=>p("tr",{children:[p("th",{scope:"row",children:[Ue(o)," ",p("span",{class:"unit",children:e.find(a=>a.run?.outputs?.[o])?.run?.outputs?.[o]?.display.unit})]}),e.map((a,u)=>p("td",{children:[Pt(Bi(a,o,n)),u>0&&p(Du,{from:Bi(e[0],o,n),to:Bi(a,o,n)})]},a.id))]},o))})]})})]})}function Bi(e,t,n){return e?.run?.outputs?.[t]?.display[n]??null}function Du({from:e,to:t}){if(e===null||t===null||e===0)return null;let n=100*(t-e)/Math.abs(e),l=Math.abs(n)<.005?"±0":`${n>0?"+":"−"}${Math.abs(n).toFixed(Math.abs(n)<10?2:1)}`;return p("span",{class:"change",children:[l," %"]})}var Ou="uplot",Lu="u-hz",Vu="u-vt",Nu="u-title",zu="u-wrap",Fu="u-under",$u="u-over",Hu="u-axis",_n="u-off",Iu="u-select",ju="u-cursor-x",Uu="u-cursor-y",Wu="u-cursor-pt",Bu="u-legend",Ju="u-live",Gu="u-inline",Yu="u-series",qu="u-marker",Io="u-label",Ku="u-value",pl="width",dl="height";var jo="bottom",jn="left",Ji="right",ur="#000",Uo=ur+"0",Gi="mousemove",Wo="mousedown",Yi="mouseup",Bo="mouseenter",Jo="mouseleave",Go="dblclick",Xu="resize",Zu="scroll",Yo="change",Wl="dppxchange",cr="--",qn=typeof window<"u",Qi=qn?document:null,Wn=qn?window:null,Qu=qn?navigator:null,oe,Hl;function er(){let e=devicePixelRatio;oe!=e&&(oe=e,Hl&&nr(Yo,Hl,er),Hl=matchMedia(`(min-resolution: ${oe-.001}dppx) and (max-resolution: ${oe+.001}dppx)`),yn(Yo,Hl,er),Wn.dispatchEvent(new CustomEvent(Wl)))}function st(e,t){if(t!=null){let n=e.classList;!n.contains(t)&&n.add(t)}}function tr(e,t){let n=e.classList;n.contains(t)&&n.remove(t)}function ye(e,t,n){e.style[t]=n+"px"}function Et(e,t,n,l){let i=Qi.createElement(e);return t!=null&&st(i,t),n?.insertBefore(i,l),i}function yt(e,t){return Et("div",e,t)}var qo=new WeakMap;function Ft(e,t,n,l,i){let o="translate("+t+"px,"+n+"px)",a=qo.get(e);o!=a&&(e.style.transform=o,qo.set(e,o),t<0||n<0||t>l||n>i?st(e,_n):tr(e,_n))}var Ko=new WeakMap;function Xo(e,t,n){let l=t+n,i=Ko.get(e);l!=i&&(Ko.set(e,l),e.style.background=t,e.style.borderColor=n)}var Zo=new WeakMap;function Qo(e,t,n,l){let i=t+""+n,o=Zo.get(e);i!=o&&(Zo.set(e,i),e.style.height=n+"px",e.style.width=t+"px",e.style.marginLeft=l?-t/2+"px":0,e.style.marginTop=l?-n/2+"px":0)}var fr={passive:!0},ec={...fr,capture:!0};function yn(e,t,n,l){t.addEventListener(e,n,l?ec:fr)}function nr(e,t,n,l){t.removeEventListener(e,n,fr)}qn&&er();function Mt(e,t,n,l){let i;n=n||0,l=l||t.length-1;let o=l<=2147483647;for(;l-n>1;)i=o?n+l>>1:at((n+l)/2),t[i]<e?n=i:l=i;return e-t[n]<=t[l]-e?n:l}function Es(e){return(n,l,i)=>{let o=-1,a=-1;for(let u=l;u<=i;u++)if(e(n[u])){o=u;break}for(let u=i;u>=l;u--)if(e(n[u])){a=u;break}return[o,a]}}var Ms=e=>e!=null,Cs=e=>e!=null&&e>0,Gl=Es(Ms),tc=Es(Cs);function nc(e,t,n,l=0,i=!1){let o=i?tc:Gl,a=i?Cs:Ms;[t,n]=o(e,t,n);let u=e[t],d=e[t];if(t>-1)if(l==1)u=e[t],d=e[n];else if(l==-1)u=e[n],d=e[t];else for(let m=t;m<=n;m++){let h=e[m];a(h)&&(h<u?u=h:h>d&&(d=h))}return[u??pe,d??-pe]}function Yl(e,t,n,l){let i=ns(e),o=ns(t);e==t&&(i==-1?(e*=n,t/=n):(e/=n,t*=n));let a=n==10?Ut:Rs,u=i==1?at:vt,d=o==1?vt:at,m=u(a(De(e))),h=d(a(De(t))),_=Bn(n,m),b=Bn(n,h);return n==10&&(m<0&&(_=de(_,-m)),h<0&&(b=de(b,-h))),l||n==2?(e=_*i,t=b*o):(e=Ls(e,_),t=ql(t,b)),[e,t]}function pr(e,t,n,l){let i=Yl(e,t,n,l);return e==0&&(i[0]=0),t==0&&(i[1]=0),i}var dr=.1,es={mode:3,pad:dr},hl={pad:0,soft:null,mode:0},lc={min:hl,max:hl};function Bl(e,t,n,l){return Kl(n)?ts(e,t,n):(hl.pad=n,hl.soft=l?0:null,hl.mode=l?3:0,ts(e,t,lc))}function ie(e,t){return e??t}function ic(e,t,n){for(t=ie(t,0),n=ie(n,e.length-1);t<=n;){if(e[t]!=null)return!0;t++}return!1}function ts(e,t,n){let l=n.min,i=n.max,o=ie(l.pad,0),a=ie(i.pad,0),u=ie(l.hard,-pe),d=ie(i.hard,pe),m=ie(l.soft,pe),h=ie(i.soft,-pe),_=ie(l.mode,0),b=ie(i.mode,0),y=t-e,P=Ut(y),C=Xe(De(e),De(t)),M=Ut(C),D=De(M-P);(y<1e-24||D>10)&&(y=0,(e==0||t==0)&&(y=1e-24,_==2&&m!=pe&&(o=0),b==2&&h!=-pe&&(a=0)));let w=y||C||1e3,R=Ut(w),S=Bn(10,at(R)),Y=w*(y==0?e==0?.1:1:o),N=de(Ls(e-Y,S/10),24),q=e>=m&&(_==1||_==3&&N<=m||_==2&&N>=m)?m:pe,U=Xe(u,N<q&&e>=q?q:Ct(q,N)),X=w*(y==0?t==0?.1:1:a),j=de(ql(t+X,S/10),24),E=t<=h&&(b==1||b==3&&j>=h||b==2&&j<=h)?h:-pe,W=Ct(d,j>E&&t<=E?E:Xe(E,j));return U==W&&U==0&&(W=100),[U,W]}var rc=new Intl.NumberFormat(qn?Qu.language:"en-US"),mr=e=>rc.format(e),ut=Math,Ul=ut.PI,De=ut.abs,at=ut.floor,Ae=ut.round,vt=ut.ceil,Ct=ut.min,Xe=ut.max,Bn=ut.pow,ns=ut.sign,Ut=ut.log10,Rs=ut.log2,oc=(e,t=1)=>ut.sinh(e)*t,qi=(e,t=1)=>ut.asinh(e/t),pe=1/0;function ls(e){return(Ut((e^e>>31)-(e>>31))|0)+1}function lr(e,t,n){return Ct(Xe(e,t),n)}function As(e){return typeof e=="function"}function ee(e){return As(e)?e:()=>e}var sc=()=>{},Ds=e=>e,Os=(e,t)=>t,ac=e=>null,is=e=>!0,rs=(e,t)=>e==t,uc=/\.\d*?(?=9{6,}|0{6,})/gm,vn=e=>{if(Ns(e)||tn.has(e))return e;let t=`${e}`,n=t.match(uc);if(n==null)return e;let l=n[0].length-1;if(t.indexOf("e-")!=-1){let[i,o]=t.split("e");return+`${vn(i)}e${o}`}return de(e,l)};function hn(e,t){return vn(de(vn(e/t))*t)}function ql(e,t){return vn(vt(vn(e/t))*t)}function Ls(e,t){return vn(at(vn(e/t))*t)}function de(e,t=0){if(Ns(e))return e;let n=10**t,l=e*n*(1+Number.EPSILON);return Ae(l)/n}var tn=new Map;function Vs(e){return((""+e).split(".")[1]||"").length}function _l(e,t,n,l){let i=[],o=l.map(Vs);for(let a=t;a<n;a++){let u=De(a),d=de(Bn(e,a),u);for(let m=0;m<l.length;m++){let h=e==10?+`${l[m]}e${a}`:l[m]*d,_=(a>=0?0:u)+(a>=o[m]?0:o[m]),b=e==10?h:de(h,_);i.push(b),tn.set(b,_)}}return i}var gl={},hr=[],Jn=[null,null],en=Array.isArray,Ns=Number.isInteger,cc=e=>e===void 0;function os(e){return typeof e=="string"}function Kl(e){let t=!1;if(e!=null){let n=e.constructor;t=n==null||n==Object}return t}function fc(e){return e!=null&&typeof e=="object"}var pc=Object.getPrototypeOf(Uint8Array),zs="__proto__";function Gn(e,t=Kl){let n;if(en(e)){let l=e.find(i=>i!=null);if(en(l)||t(l)){n=Array(e.length);for(let i=0;i<e.length;i++)n[i]=Gn(e[i],t)}else n=e.slice()}else if(e instanceof pc)n=e.slice();else if(t(e)){n={};for(let l in e)l!=zs&&(n[l]=Gn(e[l],t))}else n=e;return n}function Ee(e){let t=arguments;for(let n=1;n<t.length;n++){let l=t[n];for(let i in l)i!=zs&&(Kl(e[i])?Ee(e[i],Gn(l[i])):e[i]=Gn(l[i]))}return e}var dc=0,mc=1,hc=2;function gc(e,t,n){for(let l=0,i,o=-1;l<t.length;l++){let a=t[l];if(a>o){for(i=a-1;i>=0&&e[i]==null;)e[i--]=null;for(i=a+1;i<n&&e[i]==null;)e[o=i++]=null}}}function _c(e,t){if(bc(e)){let a=e[0].slice();for(let u=1;u<e.length;u++)a.push(...e[u].slice(1));return wc(a[0])||(a=vc(a)),a}let n=new Set;for(let a=0;a<e.length;a++){let d=e[a][0],m=d.length;for(let h=0;h<m;h++)n.add(d[h])}let l=[Array.from(n).sort((a,u)=>a-u)],i=l[0].length,o=new Map;for(let a=0;a<i;a++)o.set(l[0][a],a);for(let a=0;a<e.length;a++){let u=e[a],d=u[0];for(let m=1;m<u.length;m++){let h=u[m],_=Array(i).fill(void 0),b=t?t[a][m]:mc,y=[];for(let P=0;P<h.length;P++){let C=h[P],M=o.get(d[P]);C===null?b!=dc&&(_[M]=C,b==hc&&y.push(M)):_[M]=C}gc(_,y,i),l.push(_)}}return l}var yc=typeof queueMicrotask>"u"?e=>Promise.resolve().then(e):queueMicrotask;function vc(e){let t=e[0],n=t.length,l=Array(n);for(let o=0;o<l.length;o++)l[o]=o;l.sort((o,a)=>t[o]-t[a]);let i=[];for(let o=0;o<e.length;o++){let a=e[o],u=Array(n);for(let d=0;d<n;d++)u[d]=a[l[d]];i.push(u)}return i}function bc(e){let t=e[0][0],n=t.length;for(let l=1;l<e.length;l++){let i=e[l][0];if(i.length!=n)return!1;if(i!=t){for(let o=0;o<n;o++)if(i[o]!=t[o])return!1}}return!0}function wc(e,t=100){let n=e.length;if(n<=1)return!0;let l=0,i=n-1;for(;l<=i&&e[l]==null;)l++;for(;i>=l&&e[i]==null;)i--;if(i<=l)return!0;let o=Xe(1,at((i-l+1)/t));for(let a=e[l],u=l+o;u<=i;u+=o){let d=e[u];if(d!=null){if(d<=a)return!1;a=d}}return!0}var Fs=["January","February","March","April","May","June","July","August","September","October","November","December"],$s=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function Hs(e){return e.slice(0,3)}var xc=$s.map(Hs),Sc=Fs.map(Hs),kc={MMMM:Fs,MMM:Sc,WWWW:$s,WWW:xc};function fl(e){return(e<10?"0":"")+e}function Pc(e){return(e<10?"00":e<100?"0":"")+e}var Tc={YYYY:e=>e.getFullYear(),YY:e=>(e.getFullYear()+"").slice(2),MMMM:(e,t)=>t.MMMM[e.getMonth()],MMM:(e,t)=>t.MMM[e.getMonth()],MM:e=>fl(e.getMonth()+1),M:e=>e.getMonth()+1,DD:e=>fl(e.getDate()),D:e=>e.getDate(),WWWW:(e,t)=>t.WWWW[e.getDay()],WWW:(e,t)=>t.WWW[e.getDay()],HH:e=>fl(e.getHours()),H:e=>e.getHours(),h:e=>{let t=e.getHours();return t==0?12:t>12?t-12:t},AA:e=>e.getHours()>=12?"PM":"AM",aa:e=>e.getHours()>=12?"pm":"am",a:e=>e.getHours()>=12?"p":"a",mm:e=>fl(e.getMinutes()),m:e=>e.getMinutes(),ss:e=>fl(e.getSeconds()),s:e=>e.getSeconds(),fff:e=>Pc(e.getMilliseconds())};function gr(e,t){t=t||kc;let n=[],l=/\{([a-z]+)\}|[^{]+/gi,i;for(;i=l.exec(e);)n.push(i[0][0]=="{"?Tc[i[1]]:i[0]);return o=>{let a="";for(let u=0;u<n.length;u++)a+=typeof n[u]=="string"?n[u]:n[u](o,t);return a}}var Ec=new Intl.DateTimeFormat().resolvedOptions().timeZone;function Mc(e,t){let n;return t=="UTC"||t=="Etc/UTC"?n=new Date(+e+e.getTimezoneOffset()*6e4):t==Ec?n=e:(n=new Date(e.toLocaleString("en-US",{timeZone:t})),n.setMilliseconds(e.getMilliseconds())),n}var Is=e=>e%1==0,Jl=[1,2,2.5,5],Cc=_l(10,-32,0,Jl),js=_l(10,0,32,Jl),Rc=js.filter(Is),gn=Cc.concat(js),_r=`
-`,Us="{YYYY}",ss=_r+Us,Ws="{M}/{D}",ml=_r+Ws,Il=ml+"/{YY}",Bs="{aa}",Ac="{h}:{mm}",Un=Ac+Bs,as=_r+Un,us=":{ss}",ae=null;function Js(e){let t=e*1e3,n=t*60,l=n*60,i=l*24,o=i*30,a=i*365,d=(e==1?_l(10,0,3,Jl).filter(Is):_l(10,-3,0,Jl)).concat([t,t*5,t*10,t*15,t*30,n,n*5,n*10,n*15,n*30,l,l*2,l*3,l*4,l*6,l*8,l*12,i,i*2,i*3,i*4,i*5,i*6,i*7,i*8,i*9,i*10,i*15,o,o*2,o*3,o*4,o*6,a,a*2,a*5,a*10,a*25,a*50,a*100]),m=[[a,Us,ae,ae,ae,ae,ae,ae,1],[i*28,"{MMM}",ss,ae,ae,ae,ae,ae,1],[i,Ws,ss,ae,ae,ae,ae,ae,1],[l,"{h}"+Bs,Il,ae,ml,ae,ae,ae,1],[n,Un,Il,ae,ml,ae,ae,ae,1],[t,us,Il+" "+Un,ae,ml+" "+Un,ae,as,ae,1],[e,us+".{fff}",Il+" "+Un,ae,ml+" "+Un,ae,as,ae,1]];function h(_){return(b,y,P,C,M,D)=>{let w=[],R=M>=a,S=M>=o&&M<a,Y=_(P),N=de(Y*e,3),q=Ki(Y.getFullYear(),R?0:Y.getMonth(),S||R?1:Y.getDate()),U=de(q*e,3);if(S||R){let X=S?M/o:0,j=R?M/a:0,E=N==U?N:de(Ki(q.getFullYear()+j,q.getMonth()+X,1)*e,3),W=new Date(Ae(E/e)),O=W.getFullYear(),J=W.getMonth();for(let I=0;E<=C;I++){let te=Ki(O+j*I,J+X*I,1),H=te-_(de(te*e,3));E=de((+te+H)*e,3),E<=C&&w.push(E)}}else{let X=M>=i?i:M,j=at(P)-at(N),E=U+j+ql(N-U,X);w.push(E);let W=_(E),O=W.getHours()+W.getMinutes()/n+W.getSeconds()/l,J=M/l,I=b.axes[y]._space,te=D/I;for(;E=de(E+M,e==1?0:3),!(E>C);)if(J>1){let H=at(de(O+J,6))%24,ne=_(E).getHours()-H;ne>1&&(ne=-1),E-=ne*l,O=(O+J)%24;let ce=w[w.length-1];de((E-ce)/M,3)*te>=.7&&w.push(E)}else w.push(E)}return w}}return[d,m,h]}var[Dc,Oc,Lc]=Js(1),[Vc,Nc,zc]=Js(.001);_l(2,-53,53,[1]);function cs(e,t){return e.map(n=>n.map((l,i)=>i==0||i==8||l==null?l:t(i==1||n[8]==0?l:n[1]+l)))}function fs(e,t){return(n,l,i,o,a)=>{let u=t.find(P=>a>=P[0])||t[t.length-1],d,m,h,_,b,y;return l.map(P=>{let C=e(P),M=C.getFullYear(),D=C.getMonth(),w=C.getDate(),R=C.getHours(),S=C.getMinutes(),Y=C.getSeconds(),N=M!=d&&u[2]||D!=m&&u[3]||w!=h&&u[4]||R!=_&&u[5]||S!=b&&u[6]||Y!=y&&u[7]||u[1];return d=M,m=D,h=w,_=R,b=S,y=Y,N(C)})}}function Fc(e,t){let n=gr(t);return(l,i,o,a,u)=>i.map(d=>n(e(d)))}function Ki(e,t,n){return new Date(e,t,n)}function ps(e,t){return t(e)}var $c="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function ds(e,t){return(n,l,i,o)=>o==null?cr:t(e(l))}function Hc(e,t){let n=e.series[t];return n.width?n.stroke(e,t):n.points.width?n.points.stroke(e,t):null}function Ic(e,t){return e.series[t].fill(e,t)}var jc={show:!0,live:!0,isolate:!1,mount:sc,markers:{show:!0,width:2,stroke:Hc,fill:Ic,dash:"solid"},idx:null,idxs:null,values:[]};function Uc(e,t){let n=e.cursor.points,l=yt(),i=n.size(e,t);ye(l,pl,i),ye(l,dl,i);let o=i/-2;ye(l,"marginLeft",o),ye(l,"marginTop",o);let a=n.width(e,t,i);return a&&ye(l,"borderWidth",a),l}function Wc(e,t){let n=e.series[t].points;return n._fill||n._stroke}function Bc(e,t){let n=e.series[t].points;return n._stroke||n._fill}function Jc(e,t){return e.series[t].points.size}var Xi=[0,0];function Gc(e,t,n){return Xi[0]=t,Xi[1]=n,Xi}function jl(e,t,n,l=!0){return i=>{i.button==0&&(!l||i.target==t)&&n(i)}}function Zi(e,t,n,l=!0){return i=>{(!l||i.target==t)&&n(i)}}var Yc={show:!0,x:!0,y:!0,lock:!1,move:Gc,points:{one:!1,show:Uc,size:Jc,width:0,stroke:Bc,fill:Wc},bind:{mousedown:jl,mouseup:jl,click:jl,dblclick:jl,mousemove:Zi,mouseleave:Zi,mouseenter:Zi},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(e,t)=>{t.stopPropagation(),t.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(e,t,n,l,i)=>l-i,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Gs={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},yr=Ee({},Gs,{filter:Os}),Ys=Ee({},yr,{size:10}),qs=Ee({},Gs,{show:!1}),vr='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',Ks="bold "+vr,Xs=1.5,ms={show:!0,scale:"x",stroke:ur,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Ks,side:2,grid:yr,ticks:Ys,border:qs,font:vr,lineGap:Xs,rotate:0},qc="Value",Kc="Time",hs={show:!0,scale:"x",auto:!1,sorted:1,min:pe,max:-pe,idxs:[]};function Xc(e,t,n,l,i){return t.map(o=>o==null?"":mr(o))}function Zc(e,t,n,l,i,o,a){let u=[],d=tn.get(i)||0;n=a?n:de(ql(n,i),d);for(let m=n;m<=l;m=de(m+i,d))u.push(Object.is(m,-0)?0:m);return u}function ir(e,t,n,l,i,o,a){let u=[],d=e.scales[e.axes[t].scale].log,m=d==10?Ut:Rs,h=at(m(n));i=Bn(d,h),d==10&&(i=gn[Mt(i,gn)]);let _=n,b=i*d;d==10&&(b=gn[Mt(b,gn)]);do u.push(_),_=_+i,d==10&&!tn.has(_)&&(_=de(_,tn.get(i))),_>=b&&(i=_,b=i*d,d==10&&(b=gn[Mt(b,gn)]));while(_<=l);return u}function Qc(e,t,n,l,i,o,a){let d=e.scales[e.axes[t].scale].asinh,m=l>d?ir(e,t,Xe(d,n),l,i):[d],h=l>=0&&n<=0?[0]:[];return(n<-d?ir(e,t,Xe(d,-l),-n,i):[d]).reverse().map(b=>-b).concat(h,m)}var Zs=/./,ef=/[12357]/,tf=/[125]/,gs=/1/,rr=(e,t,n,l)=>e.map((i,o)=>t==4&&i==0||o%l==0&&n.test(i.toExponential()[i<0?1:0])?i:null);function nf(e,t,n,l,i){let o=e.axes[n],a=o.scale,u=e.scales[a],d=e.valToPos,m=o._space,h=d(10,a),_=d(9,a)-h>=m?Zs:d(7,a)-h>=m?ef:d(5,a)-h>=m?tf:gs;if(_==gs){let b=De(d(1,a)-h);if(b<m)return rr(t.slice().reverse(),u.distr,_,vt(m/b)).reverse()}return rr(t,u.distr,_,1)}function lf(e,t,n,l,i){let o=e.axes[n],a=o.scale,u=o._space,d=e.valToPos,m=De(d(1,a)-d(2,a));return m<u?rr(t.slice().reverse(),3,Zs,vt(u/m)).reverse():t}function rf(e,t,n,l){return l==null?cr:t==null?"":mr(t)}var _s={show:!0,scale:"y",stroke:ur,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Ks,side:3,grid:yr,ticks:Ys,border:qs,font:vr,lineGap:Xs,rotate:0};function of(e,t){let n=3+(e||1)*2;return de(n*t,3)}function sf(e,t){let{scale:n,idxs:l}=e.series[0],i=e._data[0],o=e.valToPos(i[l[0]],n,!0),a=e.valToPos(i[l[1]],n,!0),u=De(a-o),d=e.series[t],m=u/(d.points.space*oe);return l[1]-l[0]<=m}var ys={scale:null,auto:!0,sorted:0,min:pe,max:-pe},Qs=(e,t,n,l,i)=>i,vs={show:!0,auto:!0,sorted:0,gaps:Qs,alpha:1,facets:[Ee({},ys,{scale:"x"}),Ee({},ys,{scale:"y"})]},bs={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Qs,alpha:1,points:{show:sf,filter:null},values:null,min:pe,max:-pe,idxs:[],path:null,clip:null};function af(e,t,n,l,i){return n/10}var ea={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},uf=Ee({},ea,{time:!1,ori:1}),ws={};function ta(e,t){let n=ws[e];return n||(n={key:e,plots:[],sub(l){n.plots.push(l)},unsub(l){n.plots=n.plots.filter(i=>i!=l)},pub(l,i,o,a,u,d,m){for(let h=0;h<n.plots.length;h++)n.plots[h]!=i&&n.plots[h].pub(l,i,o,a,u,d,m)}},e!=null&&(ws[e]=n)),n}var Yn=1,or=2;function bn(e,t,n){let l=e.mode,i=e.series[t],o=l==2?e._data[t]:e._data,a=e.scales,u=e.bbox,d=o[0],m=l==2?o[1]:o[t],h=l==2?a[i.facets[0].scale]:a[e.series[0].scale],_=l==2?a[i.facets[1].scale]:a[i.scale],b=u.left,y=u.top,P=u.width,C=u.height,M=e.valToPosH,D=e.valToPosV;return h.ori==0?n(i,d,m,h,_,M,D,b,y,P,C,Zl,Kn,ei,la,ra):n(i,d,m,h,_,D,M,y,b,C,P,Ql,Xn,xr,ia,oa)}function br(e,t){let n=0,l=0,i=ie(e.bands,hr);for(let o=0;o<i.length;o++){let a=i[o];a.series[0]==t?n=a.dir:a.series[1]==t&&(a.dir==1?l|=1:l|=2)}return[n,l==1?-1:l==2?1:l==3?2:0]}function cf(e,t,n,l,i){let o=e.mode,a=e.series[t],u=o==2?a.facets[1].scale:a.scale,d=e.scales[u];return i==-1?d.min:i==1?d.max:d.distr==3?d.dir==1?d.min:d.max:0}function Wt(e,t,n,l,i,o){return bn(e,t,(a,u,d,m,h,_,b,y,P,C,M)=>{let D=a.pxRound,w=m.dir*(m.ori==0?1:-1),R=m.ori==0?Kn:Xn,S,Y;w==1?(S=n,Y=l):(S=l,Y=n);let N=D(_(u[S],m,C,y)),q=D(b(d[S],h,M,P)),U=D(_(u[Y],m,C,y)),X=D(b(o==1?h.max:h.min,h,M,P)),j=new Path2D(i);return R(j,U,X),R(j,N,X),R(j,N,q),j})}function Xl(e,t,n,l,i,o){let a=null;if(e.length>0){a=new Path2D;let u=t==0?ei:xr,d=n;for(let _=0;_<e.length;_++){let b=e[_];if(b[1]>b[0]){let y=b[0]-d;y>0&&u(a,d,l,y,l+o),d=b[1]}}let m=n+i-d,h=10;m>0&&u(a,d,l-h/2,m,l+o+h)}return a}function ff(e,t,n){let l=e[e.length-1];l&&l[0]==t?l[1]=n:e.push([t,n])}function wr(e,t,n,l,i,o,a){let u=[],d=e.length;for(let m=i==1?n:l;m>=n&&m<=l;m+=i)if(t[m]===null){let _=m,b=m;if(i==1)for(;++m<=l&&t[m]===null;)b=m;else for(;--m>=n&&t[m]===null;)b=m;let y=o(e[_]),P=b==_?y:o(e[b]),C=_-i;y=a<=0&&C>=0&&C<d?o(e[C]):y;let D=b+i;P=a>=0&&D>=0&&D<d?o(e[D]):P,P>=y&&u.push([y,P])}return u}function xs(e){return e==0?Ds:e==1?Ae:t=>hn(t,e)}function na(e){let t=e==0?Zl:Ql,n=e==0?(i,o,a,u,d,m)=>{i.arcTo(o,a,u,d,m)}:(i,o,a,u,d,m)=>{i.arcTo(a,o,d,u,m)},l=e==0?(i,o,a,u,d)=>{i.rect(o,a,u,d)}:(i,o,a,u,d)=>{i.rect(a,o,d,u)};return(i,o,a,u,d,m=0,h=0)=>{m==0&&h==0?l(i,o,a,u,d):(m=Ct(m,u/2,d/2),h=Ct(h,u/2,d/2),t(i,o+m,a),n(i,o+u,a,o+u,a+d,m),n(i,o+u,a+d,o,a+d,h),n(i,o,a+d,o,a,h),n(i,o,a,o+u,a,m),i.closePath())}}var Zl=(e,t,n)=>{e.moveTo(t,n)},Ql=(e,t,n)=>{e.moveTo(n,t)},Kn=(e,t,n)=>{e.lineTo(t,n)},Xn=(e,t,n)=>{e.lineTo(n,t)},ei=na(0),xr=na(1),la=(e,t,n,l,i,o)=>{e.arc(t,n,l,i,o)},ia=(e,t,n,l,i,o)=>{e.arc(n,t,l,i,o)},ra=(e,t,n,l,i,o,a)=>{e.bezierCurveTo(t,n,l,i,o,a)},oa=(e,t,n,l,i,o,a)=>{e.bezierCurveTo(n,t,i,l,a,o)};function sa(e){return(t,n,l,i,o)=>bn(t,n,(a,u,d,m,h,_,b,y,P,C,M)=>{let{pxRound:D,points:w}=a,R,S;m.ori==0?(R=Zl,S=la):(R=Ql,S=ia);let Y=de(w.width*oe,3),N=(w.size-w.width)/2*oe,q=de(N*2,3),U=new Path2D,X=new Path2D,{left:j,top:E,width:W,height:O}=t.bbox;ei(X,j-q,E-q,W+q*2,O+q*2);let J=I=>{if(d[I]!=null){let te=D(_(u[I],m,C,y)),H=D(b(d[I],h,M,P));R(U,te+N,H),S(U,te,H,N,0,Ul*2)}};if(o)o.forEach(J);else for(let I=l;I<=i;I++)J(I);return{stroke:Y>0?U:null,fill:U,clip:X,flags:Yn|or}})}function aa(e){return(t,n,l,i,o,a)=>{l!=i&&(o!=l&&a!=l&&e(t,n,l),o!=i&&a!=i&&e(t,n,i),e(t,n,a))}}var pf=aa(Kn),df=aa(Xn);function ua(e){let t=ie(e?.alignGaps,0);return(n,l,i,o)=>bn(n,l,(a,u,d,m,h,_,b,y,P,C,M)=>{[i,o]=Gl(d,i,o);let D=a.pxRound,w=O=>D(_(O,m,C,y)),R=O=>D(b(O,h,M,P)),S,Y;m.ori==0?(S=Kn,Y=pf):(S=Xn,Y=df);let N=m.dir*(m.ori==0?1:-1),q={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Yn},U=q.stroke,X=!1;if(o-i>=C*4){let O=F=>n.posToVal(F,m.key,!0),J=null,I=null,te,H,Ze,ve=w(u[N==1?i:o]),ne=w(u[i]),ce=w(u[o]),Z=O(N==1?ne+1:ce-1);for(let F=N==1?i:o;F>=i&&F<=o;F+=N){let Me=u[F],be=(N==1?Me<Z:Me>Z)?ve:w(Me),se=d[F];be==ve?se!=null?(H=se,J==null?(S(U,be,R(H)),te=J=I=H):H<J?J=H:H>I&&(I=H)):se===null&&(X=!0):(J!=null&&Y(U,ve,R(J),R(I),R(te),R(H)),se!=null?(H=se,S(U,be,R(H)),J=I=te=H):(J=I=null,se===null&&(X=!0)),ve=be,Z=O(ve+N))}J!=null&&J!=I&&Ze!=ve&&Y(U,ve,R(J),R(I),R(te),R(H))}else for(let O=N==1?i:o;O>=i&&O<=o;O+=N){let J=d[O];J===null?X=!0:J!=null&&S(U,w(u[O]),R(J))}let[E,W]=br(n,l);if(a.fill!=null||E!=0){let O=q.fill=new Path2D(U),J=a.fillTo(n,l,a.min,a.max,E),I=R(J),te=w(u[i]),H=w(u[o]);N==-1&&([H,te]=[te,H]),S(O,H,I),S(O,te,I)}if(!a.spanGaps){let O=[];X&&O.push(...wr(u,d,i,o,N,w,t)),q.gaps=O=a.gaps(n,l,i,o,O),q.clip=Xl(O,m.ori,y,P,C,M)}return W!=0&&(q.band=W==2?[Wt(n,l,i,o,U,-1),Wt(n,l,i,o,U,1)]:Wt(n,l,i,o,U,W)),q})}function mf(e){let t=ie(e.align,1),n=ie(e.ascDesc,!1),l=ie(e.alignGaps,0),i=ie(e.extend,!1);return(o,a,u,d)=>bn(o,a,(m,h,_,b,y,P,C,M,D,w,R)=>{[u,d]=Gl(_,u,d);let S=m.pxRound,{left:Y,width:N}=o.bbox,q=ne=>S(P(ne,b,w,M)),U=ne=>S(C(ne,y,R,D)),X=b.ori==0?Kn:Xn,j={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Yn},E=j.stroke,W=b.dir*(b.ori==0?1:-1),O=U(_[W==1?u:d]),J=q(h[W==1?u:d]),I=J,te=J;i&&t==-1&&(te=Y,X(E,te,O)),X(E,J,O);for(let ne=W==1?u:d;ne>=u&&ne<=d;ne+=W){let ce=_[ne];if(ce==null)continue;let Z=q(h[ne]),F=U(ce);t==1?X(E,Z,O):X(E,I,F),X(E,Z,F),O=F,I=Z}let H=I;i&&t==1&&(H=Y+N,X(E,H,O));let[Ze,ve]=br(o,a);if(m.fill!=null||Ze!=0){let ne=j.fill=new Path2D(E),ce=m.fillTo(o,a,m.min,m.max,Ze),Z=U(ce);X(ne,H,Z),X(ne,te,Z)}if(!m.spanGaps){let ne=[];ne.push(...wr(h,_,u,d,W,q,l));let ce=m.width*oe/2,Z=n||t==1?ce:-ce,F=n||t==-1?-ce:ce;ne.forEach(Me=>{Me[0]+=Z,Me[1]+=F}),j.gaps=ne=m.gaps(o,a,u,d,ne),j.clip=Xl(ne,b.ori,M,D,w,R)}return ve!=0&&(j.band=ve==2?[Wt(o,a,u,d,E,-1),Wt(o,a,u,d,E,1)]:Wt(o,a,u,d,E,ve)),j})}function Ss(e,t,n,l,i,o,a=pe){if(e.length>1){let u=null;for(let d=0,m=1/0;d<e.length;d++)if(t[d]!==void 0){if(u!=null){let h=De(e[d]-e[u]);h<m&&(m=h,a=De(n(e[d],l,i,o)-n(e[u],l,i,o)))}u=d}}return a}function hf(e){e=e||gl;let t=ie(e.size,[.6,pe,1]),n=e.align||0,l=e.gap||0,i=e.radius;i=i==null?[0,0]:typeof i=="number"?[i,0]:i;let o=ee(i),a=1-t[0],u=ie(t[1],pe),d=ie(t[2],1),m=ie(e.disp,gl),h=ie(e.each,y=>{}),{fill:_,stroke:b}=m;return(y,P,C,M)=>bn(y,P,(D,w,R,S,Y,N,q,U,X,j,E)=>{let W=D.pxRound,O=n,J=l*oe,I=u*oe,te=d*oe,H,Ze;S.ori==0?[H,Ze]=o(y,P):[Ze,H]=o(y,P);let ve=S.dir*(S.ori==0?1:-1),ne=S.ori==0?ei:xr,ce=S.ori==0?h:(V,me,Ce,kn,rn,At,on)=>{h(V,me,Ce,rn,kn,on,At)},Z=ie(y.bands,hr).find(V=>V.series[0]==P),F=Z!=null?Z.dir:0,Me=D.fillTo(y,P,D.min,D.max,F),Be=W(q(Me,Y,E,X)),be,se,bt,tt=j,xe=W(D.width*oe),Rt=!1,$t=null,ct=null,Bt=null,wn=null;_!=null&&(xe==0||b!=null)&&(Rt=!0,$t=_.values(y,P,C,M),ct=new Map,new Set($t).forEach(V=>{V!=null&&ct.set(V,new Path2D)}),xe>0&&(Bt=b.values(y,P,C,M),wn=new Map,new Set(Bt).forEach(V=>{V!=null&&wn.set(V,new Path2D)})));let{x0:xn,size:Zn}=m;if(xn!=null&&Zn!=null){O=1,w=xn.values(y,P,C,M),xn.unit==2&&(w=w.map(Ce=>y.posToVal(U+Ce*j,S.key,!0)));let V=Zn.values(y,P,C,M);Zn.unit==2?se=V[0]*j:se=N(V[0],S,j,U)-N(0,S,j,U),tt=Ss(w,R,N,S,j,U,tt),bt=tt-se+J}else tt=Ss(w,R,N,S,j,U,tt),bt=tt*a+J,se=tt-bt;bt<1&&(bt=0),xe>=se/2&&(xe=0),bt<5&&(W=Ds);let vl=bt>0,nn=tt-bt-(vl?xe:0);se=W(lr(nn,te,I)),be=(O==0?se/2:O==ve?0:se)-O*ve*((O==0?J/2:0)+(vl?xe/2:0));let Je={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},Sn=Rt?null:new Path2D,Ht=null;if(Z!=null)Ht=y.data[Z.series[1]];else{let{y0:V,y1:me}=m;V!=null&&me!=null&&(R=me.values(y,P,C,M),Ht=V.values(y,P,C,M))}let ln=H*se,K=Ze*se;for(let V=ve==1?C:M;V>=C&&V<=M;V+=ve){let me=R[V];if(me==null)continue;if(Ht!=null){let Qe=Ht[V]??0;if(me-Qe==0)continue;Be=q(Qe,Y,E,X)}let Ce=S.distr!=2||m!=null?w[V]:V,kn=N(Ce,S,j,U),rn=q(ie(me,Me),Y,E,X),At=W(kn-be),on=W(Xe(rn,Be)),nt=W(Ct(rn,Be)),ft=on-nt;if(me!=null){let Qe=me<0?K:ln,wt=me<0?ln:K;Rt?(xe>0&&Bt[V]!=null&&ne(wn.get(Bt[V]),At,nt+at(xe/2),se,Xe(0,ft-xe),Qe,wt),$t[V]!=null&&ne(ct.get($t[V]),At,nt+at(xe/2),se,Xe(0,ft-xe),Qe,wt)):ne(Sn,At,nt+at(xe/2),se,Xe(0,ft-xe),Qe,wt),ce(y,P,V,At-xe/2,nt,se+xe,ft)}}return xe>0?Je.stroke=Rt?wn:Sn:Rt||(Je._fill=D.width==0?D._fill:D._stroke??D._fill,Je.width=0),Je.fill=Rt?ct:Sn,Je})}function gf(e,t){let n=ie(t?.alignGaps,0);return(l,i,o,a)=>bn(l,i,(u,d,m,h,_,b,y,P,C,M,D)=>{[o,a]=Gl(m,o,a);let w=u.pxRound,R=H=>w(b(H,h,M,P)),S=H=>w(y(H,_,D,C)),Y,N,q;h.ori==0?(Y=Zl,q=Kn,N=ra):(Y=Ql,q=Xn,N=oa);let U=h.dir*(h.ori==0?1:-1),X=R(d[U==1?o:a]),j=X,E=[],W=[];for(let H=U==1?o:a;H>=o&&H<=a;H+=U)if(m[H]!=null){let ve=d[H],ne=R(ve);E.push(j=ne),W.push(S(m[H]))}let O={stroke:e(E,W,Y,q,N,w),fill:null,clip:null,band:null,gaps:null,flags:Yn},J=O.stroke,[I,te]=br(l,i);if(u.fill!=null||I!=0){let H=O.fill=new Path2D(J),Ze=u.fillTo(l,i,u.min,u.max,I),ve=S(Ze);q(H,j,ve),q(H,X,ve)}if(!u.spanGaps){let H=[];H.push(...wr(d,m,o,a,U,R,n)),O.gaps=H=u.gaps(l,i,o,a,H),O.clip=Xl(H,h.ori,P,C,M,D)}return te!=0&&(O.band=te==2?[Wt(l,i,o,a,J,-1),Wt(l,i,o,a,J,1)]:Wt(l,i,o,a,J,te)),O})}function _f(e){return gf(yf,e)}function yf(e,t,n,l,i,o){let a=e.length;if(a<2)return null;let u=new Path2D;if(n(u,e[0],t[0]),a==2)l(u,e[1],t[1]);else{let d=Array(a),m=Array(a-1),h=Array(a-1),_=Array(a-1);for(let b=0;b<a-1;b++)h[b]=t[b+1]-t[b],_[b]=e[b+1]-e[b],m[b]=h[b]/_[b];d[0]=m[0];for(let b=1;b<a-1;b++)m[b]===0||m[b-1]===0||m[b-1]>0!=m[b]>0?d[b]=0:(d[b]=3*(_[b-1]+_[b])/((2*_[b]+_[b-1])/m[b-1]+(_[b]+2*_[b-1])/m[b]),isFinite(d[b])||(d[b]=0));d[a-1]=m[a-2];for(let b=0;b<a-1;b++)i(u,e[b]+_[b]/3,t[b]+d[b]*_[b]/3,e[b+1]-_[b]/3,t[b+1]-d[b+1]*_[b]/3,e[b+1],t[b+1])}return u}var sr=new Set;function ks(){for(let e of sr)e.syncRect(!0)}qn&&(yn(Xu,Wn,ks),yn(Zu,Wn,ks,!0),yn(Wl,Wn,()=>{$e.pxRatio=oe}));var vf=ua(),bf=sa();function Ps(e,t,n,l){return(l?[e[0],e[1]].concat(e.slice(2)):[e[0]].concat(e.slice(1))).map((o,a)=>ar(o,a,t,n))}function wf(e,t){return e.map((n,l)=>l==0?{}:Ee({},t,n))}function ar(e,t,n,l){return Ee({},t==0?n:l,e)}function ca(e,t,n){return t==null?Jn:[t,n]}var xf=ca;function Sf(e,t,n){return t==null?Jn:Bl(t,n,dr,!0)}function fa(e,t,n,l){return t==null?Jn:Yl(t,n,e.scales[l].log,!1)}var kf=fa;function pa(e,t,n,l){return t==null?Jn:pr(t,n,e.scales[l].log,!1)}var Pf=pa;function Tf(e,t,n,l,i){let o=Xe(ls(e),ls(t)),a=t-e,u=Mt(i/l*a,n);do{let d=n[u],m=l*d/a;if(m>=i&&o+(d<5?tn.get(d):0)<=17)return[d,m]}while(++u<n.length);return[0,0]}function Ts(e){let t,n;return e=e.replace(/(\d+)px/,(l,i)=>(t=Ae((n=+i)*oe))+"px"),[e,t,n]}function Ef(e){e.show&&[e.font,e.labelFont].forEach(t=>{let n=de(t[2]*oe,1);t[0]=t[0].replace(/[0-9.]+px/,n+"px"),t[1]=n})}function $e(e,t,n){let l={mode:ie(e.mode,1)},i=l.mode;function o(r,s,c,f){let g=s.valToPct(r);return f+c*(s.dir==-1?1-g:g)}function a(r,s,c,f){let g=s.valToPct(r);return f+c*(s.dir==-1?g:1-g)}function u(r,s,c,f){return s.ori==0?o(r,s,c,f):a(r,s,c,f)}l.valToPosH=o,l.valToPosV=a;let d=!1;l.status=0;let m=l.root=yt(Ou);if(e.id!=null&&(m.id=e.id),st(m,e.class),e.title){let r=yt(Nu,m);r.textContent=e.title}let h=Et("canvas"),_=l.ctx=h.getContext("2d"),b=yt(zu,m);yn("click",b,r=>{r.target===P&&(he!=Vn||we!=Nn)&&Ie.click(l,r)},!0);let y=l.under=yt(Fu,b);b.appendChild(h);let P=l.over=yt($u,b);e=Gn(e);let C=+ie(e.pxAlign,1),M=xs(C);(e.plugins||[]).forEach(r=>{r.opts&&(e=r.opts(l,e)||e)});let D=e.ms||.001,w=l.series=i==1?Ps(e.series||[],hs,bs,!1):wf(e.series||[null],vs),R=l.axes=Ps(e.axes||[],ms,_s,!0),S=l.scales={},Y=l.bands=e.bands||[];Y.forEach(r=>{r.fill=ee(r.fill||null),r.dir=ie(r.dir,-1)});let N=i==2?w[1].facets[0].scale:w[0].scale,q={axes:Ua,series:Fa},U=(e.drawOrder||["axes","series"]).map(r=>q[r]);function X(r){let s=r.distr==3?c=>Ut(c>0?c:r.clamp(l,c,r.min,r.max,r.key)):r.distr==4?c=>qi(c,r.asinh):r.distr==100?c=>r.fwd(c):c=>c;return c=>{let f=s(c),{_min:g,_max:v}=r,x=v-g;return(f-g)/x}}function j(r){let s=S[r];if(s==null){let c=(e.scales||gl)[r]||gl;if(c.from!=null){j(c.from);let f=Ee({},S[c.from],c,{key:r});f.valToPct=X(f),S[r]=f}else{s=S[r]=Ee({},r==N?ea:uf,c),s.key=r;let f=s.time,g=s.range,v=en(g);if((r!=N||i==2&&!f)&&(v&&(g[0]==null||g[1]==null)&&(g={min:g[0]==null?es:{mode:1,hard:g[0],soft:g[0]},max:g[1]==null?es:{mode:1,hard:g[1],soft:g[1]}},v=!1),!v&&Kl(g))){let x=g;g=(k,T,A)=>T==null?Jn:Bl(T,A,x)}s.range=ee(g||(f?xf:r==N?s.distr==3?kf:s.distr==4?Pf:ca:s.distr==3?fa:s.distr==4?pa:Sf)),s.auto=ee(v?!1:s.auto),s.clamp=ee(s.clamp||af),s._min=s._max=null,s.valToPct=X(s)}}}j("x"),j("y"),i==1&&w.forEach(r=>{j(r.scale)}),R.forEach(r=>{j(r.scale)});for(let r in e.scales)j(r);let E=S[N],W=E.distr,O,J;E.ori==0?(st(m,Lu),O=o,J=a):(st(m,Vu),O=a,J=o);let I={};for(let r in S){let s=S[r];(s.min!=null||s.max!=null)&&(I[r]={min:s.min,max:s.max},s.min=s.max=null)}let te=e.tzDate||(r=>new Date(Ae(r/D))),H=e.fmtDate||gr,Ze=D==1?Lc(te):zc(te),ve=fs(te,cs(D==1?Oc:Nc,H)),ne=ds(te,ps($c,H)),ce=[],Z=l.legend=Ee({},jc,e.legend),F=l.cursor=Ee({},Yc,{drag:{y:i==2}},e.cursor),Me=Z.show,Be=F.show,be=Z.markers;Z.idxs=ce,be.width=ee(be.width),be.dash=ee(be.dash),be.stroke=ee(be.stroke),be.fill=ee(be.fill);let se,bt,tt,xe=[],Rt=[],$t,ct=!1,Bt={};if(Z.live){let r=w[1]?w[1].values:null;ct=r!=null,$t=ct?r(l,1,0):{_:0};for(let s in $t)Bt[s]=cr}if(Me)if(se=Et("table",Bu,m),tt=Et("tbody",null,se),Z.mount(l,se),ct){bt=Et("thead",null,se,tt);let r=Et("tr",null,bt);Et("th",null,r);for(var wn in $t)Et("th",Io,r).textContent=wn}else st(se,Gu),Z.live&&st(se,Ju);let xn={show:!0},Zn={show:!1};function vl(r,s){if(s==0&&(ct||!Z.live||i==2))return Jn;let c=[],f=Et("tr",Yu,tt,tt.childNodes[s]);st(f,r.class),r.show||st(f,_n);let g=Et("th",null,f);if(be.show){let k=yt(qu,g);if(s>0){let T=be.width(l,s);T&&(k.style.border=T+"px "+be.dash(l,s)+" "+be.stroke(l,s)),k.style.background=be.fill(l,s)}}let v=yt(Io,g);r.label instanceof HTMLElement?v.appendChild(r.label):v.textContent=r.label,s>0&&(be.show||(v.style.color=r.width>0?be.stroke(l,s):be.fill(l,s)),Je("click",g,k=>{if(F._lock)return;an(k);let T=w.indexOf(r);if((k.ctrlKey||k.metaKey)!=Z.isolate){let A=w.some((L,z)=>z>0&&z!=T&&L.show);w.forEach((L,z)=>{z>0&&Ot(z,A?z==T?xn:Zn:xn,!0,Pe.setSeries)})}else Ot(T,{show:!r.show},!0,Pe.setSeries)},!1),Tn&&Je(Bo,g,k=>{F._lock||(an(k),Ot(w.indexOf(r),Fn,!0,Pe.setSeries))},!1));for(var x in $t){let k=Et("td",Ku,f);k.textContent="--",c.push(k)}return[f,c]}let nn=new Map;function Je(r,s,c,f=!0){let g=nn.get(s)||{},v=F.bind[r](l,s,c,f);v&&(yn(r,s,g[r]=v),nn.set(s,g))}function Sn(r,s,c){let f=nn.get(s)||{};for(let g in f)(r==null||g==r)&&(nr(g,s,f[g]),delete f[g]);r==null&&nn.delete(s)}let Ht=0,ln=0,K=0,V=0,me=0,Ce=0,kn=me,rn=Ce,At=K,on=V,nt=0,ft=0,Qe=0,wt=0;l.bbox={};let ai=!1,bl=!1,Pn=!1,sn=!1,wl=!1,pt=!1;function ui(r,s,c){(c||r!=l.width||s!=l.height)&&Cr(r,s),An(!1),Pn=!0,bl=!0,Dn()}function Cr(r,s){l.width=Ht=K=r,l.height=ln=V=s,me=Ce=0,Aa(),Da();let c=l.bbox;nt=c.left=hn(me*oe,.5),ft=c.top=hn(Ce*oe,.5),Qe=c.width=hn(K*oe,.5),wt=c.height=hn(V*oe,.5)}let Ma=3;function Ca(){let r=!1,s=0;for(;!r;){s++;let c=Ia(s),f=ja(s);r=s==Ma||c&&f,r||(Cr(l.width,l.height),bl=!0)}}function Ra({width:r,height:s}){ui(r,s)}l.setSize=Ra;function Aa(){let r=!1,s=!1,c=!1,f=!1;R.forEach((g,v)=>{if(g.show&&g._show){let{side:x,_size:k}=g,T=x%2,A=g.label!=null?g.labelSize:0,L=k+A;L>0&&(T?(K-=L,x==3?(me+=L,f=!0):c=!0):(V-=L,x==0?(Ce+=L,r=!0):s=!0))}}),un[0]=r,un[1]=c,un[2]=s,un[3]=f,K-=Jt[1]+Jt[3],me+=Jt[3],V-=Jt[2]+Jt[0],Ce+=Jt[0]}function Da(){let r=me+K,s=Ce+V,c=me,f=Ce;function g(v,x){switch(v){case 1:return r+=x,r-x;case 2:return s+=x,s-x;case 3:return c-=x,c+x;case 0:return f-=x,f+x}}R.forEach((v,x)=>{if(v.show&&v._show){let k=v.side;v._pos=g(k,v._size),v.label!=null&&(v._lpos=g(k,v.labelSize))}})}if(F.dataIdx==null){let r=F.hover,s=r.skip=new Set(r.skip??[]);s.add(void 0);let c=r.prox=ee(r.prox),f=r.bias??=0;F.dataIdx=(g,v,x,k)=>{if(v==0)return x;let T=x,A=c(g,v,x,k)??pe,L=A>=0&&A<pe,z=E.ori==0?K:V,G=F.left,re=t[0],le=t[v];if(s.has(le[x])){T=null;let Q=null,B=null,$;if(f==0||f==-1)for($=x;Q==null&&$-- >0;)s.has(le[$])||(Q=$);if(f==0||f==1)for($=x;B==null&&$++<le.length;)s.has(le[$])||(B=$);if(Q!=null||B!=null)if(L){let _e=Q==null?-1/0:O(re[Q],E,z,0),Se=B==null?1/0:O(re[B],E,z,0),Fe=G-_e,fe=Se-G;Fe<=fe?Fe<=A&&(T=Q):fe<=A&&(T=B)}else T=B==null?Q:Q==null?B:x-Q<=B-x?Q:B}else L&&De(G-O(re[x],E,z,0))>A&&(T=null);return T}}let an=r=>{F.event=r};F.idxs=ce,F._lock=!1;let We=F.points;We.show=ee(We.show),We.size=ee(We.size),We.stroke=ee(We.stroke),We.width=ee(We.width),We.fill=ee(We.fill);let Dt=l.focus=Ee({},e.focus||{alpha:.3},F.focus),Tn=Dt.prox>=0,En=Tn&&We.one,dt=[],Mn=[],Cn=[];function Rr(r,s){let c=We.show(l,s);if(c instanceof HTMLElement)return st(c,Wu),st(c,r.class),Ft(c,-10,-10,K,V),P.insertBefore(c,dt[s]),c}function Ar(r,s){if(i==1||s>0){let c=i==1&&S[r.scale].time,f=r.value;r.value=c?os(f)?ds(te,ps(f,H)):f||ne:f||rf,r.label=r.label||(c?Kc:qc)}if(En||s>0){r.width=r.width==null?1:r.width,r.paths=r.paths||vf||ac,r.fillTo=ee(r.fillTo||cf),r.pxAlign=+ie(r.pxAlign,C),r.pxRound=xs(r.pxAlign),r.stroke=ee(r.stroke||null),r.fill=ee(r.fill||null),r._stroke=r._fill=r._paths=r._focus=null;let c=of(Xe(1,r.width),1),f=r.points=Ee({},{size:c,width:Xe(1,c*.2),stroke:r.stroke,space:c*2,paths:bf,_stroke:null,_fill:null},r.points);f.show=ee(f.show),f.filter=ee(f.filter),f.fill=ee(f.fill),f.stroke=ee(f.stroke),f.paths=ee(f.paths),f.pxAlign=r.pxAlign}if(Me){let c=vl(r,s);xe.splice(s,0,c[0]),Rt.splice(s,0,c[1]),Z.values.push(null)}if(Be){ce.splice(s,0,null);let c=null;En?s==0&&(c=Rr(r,s)):s>0&&(c=Rr(r,s)),dt.splice(s,0,c),Mn.splice(s,0,0),Cn.splice(s,0,0)}ze("addSeries",s)}function Oa(r,s){s=s??w.length,r=i==1?ar(r,s,hs,bs):ar(r,s,{},vs),w.splice(s,0,r),Ar(w[s],s)}l.addSeries=Oa;function La(r){if(w.splice(r,1),Me){Z.values.splice(r,1),Rt.splice(r,1);let s=xe.splice(r,1)[0];Sn(null,s.firstChild),s.remove()}Be&&(ce.splice(r,1),dt.splice(r,1)[0].remove(),Mn.splice(r,1),Cn.splice(r,1)),ze("delSeries",r)}l.delSeries=La;let un=[!1,!1,!1,!1];function Va(r,s){if(r._show=r.show,r.show){let c=r.side%2,f=S[r.scale];f==null&&(r.scale=c?w[1].scale:N,f=S[r.scale]);let g=f.time;r.size=ee(r.size),r.space=ee(r.space),r.rotate=ee(r.rotate),en(r.incrs)&&r.incrs.forEach(x=>{!tn.has(x)&&tn.set(x,Vs(x))}),r.incrs=ee(r.incrs||(f.distr==2?Rc:g?D==1?Dc:Vc:gn)),r.splits=ee(r.splits||(g&&f.distr==1?Ze:f.distr==3?ir:f.distr==4?Qc:Zc)),r.stroke=ee(r.stroke),r.grid.stroke=ee(r.grid.stroke),r.ticks.stroke=ee(r.ticks.stroke),r.border.stroke=ee(r.border.stroke);let v=r.values;r.values=en(v)&&!en(v[0])?ee(v):g?en(v)?fs(te,cs(v,H)):os(v)?Fc(te,v):v||ve:v||Xc,r.filter=ee(r.filter||(f.distr>=3&&f.log==10?nf:f.distr==3&&f.log==2?lf:Os)),r.font=Ts(r.font),r.labelFont=Ts(r.labelFont),r._size=r.size(l,null,s,0),r._space=r._rotate=r._incrs=r._found=r._splits=r._values=null,r._size>0&&(un[s]=!0,r._el=yt(Hu,b))}}function Qn(r,s,c,f){let[g,v,x,k]=c,T=s%2,A=0;return T==0&&(k||v)&&(A=s==0&&!g||s==2&&!x?Ae(ms.size/3):0),T==1&&(g||x)&&(A=s==1&&!v||s==3&&!k?Ae(_s.size/2):0),A}let Dr=l.padding=(e.padding||[Qn,Qn,Qn,Qn]).map(r=>ee(ie(r,Qn))),Jt=l._padding=Dr.map((r,s)=>r(l,s,un,0)),He,Oe=null,Le=null,xl=i==1?w[0].idxs:null,xt=null,el=!1;function Or(r,s){if(t=r??[],l.data=l._data=t,i==2){He=0;for(let c=1;c<w.length;c++)He+=t[c][0].length}else{t.length==0&&(l.data=l._data=t=[[]]),xt=t[0],He=xt.length;let c=t;if(W==2){c=t.slice();let f=c[0]=Array(He);for(let g=0;g<He;g++)f[g]=g}l._data=t=c}if(An(!0),ze("setData"),W==2&&(Pn=!0),s!==!1){let c=E;c.auto(l,el)?ci():Yt(N,c.min,c.max),sn=sn||F.left>=0,pt=!0,Dn()}}l.setData=Or;function ci(){el=!0;let r,s;i==1&&(He>0?(Oe=xl[0]=0,Le=xl[1]=He-1,r=t[0][Oe],s=t[0][Le],W==2?(r=Oe,s=Le):r==s&&(W==3?[r,s]=Yl(r,r,E.log,!1):W==4?[r,s]=pr(r,r,E.log,!1):E.time?s=r+Ae(86400/D):[r,s]=Bl(r,s,dr,!0))):(Oe=xl[0]=r=null,Le=xl[1]=s=null)),Yt(N,r,s)}let Sl,Rn,fi,pi,di,mi,hi,gi,_i,et;function Lr(r,s,c,f,g,v){r??=Uo,c??=hr,f??="butt",g??=Uo,v??="round",r!=Sl&&(_.strokeStyle=Sl=r),g!=Rn&&(_.fillStyle=Rn=g),s!=fi&&(_.lineWidth=fi=s),v!=di&&(_.lineJoin=di=v),f!=mi&&(_.lineCap=mi=f),c!=pi&&_.setLineDash(pi=c)}function Vr(r,s,c,f){s!=Rn&&(_.fillStyle=Rn=s),r!=hi&&(_.font=hi=r),c!=gi&&(_.textAlign=gi=c),f!=_i&&(_.textBaseline=_i=f)}function yi(r,s,c,f,g=0){if(f.length>0&&r.auto(l,el)&&(s==null||s.min==null)){let v=ie(Oe,0),x=ie(Le,f.length-1),k=c.min==null?nc(f,v,x,g,r.distr==3):[c.min,c.max];r.min=Ct(r.min,c.min=k[0]),r.max=Xe(r.max,c.max=k[1])}}let Nr={min:null,max:null};function Na(){for(let f in S){let g=S[f];I[f]==null&&(g.min==null||I[N]!=null&&g.auto(l,el))&&(I[f]=Nr)}for(let f in S){let g=S[f];I[f]==null&&g.from!=null&&I[g.from]!=null&&(I[f]=Nr)}I[N]!=null&&An(!0);let r={};for(let f in I){let g=I[f];if(g!=null){let v=r[f]=Gn(S[f],fc);if(g.min!=null)Ee(v,g);else if(f!=N||i==2)if(He==0&&v.from==null){let x=v.range(l,null,null,f);v.min=x[0],v.max=x[1]}else v.min=pe,v.max=-pe}}if(He>0){w.forEach((f,g)=>{if(i==1){let v=f.scale,x=I[v];if(x==null)return;let k=r[v];if(g==0){let T=k.range(l,k.min,k.max,v);k.min=T[0],k.max=T[1],Oe=Mt(k.min,t[0]),Le=Mt(k.max,t[0]),Le-Oe>1&&(t[0][Oe]<k.min&&Oe++,t[0][Le]>k.max&&Le--),f.min=xt[Oe],f.max=xt[Le]}else f.show&&f.auto&&yi(k,x,f,t[g],f.sorted);f.idxs[0]=Oe,f.idxs[1]=Le}else if(g>0&&f.show&&f.auto){let[v,x]=f.facets,k=v.scale,T=x.scale,[A,L]=t[g],z=r[k],G=r[T];z!=null&&yi(z,I[k],v,A,v.sorted),G!=null&&yi(G,I[T],x,L,x.sorted),f.min=x.min,f.max=x.max}});for(let f in r){let g=r[f],v=I[f];if(g.from==null&&(v==null||v.min==null)){let x=g.range(l,g.min==pe?null:g.min,g.max==-pe?null:g.max,f);g.min=x[0],g.max=x[1]}}}for(let f in r){let g=r[f];if(g.from!=null){let v=r[g.from];if(v.min==null)g.min=g.max=null;else{let x=g.range(l,v.min,v.max,f);g.min=x[0],g.max=x[1]}}}let s={},c=!1;for(let f in r){let g=r[f],v=S[f];if(v.min!=g.min||v.max!=g.max){v.min=g.min,v.max=g.max;let x=v.distr;v._min=x==3?Ut(v.min):x==4?qi(v.min,v.asinh):x==100?v.fwd(v.min):v.min,v._max=x==3?Ut(v.max):x==4?qi(v.max,v.asinh):x==100?v.fwd(v.max):v.max,s[f]=c=!0}}if(c){w.forEach((f,g)=>{i==2?g>0&&s.y&&(f._paths=null):s[f.scale]&&(f._paths=null)});for(let f in s)Pn=!0,ze("setScale",f);Be&&F.left>=0&&(sn=pt=!0)}for(let f in I)I[f]=null}function za(r){let s=lr(Oe-1,0,He-1),c=lr(Le+1,0,He-1);for(;r[s]==null&&s>0;)s--;for(;r[c]==null&&c<He-1;)c++;return[s,c]}function Fa(){if(He>0){let r=w.some(s=>s._focus)&&et!=Dt.alpha;r&&(_.globalAlpha=et=Dt.alpha),w.forEach((s,c)=>{if(c>0&&s.show&&(zr(c,!1),zr(c,!0),s._paths==null)){let f=et;et!=s.alpha&&(_.globalAlpha=et=s.alpha);let g=i==2?[0,t[c][0].length-1]:za(t[c]);s._paths=s.paths(l,c,g[0],g[1]),et!=f&&(_.globalAlpha=et=f)}}),w.forEach((s,c)=>{if(c>0&&s.show){let f=et;et!=s.alpha&&(_.globalAlpha=et=s.alpha),s._paths!=null&&Fr(c,!1);{let g=s._paths!=null?s._paths.gaps:null,v=s.points.show(l,c,Oe,Le,g),x=s.points.filter(l,c,v,g);(v||x)&&(s.points._paths=s.points.paths(l,c,Oe,Le,x),Fr(c,!0))}et!=f&&(_.globalAlpha=et=f),ze("drawSeries",c)}}),r&&(_.globalAlpha=et=1)}}function zr(r,s){let c=s?w[r].points:w[r];c._stroke=c.stroke(l,r),c._fill=c.fill(l,r)}function Fr(r,s){let c=s?w[r].points:w[r],{stroke:f,fill:g,clip:v,flags:x,_stroke:k=c._stroke,_fill:T=c._fill,_width:A=c.width}=c._paths;A=de(A*oe,3);let L=null,z=A%2/2;s&&T==null&&(T=A>0?"#fff":k);let G=c.pxAlign==1&&z>0;if(G&&_.translate(z,z),!s){let re=nt-A/2,le=ft-A/2,Q=Qe+A,B=wt+A;L=new Path2D,L.rect(re,le,Q,B)}s?vi(k,A,c.dash,c.cap,T,f,g,x,v):$a(r,k,A,c.dash,c.cap,T,f,g,x,L,v),G&&_.translate(-z,-z)}function $a(r,s,c,f,g,v,x,k,T,A,L){let z=!1;T!=0&&Y.forEach((G,re)=>{if(G.series[0]==r){let le=w[G.series[1]],Q=t[G.series[1]],B=(le._paths||gl).band;en(B)&&(B=G.dir==1?B[0]:B[1]);let $,_e=null;le.show&&B&&ic(Q,Oe,Le)?(_e=G.fill(l,re)||v,$=le._paths.clip):B=null,vi(s,c,f,g,_e,x,k,T,A,L,$,B),z=!0}}),z||vi(s,c,f,g,v,x,k,T,A,L)}let $r=Yn|or;function vi(r,s,c,f,g,v,x,k,T,A,L,z){Lr(r,s,c,f,g),(T||A||z)&&(_.save(),T&&_.clip(T),A&&_.clip(A)),z?(k&$r)==$r?(_.clip(z),L&&_.clip(L),Pl(g,x),kl(r,v,s)):k&or?(Pl(g,x),_.clip(z),kl(r,v,s)):k&Yn&&(_.save(),_.clip(z),L&&_.clip(L),Pl(g,x),_.restore(),kl(r,v,s)):(Pl(g,x),kl(r,v,s)),(T||A||z)&&_.restore()}function kl(r,s,c){c>0&&(s instanceof Map?s.forEach((f,g)=>{_.strokeStyle=Sl=g,_.stroke(f)}):s!=null&&r&&_.stroke(s))}function Pl(r,s){s instanceof Map?s.forEach((c,f)=>{_.fillStyle=Rn=f,_.fill(c)}):s!=null&&r&&_.fill(s)}function Ha(r,s,c,f){let g=R[r],v;if(f<=0)v=[0,0];else{let x=g._space=g.space(l,r,s,c,f),k=g._incrs=g.incrs(l,r,s,c,f,x);v=Tf(s,c,k,f,x)}return g._found=v}function bi(r,s,c,f,g,v,x,k,T,A){let L=x%2/2;C==1&&_.translate(L,L),Lr(k,x,T,A,k),_.beginPath();let z,G,re,le,Q=g+(f==0||f==3?-v:v);c==0?(G=g,le=Q):(z=g,re=Q);for(let B=0;B<r.length;B++)s[B]!=null&&(c==0?z=re=r[B]:G=le=r[B],_.moveTo(z,G),_.lineTo(re,le));_.stroke(),C==1&&_.translate(-L,-L)}function Ia(r){let s=!0;return R.forEach((c,f)=>{if(!c.show)return;let g=S[c.scale];if(g.min==null){c._show&&(s=!1,c._show=!1,An(!1));return}else c._show||(s=!1,c._show=!0,An(!1));let v=c.side,x=v%2,{min:k,max:T}=g,[A,L]=Ha(f,k,T,x==0?K:V);if(L==0)return;let z=g.distr==2,G=c._splits=c.splits(l,f,k,T,A,L,z),re=g.distr==2?G.map($=>xt[$]):G,le=g.distr==2?xt[G[1]]-xt[G[0]]:A,Q=c._values=c.values(l,c.filter(l,re,f,L,le),f,L,le);c._rotate=v==2?c.rotate(l,Q,f,L):0;let B=c._size;c._size=vt(c.size(l,Q,f,r)),B!=null&&c._size!=B&&(s=!1)}),s}function ja(r){let s=!0;return Dr.forEach((c,f)=>{let g=c(l,f,un,r);g!=Jt[f]&&(s=!1),Jt[f]=g}),s}function Ua(){for(let r=0;r<R.length;r++){let s=R[r];if(!s.show||!s._show)continue;let c=s.side,f=c%2,g,v,x=s.stroke(l,r),k=c==0||c==3?-1:1,[T,A]=s._found;if(s.label!=null){let Ye=s.labelGap*k,rt=Ae((s._lpos+Ye)*oe);Vr(s.labelFont[0],x,"center",c==2?"top":jo),_.save(),f==1?(g=v=0,_.translate(rt,Ae(ft+wt/2)),_.rotate((c==3?-Ul:Ul)/2)):(g=Ae(nt+Qe/2),v=rt);let pn=As(s.label)?s.label(l,r,T,A):s.label;_.fillText(pn,g,v),_.restore()}if(A==0)continue;let L=S[s.scale],z=f==0?Qe:wt,G=f==0?nt:ft,re=s._splits,le=L.distr==2?re.map(Ye=>xt[Ye]):re,Q=L.distr==2?xt[re[1]]-xt[re[0]]:T,B=s.ticks,$=s.border,_e=B.show?B.size:0,Se=Ae(_e*oe),Fe=Ae((s.alignTo==2?s._size-_e-s.gap:s.gap)*oe),fe=s._rotate*-Ul/180,ke=M(s._pos*oe),lt=(Se+Fe)*k,Ge=ke+lt;v=f==0?Ge:0,g=f==1?Ge:0;let mt=s.font[0],St=s.align==1?jn:s.align==2?Ji:fe>0?jn:fe<0?Ji:f==0?"center":c==3?Ji:jn,Vt=fe||f==1?"middle":c==2?"top":jo;Vr(mt,x,St,Vt);let it=s.font[1]*s.lineGap,ht=re.map(Ye=>M(u(Ye,L,z,G))),kt=s._values;for(let Ye=0;Ye<kt.length;Ye++){let rt=kt[Ye];if(rt!=null){f==0?g=ht[Ye]:v=ht[Ye],rt=""+rt;let pn=rt.indexOf(`
-`)==-1?[rt]:rt.split(/\n/gm);for(let qe=0;qe<pn.length;qe++){let io=pn[qe];fe?(_.save(),_.translate(g,v+qe*it),_.rotate(fe),_.fillText(io,0,0),_.restore()):_.fillText(io,g,v+qe*it)}}}B.show&&bi(ht,B.filter(l,le,r,A,Q),f,c,ke,Se,de(B.width*oe,3),B.stroke(l,r),B.dash,B.cap);let Nt=s.grid;Nt.show&&bi(ht,Nt.filter(l,le,r,A,Q),f,f==0?2:1,f==0?ft:nt,f==0?wt:Qe,de(Nt.width*oe,3),Nt.stroke(l,r),Nt.dash,Nt.cap),$.show&&bi([ke],[1],f==0?1:0,f==0?1:2,f==1?ft:nt,f==1?wt:Qe,de($.width*oe,3),$.stroke(l,r),$.dash,$.cap)}ze("drawAxes")}function An(r){w.forEach((s,c)=>{c>0&&(s._paths=null,r&&(i==1?(s.min=null,s.max=null):s.facets.forEach(f=>{f.min=null,f.max=null})))})}let Tl=!1,wi=!1,tl=[];function Wa(){wi=!1;for(let r=0;r<tl.length;r++)ze(...tl[r]);tl.length=0}function Dn(){Tl||(yc(Hr),Tl=!0)}function Ba(r,s=!1){Tl=!0,wi=s,r(l),Hr(),s&&tl.length>0&&queueMicrotask(Wa)}l.batch=Ba;function Hr(){if(ai&&(Na(),ai=!1),Pn&&(Ca(),Pn=!1),bl){if(ye(y,jn,me),ye(y,"top",Ce),ye(y,pl,K),ye(y,dl,V),ye(P,jn,me),ye(P,"top",Ce),ye(P,pl,K),ye(P,dl,V),ye(b,pl,Ht),ye(b,dl,ln),h.width=Ae(Ht*oe),h.height=Ae(ln*oe),R.forEach(({_el:r,_show:s,_size:c,_pos:f,side:g})=>{if(r!=null)if(s){let v=g===3||g===0?c:0,x=g%2==1;ye(r,x?"left":"top",f-v),ye(r,x?"width":"height",c),ye(r,x?"top":"left",x?Ce:me),ye(r,x?"height":"width",x?V:K),tr(r,_n)}else st(r,_n)}),Sl=Rn=fi=di=mi=hi=gi=_i=pi=null,et=1,il(!0),me!=kn||Ce!=rn||K!=At||V!=on){An(!1);let r=K/At,s=V/on;if(Be&&!sn&&F.left>=0){F.left*=r,F.top*=s,On&&Ft(On,Ae(F.left),0,K,V),Ln&&Ft(Ln,0,Ae(F.top),K,V);for(let c=0;c<dt.length;c++){let f=dt[c];f!=null&&(Mn[c]*=r,Cn[c]*=s,Ft(f,vt(Mn[c]),vt(Cn[c]),K,V))}}if(ge.show&&!wl&&ge.left>=0&&ge.width>0){ge.left*=r,ge.width*=r,ge.top*=s,ge.height*=s;for(let c in Ei)ye(zn,c,ge[c])}kn=me,rn=Ce,At=K,on=V}ze("setSize"),bl=!1}Ht>0&&ln>0&&(_.clearRect(0,0,h.width,h.height),ze("drawClear"),U.forEach(r=>r()),ze("draw")),ge.show&&wl&&(El(ge),wl=!1),Be&&sn&&(fn(null,!0,!1),sn=!1),Z.show&&Z.live&&pt&&(Pi(),pt=!1),d||(d=!0,l.status=1,ze("ready")),el=!1,Tl=!1}l.redraw=(r,s)=>{Pn=s||!1,r!==!1?Yt(N,E.min,E.max):Dn()};function xi(r,s){let c=S[r];if(c.from==null){if(He==0){let f=c.range(l,s.min,s.max,r);s.min=f[0],s.max=f[1]}if(s.min>s.max){let f=s.min;s.min=s.max,s.max=f}if(He>1&&s.min!=null&&s.max!=null&&s.max-s.min<1e-16)return;r==N&&c.distr==2&&He>0&&(s.min=Mt(s.min,t[0]),s.max=Mt(s.max,t[0]),s.min==s.max&&s.max++),I[r]=s,ai=!0,Dn()}}l.setScale=xi;let Si,ki,On,Ln,Ir,jr,Vn,Nn,Ur,Wr,he,we,Gt=!1,Ie=F.drag,Ve=Ie.x,Ne=Ie.y;Be&&(F.x&&(Si=yt(ju,P)),F.y&&(ki=yt(Uu,P)),E.ori==0?(On=Si,Ln=ki):(On=ki,Ln=Si),he=F.left,we=F.top);let ge=l.select=Ee({show:!0,over:!0,left:0,width:0,top:0,height:0},e.select),zn=ge.show?yt(Iu,ge.over?P:y):null;function El(r,s){if(ge.show){for(let c in r)ge[c]=r[c],c in Ei&&ye(zn,c,r[c]);s!==!1&&ze("setSelect")}}l.setSelect=El;function Ja(r){if(w[r].show)Me&&tr(xe[r],_n);else if(Me&&st(xe[r],_n),Be){let c=En?dt[0]:dt[r];c!=null&&Ft(c,-10,-10,K,V)}}function Yt(r,s,c){xi(r,{min:s,max:c})}function Ot(r,s,c,f){s.focus!=null&&Xa(r),s.show!=null&&w.forEach((g,v)=>{v>0&&(r==v||r==null)&&(g.show=s.show,Ja(v),i==2?(Yt(g.facets[0].scale,null,null),Yt(g.facets[1].scale,null,null)):Yt(g.scale,null,null),Dn())}),c!==!1&&ze("setSeries",r,s),f&&rl("setSeries",l,r,s)}l.setSeries=Ot;function Ga(r,s){Ee(Y[r],s)}function Ya(r,s){r.fill=ee(r.fill||null),r.dir=ie(r.dir,-1),s=s??Y.length,Y.splice(s,0,r)}function qa(r){r==null?Y.length=0:Y.splice(r,1)}l.addBand=Ya,l.setBand=Ga,l.delBand=qa;function Ka(r,s){w[r].alpha=s,Be&&dt[r]!=null&&(dt[r].style.opacity=s),Me&&xe[r]&&(xe[r].style.opacity=s)}let It,qt,cn,Fn={focus:!0};function Xa(r){if(r!=cn){let s=r==null,c=Dt.alpha!=1;w.forEach((f,g)=>{if(i==1||g>0){let v=s||g==0||g==r;f._focus=s?null:v,c&&Ka(g,v?1:Dt.alpha)}}),cn=r,c&&Dn()}}Me&&Tn&&Je(Jo,se,r=>{F._lock||(an(r),cn!=null&&Ot(null,Fn,!0,Pe.setSeries))});function Lt(r,s,c){let f=S[s];c&&(r=r/oe-(f.ori==1?Ce:me));let g=K;f.ori==1&&(g=V,r=g-r),f.dir==-1&&(r=g-r);let v=f._min,x=f._max,k=r/g,T=v+(x-v)*k,A=f.distr;return A==3?Bn(10,T):A==4?oc(T,f.asinh):A==100?f.bwd(T):T}function Za(r,s){let c=Lt(r,N,s);return Mt(c,t[0],Oe,Le)}l.valToIdx=r=>Mt(r,t[0]),l.posToIdx=Za,l.posToVal=Lt,l.valToPos=(r,s,c)=>S[s].ori==0?o(r,S[s],c?Qe:K,c?nt:0):a(r,S[s],c?wt:V,c?ft:0),l.setCursor=(r,s,c)=>{he=r.left,we=r.top,fn(null,s,c)};function Br(r,s){ye(zn,jn,ge.left=r),ye(zn,pl,ge.width=s)}function Jr(r,s){ye(zn,"top",ge.top=r),ye(zn,dl,ge.height=s)}let nl=E.ori==0?Br:Jr,ll=E.ori==1?Br:Jr;function Qa(){if(Me&&Z.live)for(let r=i==2?1:0;r<w.length;r++){if(r==0&&ct)continue;let s=Z.values[r],c=0;for(let f in s)Rt[r][c++].firstChild.nodeValue=s[f]}}function Pi(r,s){if(r!=null&&(r.idxs?r.idxs.forEach((c,f)=>{ce[f]=c}):cc(r.idx)||ce.fill(r.idx),Z.idx=ce[0]),Me&&Z.live){for(let c=0;c<w.length;c++)(c>0||i==1&&!ct)&&eu(c,ce[c]);Qa()}pt=!1,s!==!1&&ze("setLegend")}l.setLegend=Pi;function eu(r,s){let c=w[r],f=r==0&&W==2?xt:t[r],g;ct?g=c.values(l,r,s)??Bt:(g=c.value(l,s==null?null:f[s],r,s),g=g==null?Bt:{_:g}),Z.values[r]=g}function fn(r,s,c){Ur=he,Wr=we,[he,we]=F.move(l,he,we),F.left=he,F.top=we,Be&&(On&&Ft(On,Ae(he),0,K,V),Ln&&Ft(Ln,0,Ae(we),K,V));let f,g=Oe>Le;It=pe,qt=null;let v=E.ori==0?K:V,x=E.ori==1?K:V;if(he<0||He==0||g){f=F.idx=null;for(let k=0;k<w.length;k++){let T=dt[k];T!=null&&Ft(T,-10,-10,K,V)}Tn&&Ot(null,Fn,!0,r==null&&Pe.setSeries),Z.live&&(ce.fill(f),pt=!0)}else{let k,T,A;i==1&&(k=E.ori==0?he:we,T=Lt(k,N),f=F.idx=Mt(T,t[0],Oe,Le),A=O(t[0][f],E,v,0));let L=-10,z=-10,G=0,re=0,le=!0,Q="",B="";for(let $=i==2?1:0;$<w.length;$++){let _e=w[$],Se=ce[$],Fe=Se==null?null:i==1?t[$][Se]:t[$][1][Se],fe=F.dataIdx(l,$,f,T),ke=fe==null?null:i==1?t[$][fe]:t[$][1][fe];if(pt=pt||ke!=Fe||fe!=Se,ce[$]=fe,$>0&&_e.show){let lt=fe==null?-10:fe==f?A:O(i==1?t[0][fe]:t[$][0][fe],E,v,0),Ge=ke==null?-10:J(ke,i==1?S[_e.scale]:S[_e.facets[1].scale],x,0);if(Tn&&ke!=null){let mt=E.ori==1?he:we,St=De(Dt.dist(l,$,fe,Ge,mt));if(St<It){let Vt=Dt.bias;if(Vt!=0){let it=Lt(mt,_e.scale),ht=ke>=0?1:-1,kt=it>=0?1:-1;kt==ht&&(kt==1?Vt==1?ke>=it:ke<=it:Vt==1?ke<=it:ke>=it)&&(It=St,qt=$)}else It=St,qt=$}}if(pt||En){let mt,St;E.ori==0?(mt=lt,St=Ge):(mt=Ge,St=lt);let Vt,it,ht,kt,Nt,Ye,rt=!0,pn=We.bbox;if(pn!=null){rt=!1;let qe=pn(l,$);ht=qe.left,kt=qe.top,Vt=qe.width,it=qe.height}else ht=mt,kt=St,Vt=it=We.size(l,$);if(Ye=We.fill(l,$),Nt=We.stroke(l,$),En)$==qt&&It<=Dt.prox&&(L=ht,z=kt,G=Vt,re=it,le=rt,Q=Ye,B=Nt);else{let qe=dt[$];qe!=null&&(Mn[$]=ht,Cn[$]=kt,Qo(qe,Vt,it,rt),Xo(qe,Ye,Nt),Ft(qe,vt(ht),vt(kt),K,V))}}}}if(En){let $=Dt.prox,_e=cn==null?It<=$:It>$||qt!=cn;if(pt||_e){let Se=dt[0];Se!=null&&(Mn[0]=L,Cn[0]=z,Qo(Se,G,re,le),Xo(Se,Q,B),Ft(Se,vt(L),vt(z),K,V))}}}if(ge.show&&Gt)if(r!=null){let[k,T]=Pe.scales,[A,L]=Pe.match,[z,G]=r.cursor.sync.scales,re=r.cursor.drag;if(Ve=re._x,Ne=re._y,Ve||Ne){let{left:le,top:Q,width:B,height:$}=r.select,_e=r.scales[z].ori,Se=r.posToVal,Fe,fe,ke,lt,Ge,mt=k!=null&&A(k,z),St=T!=null&&L(T,G);mt&&Ve?(_e==0?(Fe=le,fe=B):(Fe=Q,fe=$),ke=S[k],lt=O(Se(Fe,z),ke,v,0),Ge=O(Se(Fe+fe,z),ke,v,0),nl(Ct(lt,Ge),De(Ge-lt))):nl(0,v),St&&Ne?(_e==1?(Fe=le,fe=B):(Fe=Q,fe=$),ke=S[T],lt=J(Se(Fe,G),ke,x,0),Ge=J(Se(Fe+fe,G),ke,x,0),ll(Ct(lt,Ge),De(Ge-lt))):ll(0,x)}else Mi()}else{let k=De(Ur-Ir),T=De(Wr-jr);if(E.ori==1){let G=k;k=T,T=G}Ve=Ie.x&&k>=Ie.dist,Ne=Ie.y&&T>=Ie.dist;let A=Ie.uni;A!=null?Ve&&Ne&&(Ve=k>=A,Ne=T>=A,!Ve&&!Ne&&(T>k?Ne=!0:Ve=!0)):Ie.x&&Ie.y&&(Ve||Ne)&&(Ve=Ne=!0);let L,z;Ve&&(E.ori==0?(L=Vn,z=he):(L=Nn,z=we),nl(Ct(L,z),De(z-L)),Ne||ll(0,x)),Ne&&(E.ori==1?(L=Vn,z=he):(L=Nn,z=we),ll(Ct(L,z),De(z-L)),Ve||nl(0,v)),!Ve&&!Ne&&(nl(0,0),ll(0,0))}if(Ie._x=Ve,Ie._y=Ne,r==null){if(c){if(lo!=null){let[k,T]=Pe.scales;Pe.values[0]=k!=null?Lt(E.ori==0?he:we,k):null,Pe.values[1]=T!=null?Lt(E.ori==1?he:we,T):null}rl(Gi,l,he,we,K,V,f)}if(Tn){let k=c&&Pe.setSeries,T=Dt.prox;cn==null?It<=T&&Ot(qt,Fn,!0,k):It>T?Ot(null,Fn,!0,k):qt!=cn&&Ot(qt,Fn,!0,k)}}pt&&(Z.idx=f,Pi()),s!==!1&&ze("setCursor")}let Kt=null;Object.defineProperty(l,"rect",{get(){return Kt==null&&il(!1),Kt}});function il(r=!1){r?Kt=null:(Kt=P.getBoundingClientRect(),ze("syncRect",Kt))}function Gr(r,s,c,f,g,v,x){F._lock||Gt&&r!=null&&r.movementX==0&&r.movementY==0||(Ti(r,s,c,f,g,v,x,!1,r!=null),r!=null?fn(null,!0,!0):fn(s,!0,!1))}function Ti(r,s,c,f,g,v,x,k,T){if(Kt==null&&il(!1),an(r),r!=null)c=r.clientX-Kt.left,f=r.clientY-Kt.top;else{if(c<0||f<0){he=-10,we=-10;return}let[A,L]=Pe.scales,z=s.cursor.sync,[G,re]=z.values,[le,Q]=z.scales,[B,$]=Pe.match,_e=s.axes[0].side%2==1,Se=E.ori==0?K:V,Fe=E.ori==1?K:V,fe=_e?v:g,ke=_e?g:v,lt=_e?f:c,Ge=_e?c:f;if(le!=null?c=B(A,le)?u(G,S[A],Se,0):-10:c=Se*(lt/fe),Q!=null?f=$(L,Q)?u(re,S[L],Fe,0):-10:f=Fe*(Ge/ke),E.ori==1){let mt=c;c=f,f=mt}}T&&(s==null||s.cursor.event.type==Gi)&&((c<=1||c>=K-1)&&(c=hn(c,K)),(f<=1||f>=V-1)&&(f=hn(f,V))),k?(Ir=c,jr=f,[Vn,Nn]=F.move(l,c,f)):(he=c,we=f)}let Ei={width:0,height:0,left:0,top:0};function Mi(){El(Ei,!1)}let Yr,qr,Kr,Xr;function Zr(r,s,c,f,g,v,x){Gt=!0,Ve=Ne=Ie._x=Ie._y=!1,Ti(r,s,c,f,g,v,x,!0,!1),r!=null&&(Je(Yi,Qi,Qr,!1),rl(Wo,l,Vn,Nn,K,V,null));let{left:k,top:T,width:A,height:L}=ge;Yr=k,qr=T,Kr=A,Xr=L}function Qr(r,s,c,f,g,v,x){Gt=Ie._x=Ie._y=!1,Ti(r,s,c,f,g,v,x,!1,!0);let{left:k,top:T,width:A,height:L}=ge,z=A>0||L>0,G=Yr!=k||qr!=T||Kr!=A||Xr!=L;if(z&&G&&El(ge),Ie.setScale&&z&&G){let re=k,le=A,Q=T,B=L;if(E.ori==1&&(re=T,le=L,Q=k,B=A),Ve&&Yt(N,Lt(re,N),Lt(re+le,N)),Ne)for(let $ in S){let _e=S[$];$!=N&&_e.from==null&&_e.min!=pe&&Yt($,Lt(Q+B,$),Lt(Q,$))}Mi()}else F.lock&&(F._lock=!F._lock,fn(s,!0,r!=null));r!=null&&(Sn(Yi,Qi),rl(Yi,l,he,we,K,V,null))}function tu(r,s,c,f,g,v,x){if(F._lock)return;an(r);let k=Gt;if(Gt){let T=!0,A=!0,L=10,z,G;E.ori==0?(z=Ve,G=Ne):(z=Ne,G=Ve),z&&G&&(T=he<=L||he>=K-L,A=we<=L||we>=V-L),z&&T&&(he=he<Vn?0:K),G&&A&&(we=we<Nn?0:V),fn(null,!0,!0),Gt=!1}he=-10,we=-10,ce.fill(null),fn(null,!0,!0),k&&(Gt=k)}function eo(r,s,c,f,g,v,x){F._lock||(an(r),ci(),Mi(),r!=null&&rl(Go,l,he,we,K,V,null))}function to(){R.forEach(Ef),ui(l.width,l.height,!0)}yn(Wl,Wn,to);let $n={};$n.mousedown=Zr,$n.mousemove=Gr,$n.mouseup=Qr,$n.dblclick=eo,$n.setSeries=(r,s,c,f)=>{let g=Pe.match[2];c=g(l,s,c),c!=-1&&Ot(c,f,!0,!1)},Be&&(Je(Wo,P,Zr),Je(Gi,P,Gr),Je(Bo,P,r=>{an(r),il(!1)}),Je(Jo,P,tu),Je(Go,P,eo),sr.add(l),l.syncRect=il);let Ml=l.hooks=e.hooks||{};function ze(r,s,c){wi?tl.push([r,s,c]):r in Ml&&Ml[r].forEach(f=>{f.call(null,l,s,c)})}(e.plugins||[]).forEach(r=>{for(let s in r.hooks)Ml[s]=(Ml[s]||[]).concat(r.hooks[s])});let no=(r,s,c)=>c,Pe=Ee({key:null,setSeries:!1,filters:{pub:is,sub:is},scales:[N,w[1]?w[1].scale:null],match:[rs,rs,no],values:[null,null]},F.sync);Pe.match.length==2&&Pe.match.push(no),F.sync=Pe;let lo=Pe.key,Ci=ta(lo);function rl(r,s,c,f,g,v,x){Pe.filters.pub(r,s,c,f,g,v,x)&&Ci.pub(r,s,c,f,g,v,x)}Ci.sub(l);function nu(r,s,c,f,g,v,x){Pe.filters.sub(r,s,c,f,g,v,x)&&$n[r](null,s,c,f,g,v,x)}l.pub=nu;function lu(){Ci.unsub(l),sr.delete(l),nn.clear(),nr(Wl,Wn,to),m.remove(),se?.remove(),ze("destroy")}l.destroy=lu;function Ri(){ze("init",e,t),Or(t||e.data,!1),I[N]?xi(N,I[N]):ci(),wl=ge.show&&(ge.width>0||ge.height>0),sn=pt=!0,ui(e.width,e.height)}return w.forEach(Ar),R.forEach(Va),n?n instanceof HTMLElement?(n.appendChild(m),Ri()):n(l,Ri):Ri(),l}$e.assign=Ee;$e.fmtNum=mr;$e.rangeNum=Bl;$e.rangeLog=Yl;$e.rangeAsinh=pr;$e.orient=bn;$e.pxRatio=oe;$e.join=_c;$e.fmtDate=gr,$e.tzDate=Mc;$e.sync=ta;{$e.addGap=ff,$e.clipGaps=Xl;let e=$e.paths={points:sa};e.linear=ua,e.stepped=mf,e.bars=hf,e.spline=_f}var Sr="calyx-theme",da="(prefers-color-scheme: dark)";function ni(){let e=localStorage.getItem(Sr);return e==="light"||e==="dark"?e:"system"}function li(e){e==="system"?localStorage.removeItem(Sr):localStorage.setItem(Sr,e),e==="system"?delete document.documentElement.dataset.theme:document.documentElement.dataset.theme=e,window.dispatchEvent(new Event("calyx-theme"))}function ti(){let e=document.documentElement.dataset.theme;return e==="light"||e==="dark"?e:matchMedia(da).matches?"dark":"light"}function ii(){let[e,t]=ot(ti());return Ke(()=>{let n=()=>t(ti()),l=matchMedia(da);return l.addEventListener("change",n),window.addEventListener("calyx-theme",n),()=>{l.removeEventListener("change",n),window.removeEventListener("calyx-theme",n)}},[]),e}var ma=[["cycle","Mesh cycle"],["roll_angle","Roll angle in deg"],["time","Time in s"],["step","Position"]],ha=190,Mf=2;function ga({studio:e}){let[t,n]=ot("cycle"),[l,i]=ot(null),o=e.settings.selected,a=o.flatMap(h=>e.results[h]??[]).filter(h=>h.steps),u=Rf(a);if(u.length===0)return null;let d=(l??u.slice(0,Mf)).filter(h=>u.includes(h)),m=h=>i(d.includes(h)?d.filter(_=>_!==h):[...d,h]);return p("section",{class:"plots","aria-label":"Plots",children:[p("div",{class:"plot-settings",children:[p("div",{class:"chips",role:"group","aria-label":"Plotted outputs",children:u.map(h=>p("button",{type:"button",class:"chip","aria-pressed":d.includes(h),onClick:()=>m(h),children:Ue(h)},h))}),p("label",{class:"inline",children:["over",p("select",{value:t,onChange:h=>n(h.currentTarget.value),children:ma.map(([h,_])=>p("option",{value:h,children:_},h))})]})]}),p("div",{class:"plot-grid",children:d.map(h=>p(Of,{title:Ue(h),unit:Af(e,a,h),label:ma.find(([_])=>_===t)?.[1]??"",curves:a.flatMap(_=>Df(e,_,h,t,o.indexOf(_.id)))},h))})]})}var Cf=new Set(["step","time","cycle","roll_angle","point"]);function Rf(e){return[...new Set(e.flatMap(t=>Object.keys(t.steps??{})))].filter(t=>!Cf.has(t))}function _a(e,t,n){let l=t.run?.outputs?.[n]?.display,i=e.model?.outputs.find(o=>o.name===n);return{unit:l?.unit??i?.unit??"SI",factor:l?.factor??i?.factor??1}}function Af(e,t,n){let l=t.find(i=>i.steps?.[n]);return l?_a(e,l,n).unit:""}function Df(e,t,n,l,i){let[o,a]=[t.steps?.[l],t.steps?.[n]];if(!o||!a)return[];let{factor:u}=_a(e,t,n),d=l==="roll_angle"?180/Math.PI:1,m=o.map((_,b)=>b).filter(_=>typeof o[_]=="number");m.sort((_,b)=>Number(o[_])-Number(o[b]));let h=_=>typeof _=="number"?_/u:null;return[{run:je(t.id),colour:In(i),x:m.map(_=>d*Number(o[_])),y:m.map(_=>h(a[_]))}]}function Of({title:e,unit:t,label:n,curves:l}){let i=_t(null),o=ii(),a=JSON.stringify([e,t,n,l,o]);return Ke(()=>{let u=i.current;if(!u)return;let d=new $e(Nf(u,e,t,n,l),Vf(l),u),m=new ResizeObserver(()=>{u.clientWidth>0&&d.setSize({width:u.clientWidth,height:ha})});return m.observe(u),()=>{m.disconnect(),d.destroy()}},[a]),p("figure",{class:"plot",children:[p("figcaption",{children:[e," ",t&&p("span",{class:"unit",children:t})]}),p("div",{ref:i,role:"img","aria-label":Lf(e,t,l)})]})}function Lf(e,t,n){let l=n.map(({run:i,y:o})=>{let a=o.filter(u=>u!==null);return`${i} from ${Pt(Math.min(...a))} to ${Pt(Math.max(...a))}`});return`Plot of ${e}${t&&` in ${t}`}: ${l.join(", ")}`}function Vf(e){return e.length===0?[[]]:$e.join(e.map(({x:t,y:n})=>[t,n]))}function Nf(e,t,n,l,i){let o=getComputedStyle(e),[a,u]=[o.getPropertyValue("--muted").trim(),o.getPropertyValue("--line").trim()],d="12px system-ui, sans-serif",m={stroke:a,font:d,labelFont:d,grid:{stroke:u,width:1},ticks:{stroke:u,width:1,size:4}};return{width:Math.max(e.clientWidth,100),height:ha,cursor:{sync:{key:"positions"},points:{size:6}},legend:{live:!0},scales:{x:{time:!1}},axes:[{...m,label:l,labelSize:18,size:34},{...m,size:58}],series:[{label:l},...i.map(({run:h,colour:_})=>({label:i.length>1?h:t,stroke:_,width:1.6,spanGaps:!0,points:{show:(i[0]?.x.length??0)<60,size:4,fill:_},value:(b,y)=>y===null?"–":`${Pt(y)} ${n}`}))]}}function kr(e){let t=e.run;return[["Directory",e.directory],["Started",Fl(e.started)],["Model",t?.model],["Hash of the source",t?.source?.sha256?.slice(0,16)],["Calyx",t?.calyx],["Fidelity",t?.fidelity],["Positions",t?.positions?.toString()],...Object.entries(t?.overrides??{}).map(([l,i])=>[Ue(l),JSON.stringify(i)]),...Object.entries(t?.certificate??{}).map(([l,i])=>[`Residual: ${Ue(l)}`,Pt(i)])].filter(l=>!!l[1])}function ya({studio:e}){let t=e.settings.selected.flatMap(n=>e.results[n]??[]);return t.length===0?null:p("section",{class:"panel","aria-labelledby":"provenance-heading",children:[p("h2",{id:"provenance-heading",children:"Provenance"}),t.map(n=>p("details",{open:t.length===1,children:[p("summary",{children:je(n.id)}),p("dl",{class:"provenance",children:kr(n).map(([l,i])=>p("div",{children:[p("dt",{children:l}),p("dd",{children:i})]},l))}),p(zf,{results:n}),n.printed&&p("pre",{class:"plain",tabIndex:0,"aria-label":"Text that the model prints",children:n.printed}),p("p",{class:"links",children:[n.has_report&&p("a",{href:Tt(n.id,"/files/report.html"),target:"_blank",rel:"noreferrer",children:"Report"}),n.steps&&p("a",{href:Tt(n.id,"/files/steps.csv"),download:`${n.id}-steps.csv`,children:"steps.csv"}),n.run&&p("a",{href:Tt(n.id,"/files/run.json"),download:`${n.id}.json`,children:"run.json"}),!e.withoutModel&&n.params&&p("button",{type:"button",class:"quiet",onClick:()=>e.useParams(n),children:"Use these params"})]})]},n.id))]})}function zf({results:e}){let t=Object.entries(e.run?.ignored_inputs??{}),n=Object.entries(e.run?.refused_outputs??{});return t.length+n.length===0?null:p("ul",{class:"messages",children:[t.map(([l,i])=>p("li",{class:"warning",children:[p("code",{children:l})," is not used as given: ",i]},l)),n.map(([l,i])=>p("li",{class:"warning",children:[p("code",{children:l})," has no value: ",i]},l))]})}function va({studio:e}){if(e.withoutModel)return null;let{check:t,model:n}=e,l=!!t?.runnable&&!e.isStarting,i=e.runs.filter(o=>o.status==="running");return p("section",{class:"panel","aria-labelledby":"run-heading",children:[p("h2",{id:"run-heading",children:"Run"}),p(Ff,{studio:e}),p("div",{class:"run-row",children:[p("button",{type:"button",class:"primary",disabled:!l,onClick:()=>{e.run()},children:"Run"}),p("label",{class:"switch",children:[p("input",{type:"checkbox",checked:e.settings.automatic,onChange:o=>e.setAutomatic(o.currentTarget.checked)}),"Run after changes if below 1 s"]})]}),t?.refused&&p("p",{class:"field-error",role:"alert",children:[t.refused.message,p("span",{class:"help",children:t.refused.help})]}),t&&!n?.broken&&t.rendered&&p("details",{open:!t.runnable,children:[p("summary",{children:t.runnable?"Warnings of the model":"Errors of the model with these params"}),p($l,{text:t.rendered,isError:!t.runnable})]}),i.map(o=>p($f,{studio:e,run:o},o.id)),e.settings.selected.slice(0,1).map(o=>p(If,{studio:e,id:o},o))]})}function Ff({studio:e}){let{check:t}=e,n=t?.plan;if(!n){let l=t?.runnable?"The model analyses nothing.":e.isChecking?"Checking …":"No plan: the model or its params have errors.";return p("p",{class:"muted","aria-busy":e.isChecking,children:l})}return p("div",{"aria-busy":e.isChecking,children:[p("dl",{class:"facts",children:[p("div",{children:[p("dt",{children:"Predicted time"}),p("dd",{"data-testid":"predicted-time",children:ul(n.time)})]}),p("div",{children:[p("dt",{children:"Memory"}),p("dd",{children:Ao(n.memory)})]}),p("div",{children:[p("dt",{children:"Fidelity"}),p("dd",{children:n.fidelity})]}),p("div",{children:[p("dt",{children:"Positions"}),p("dd",{children:n.positions})]})]}),p("details",{children:[p("summary",{children:"Plan and gear data"}),p("pre",{class:"plain",tabIndex:0,"aria-label":"Plan",children:`${n.cost}
-${n.text}
-${t.gear_data}`.trim()})]})]})}function $f({studio:e,run:t}){let n=e.progress[t.id]??t.progress;return p("div",{class:"running",children:[p("div",{class:"running-head",children:[p("span",{children:je(t.id)}),p("button",{type:"button",class:"quiet",onClick:()=>{e.cancel(t.id)},"aria-label":`Cancel ${je(t.id)}`,children:"Cancel"})]}),p(Hf,{name:je(t.id),progress:n})]})}function Hf({name:e,progress:t}){let n=t?.total??null,l=t?.seconds_left;return p(gt,{children:[p("progress",{"aria-label":`Progress of ${e}`,max:n??void 0,value:n===null?void 0:t?.done}),p("p",{class:"muted small-text",children:[t?.stage??"starting",n!==null&&` ${t?.done} of ${n}`,l!=null&&l>0&&`, ${ul(l)} left`]})]})}function If({studio:e,id:t}){let n=e.results[t];if(!n||n.status==="running")return null;let i=(n.messages??[]).filter(m=>m.severity!=="note"),o=n.run?.warnings??[],a=new Set(i.map(m=>m.message)),u=o.filter(m=>![...a].some(h=>m.includes(h))),d=[...i,...u.map(m=>({severity:"warning",code:null,message:m,help:null}))];return n.status==="finished"&&d.length===0?null:p("div",{class:"ended",children:[p("p",{children:[je(t),": ",n.status,n.message&&i.length===0?`, ${n.message}`:""]}),p(Lo,{messages:d})]})}var Pr=4;function ba({studio:e}){let t=[...e.runs].reverse(),n=wa(e.runs);return p("section",{class:"panel","aria-labelledby":"runs-heading",children:[p("h2",{id:"runs-heading",children:"Runs"}),t.length===0&&p("p",{class:"muted",children:"No runs yet."}),p("ul",{class:"runs",children:t.map(l=>p(jf,{studio:e,run:l,differing:n},l.id))}),t.length>1&&p("p",{class:"muted small-text",children:"Check two or more runs to compare them."})]})}function jf({studio:e,run:t,differing:n}){let l=e.settings.selected.indexOf(t.id),i=je(t.id);return p("li",{class:l>=0?"selected":"","data-run":t.id,children:[p("input",{type:"checkbox","aria-label":`Compare ${i}`,checked:l>=0,style:l>=0?{accentColor:In(l)}:void 0,onChange:()=>e.toggle(t.id)}),p("button",{type:"button",class:"run-name","aria-pressed":l>=0,title:t.directory,onClick:()=>e.select([t.id]),children:[p("span",{class:"run-title",children:[i,p("span",{class:`status ${t.status}`,children:Uf(e,t)}),p("span",{class:"when",children:Fl(t.started)})]}),p("span",{class:"differences",children:Wf(t,n)})]})]})}function Uf(e,t){if(t.status==="elsewhere")return"written by another process";let n=e.progress[t.id]?.seconds_left;return t.status==="running"&&n?`running, ${ul(n)} left`:t.status}function wa(e){let t=e.filter(l=>l.params!==null);return[...new Set(t.flatMap(l=>Object.keys(l.params??{})))].filter(l=>new Set(t.map(o=>Tr(o,l))).size>1)}function Tr(e,t){let n=e.params?.[t];return n?Oo(n.text,n.unit):"default"}function Wf(e,t){let n=e.params??{},l=t.filter(a=>n[a]&&n[a].at_default!==!0),i=l.slice(0,Pr).map(a=>`${Ue(a)} ${Tr(e,a)}`),o=l.length>Pr?[`${l.length-Pr} more`]:[];return[...i,...o].join(", ")||(e.params?"defaults":"")}function xa({studio:e}){let t=e.settings.selected.flatMap(l=>e.runs.filter(i=>i.id===l));if(t.length<2)return null;let n=wa(t);return p("section",{class:"panel","aria-labelledby":"differences-heading",children:[p("h2",{id:"differences-heading",children:"Different params"}),n.length===0&&p("p",{class:"muted",children:"These runs have the same params."}),n.length>0&&p("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Different params",children:p("table",{children:[p("thead",{children:p("tr",{children:[p("th",{scope:"col",children:"Param"}),t.map(l=>p("th",{scope:"col",children:je(l.id)},l.id))]})}),p("tbody",{children:n.map(l=>p("tr",{children:[p("th",{scope:"row",children:Ue(l)}),t.map(i=>p("td",{children:Tr(i,l)},i.id))]},l))})]})})]})}function ri(){return{version:1,camera:null,parts:{},colours:{field:"plain",scale:"viridis",bands:0,limits:"position",min:0,max:1},deformation:{mode:"automatic",factor:1},mesh_edges:!1,hidden_contacts:!0,extremes:!0,forces:{bearings:!1,meshes:!1,labels:!0,scale:1},cut:{on:!1,normal:"z",offset:null,flipped:!1},frame:null,position:0,animation:{speed:10,loop:!0},theme:"system",panels:{parts:!0,settings:!1,plots:!1},plotted:[]}}function oi(e,t=ri()){let n=structuredClone(t),l=e??{};for(let[i,o]of Object.entries(n)){let a=l[i];if(a===void 0||i==="version")continue;Er(o)&&i!=="parts"&&i!=="camera"?Er(a)&&(n[i]=Bf(o,a)):i==="camera"?Jf(a)&&(n[i]=a):i==="frame"?(a===null||typeof a=="string")&&(n[i]=a):typeof a==typeof o&&a!==null&&(n[i]=a)}return structuredClone(n)}function Er(e){return typeof e=="object"&&e!==null&&!Array.isArray(e)}function Bf(e,t){let n={...e};for(let l of Object.keys(e)){let i=t[l];i!==void 0&&(l==="normal"||l==="offset"||typeof i==typeof e[l])&&(n[l]=i)}return n}function Jf(e){return!Er(e)||!Array.isArray(e.target)||e.target.length!==3?!1:[...e.target,e.azimuth,e.elevation,e.height].every(n=>typeof n=="number"&&Number.isFinite(n))&&(e.projection==="perspective"||e.projection==="orthographic")}var yl=class{onChange=null;#t;constructor(t,n={}){this.#t=oi(n.state??{},ri())}async show(t){}async reload(){}async updatePositions(){}get state(){return structuredClone(this.#t)}restore(t){this.#t=oi(t,this.#t)}linkCamera(t){return()=>{}}dispose(){}};function Mr(e){return`position-${String(e).padStart(4,"0")}.bin`}var Gf=4,Yf=500;function Sa({studio:e}){let t=e.settings.selected.flatMap(u=>e.runs.filter(d=>d.id===u)),n=t.filter(u=>u.has_view).slice(0,Gf),l=_t(new Map),[i,o]=ot(0),{linked:a}=e.settings;return Ke(()=>{if(!a)return;let u=[...l.current.values()],d=u.slice(1).map(m=>u[0]?.linkCamera(m));return()=>d.forEach(m=>m?.())},[i,a,n.map(u=>u.id).join()]),n.length===0?p(Xf,{studio:e,runs:t}):p("div",{class:"scene-area",children:[n.length>1&&p("label",{class:"switch link-cameras",children:[p("input",{type:"checkbox",checked:a,onChange:u=>e.setLinked(u.currentTarget.checked)}),"Link cameras"]}),p("div",{class:`scenes count-${n.length}`,children:n.map(u=>p(qf,{studio:e,run:u,hasTitle:n.length>1,onViewer:d=>{d?l.current.set(u.id,d):l.current.delete(u.id),o(m=>m+1)}},u.id))})]})}function qf({studio:e,run:t,hasTitle:n,onViewer:l}){let i=_t(null),o=_t(null);Ke(()=>{if(!i.current)return;let u=ka(i.current,e);return o.current=u,l(u),u.show(Kf(e,t.id)),()=>{o.current=null,l(null),u.dispose()}},[t.id]),Pa(o);let a=_t(!0);return Ke(()=>{a.current?a.current=!1:t.id==="preview"?o.current?.reload():o.current?.updatePositions()},[t.status,t.positions,t.id==="preview"?e.results[t.id]:null]),p("figure",{class:"scene",children:[n&&p("figcaption",{children:je(t.id)}),p("div",{ref:i,class:"viewer"})]})}function ka(e,t){let n=t.settings.scene??{},l=new yl(e,{state:{...n,theme:ti()},themeMenu:!1,showTitle:!1}),i=0;return l.onChange=o=>{window.clearTimeout(i),i=window.setTimeout(()=>t.setScene(o),Yf)},l}function Pa(e){let t=ii();Ke(()=>e.current?.restore({theme:t}),[t])}function Kf(e,t){let n=[],l=e.results[t];return{title:je(t),provenance:l?kr(l):[],outputs:null,parts:()=>Wi(Tt(t,"/files/view/parts.bin")),positions:async()=>(n=(await Qt(Tt(t,"/view"))).positions.map(({position:o,time:a})=>({position:o,time:a??o})),n),position:i=>{let o=n[i];return o?Wi(Tt(t,`/files/view/${Mr(o.position)}`)):Promise.reject(new Error(`position ${i} does not exist`))}}}function Xf({studio:e,runs:t}){let n=_t(null),l=_t(null),i=_t(null),[o,a]=ot(""),{check:u}=e;Pa(l),Ke(()=>{if(!u?.runnable)return;let m=!0;return Zf(e).then(h=>{if(!(!m||!n.current)){if(typeof h=="string"){a(h);return}if(a(""),i.current=h,l.current){l.current.reload();return}l.current=ka(n.current,e),l.current.show({title:"Model",parts:async()=>i.current??new ArrayBuffer(0),positions:async()=>[],position:_=>Promise.reject(new Error(`position ${_} does not exist`))})}}),()=>{m=!1}},[u]),Ke(()=>()=>l.current?.dispose(),[]);let d=t.length>0?"This run has no view files.":o||"Run the model to see its parts.";return p("div",{class:"scene-area",children:[p("div",{ref:n,class:"viewer",hidden:!l.current}),!l.current&&p("div",{class:"no-scene",children:[p("p",{children:d}),t.length>0&&p("p",{class:"muted",children:"Runs of older versions have none. Run the model again for a 3-D view."})]})]})}async function Zf(e){try{return await zt("POST","/api/parts",{params:e.values}),"Run the model to see its parts."}catch(t){return t instanceof jt&&t.status!==404?t.message:"Run the model to see its parts."}}function Ta({studio:e}){let[,t]=ot(0);Ke(()=>e.subscribe(()=>t(l=>l+1)),[]),Qf(e);let n=e.model;return p(gt,{children:[p(ep,{studio:e}),p(np,{studio:e}),p("main",{class:"columns",children:[p("aside",{class:"left","aria-label":"Params",children:n?.broken?p($l,{text:n.rendered,isError:!0}):p(Fo,{studio:e})}),p("div",{class:"centre",children:[p(Sa,{studio:e}),p(ga,{studio:e})]}),p("aside",{class:"right","aria-label":"Runs and results",children:[p(va,{studio:e}),p(Ho,{studio:e}),p(xa,{studio:e}),p(ba,{studio:e}),p(ya,{studio:e})]})]})]})}function Qf(e){Ke(()=>{let t=n=>{n.key==="Enter"&&(n.ctrlKey||n.metaKey)&&e.check?.runnable&&e.run()};return window.addEventListener("keydown",t),()=>window.removeEventListener("keydown",t)},[])}function ep({studio:e}){let t=e.model?.model??"",n=Hn(t)||"Calyx studio";return Ke(()=>{document.title=t?`${n} – Calyx studio`:"Calyx studio"},[n]),p("header",{class:"top",children:[p("h1",{title:t,children:n}),p("p",{class:"about",children:e.model?.doc.split(`
-`)[0]}),p(tp,{})]})}function tp(){let[e,t]=ot(ni());return p("label",{class:"inline theme",children:["Theme",p("select",{value:e,onChange:n=>{let l=n.currentTarget.value;t(l),li(l)},children:[p("option",{value:"system",children:"System"}),p("option",{value:"light",children:"Light"}),p("option",{value:"dark",children:"Dark"})]})]})}function np({studio:e}){return e.isConnected?e.notice?p("div",{class:"notice",role:"alert",children:[p("span",{children:[e.notice.message,e.notice.help&&p("span",{class:"help",children:[" ",e.notice.help]})]}),p("button",{type:"button",class:"quiet",onClick:()=>e.dismiss(),children:"Dismiss"})]}):null:p("div",{class:"notice error",role:"alert",children:["The studio does not respond. Start ",p("code",{children:"calyx studio"})," again and open its address."]})}var lp=1,ip=180,rp=700,op=800,si=class{model=null;withoutModel=!1;values={};check=null;isChecking=!1;runs=[];progress={};results={};settings={automatic:!0,linked:!0,selected:[],scene:null};notice=null;isConnected=!0;isStarting=!1;#t=new Set;#u=0;#c=0;#r=new Map;#o=null;#f=!1;#p="";subscribe(t){return this.#t.add(t),()=>this.#t.delete(t)}#e(){for(let t of this.#t)t()}async load(){await this.#n(async()=>{let t=await Qt("/api/studio");this.withoutModel=t.model===null,this.withoutModel||await this.#m(),t.opened&&(this.settings.selected=[t.opened])}),this.#f=!0,this.#h()}async#m(){let t=await Qt("/api/session");this.values={...t.params};let n=t.view??{};typeof n.automatic=="boolean"&&(this.settings.automatic=n.automatic),typeof n.linked=="boolean"&&(this.settings.linked=n.linked),Array.isArray(n.selected)&&(this.settings.selected=n.selected.filter(l=>typeof l=="string"&&l!=="preview")),this.settings.scene=n.scene??null}#h(){let t=new EventSource("/api/events");t.onopen=()=>{this.isConnected=!0,this.#e()},t.onerror=()=>{this.isConnected=!1,this.#e()},t.addEventListener("model",()=>{this.#g()}),t.addEventListener("runs",()=>{this.#_()}),t.addEventListener("progress",n=>{let{id:l,...i}=JSON.parse(n.data);this.progress[l]=i,this.settings.selected.includes(l)&&this.#y(l),this.#e()})}async#g(){this.withoutModel||await this.#n(async()=>{let t=await Qt("/api/model");if(this.model=t,t.broken){this.check=null;return}let n=new Set(t.params.map(i=>i.name)),l=Object.keys(this.values).filter(i=>!n.has(i));for(let i of l)delete this.values[i];if(l.length>0){let i=`the model has no param ${l.map(o=>`\`${o}\``).join(", ")} any more`;this.notice={message:i,help:"its value in the form was dropped"}}this.#i(0)})}async#_(){await this.#n(async()=>{let{runs:t}=await Qt("/api/runs"),n=new Map(this.runs.map(i=>[i.id,JSON.stringify(i)]));this.runs=t;let l=new Set(t.map(i=>i.id));this.settings.selected=this.settings.selected.filter(i=>l.has(i));for(let i of Object.keys(this.results))l.has(i)||delete this.results[i];for(let i of t){i.progress&&(this.progress[i.id]=i.progress);let o=n.get(i.id)!==JSON.stringify(i)||i.id==="preview";this.settings.selected.includes(i.id)&&(o||!this.results[i.id])&&this.#s(i.id)}if(this.settings.selected.length===0){let i=t.findLast(o=>o.status==="finished");i&&this.select([i.id])}})}#y(t){if(this.#r.has(t))return;let n=window.setTimeout(()=>{this.#r.delete(t),this.#s(t)},rp);this.#r.set(t,n)}async#s(t){try{this.results[t]=await Qt(Tt(t))}catch(n){n instanceof jt&&n.status===404||this.#a(n),delete this.results[t]}this.#e()}param(t){return this.model?.params.find(n=>n.name===t)}value(t){return this.values[t.name]??t.default??""}setValue(t,n){let l=this.param(t);l?.independent&&l.default===n?delete this.values[t]:this.values[t]=n,this.#i(ip),this.#e()}reset(t){delete this.values[t],this.#i(0),this.#e()}setValues(t){this.values={};for(let[n,l]of Object.entries(t)){let i=this.param(n);(!i?.independent||i.default!==l)&&(this.values[n]=l)}this.#i(0),this.#e()}#i(t){window.clearTimeout(this.#u),this.isChecking=!0,this.#u=window.setTimeout(()=>{this.#v()},t),this.#l()}async#v(){if(!this.model||this.model.broken){this.isChecking=!1;return}this.#o?.abort();let t=new AbortController;this.#o=t,await this.#n(async()=>{let n=await zt("POST","/api/check",{params:this.values},t.signal);t.signal.aborted||(this.check=n,this.isChecking=!1,await this.#d())}),this.#o===t&&(this.isChecking=!1),this.#e()}get isQuick(){return this.check?.plan!=null&&this.check.plan.time<lp}async#d(){let t=JSON.stringify([this.check?.version,this.values]);if(!this.settings.automatic||!this.check?.runnable||!this.isQuick||this.#p===t)return;this.#p=t,await zt("POST","/api/preview",{params:this.values}),this.settings.selected.length<=1&&this.select(["preview"])}setAutomatic(t){this.settings.automatic=t,this.#l(),this.#e(),t&&this.#n(()=>this.#d())}setLinked(t){this.settings.linked=t,this.#l(),this.#e()}setScene(t){this.settings.scene=t,this.#l()}async run(){this.isStarting=!0,this.#e(),await this.#n(async()=>{let{id:t}=await zt("POST","/api/runs",{params:this.values});this.select([t])}),this.isStarting=!1,this.#e()}async cancel(t){await this.#n(()=>zt("POST",Tt(t,"/cancel"),{}))}select(t){this.settings.selected=t;for(let n of t)this.results[n]||this.#s(n);this.#l(),this.#e()}toggle(t){let{selected:n}=this.settings;this.select(n.includes(t)?n.filter(l=>l!==t):[...n,t])}useParams(t){let n={};for(let[l,i]of Object.entries(t.params??{}))this.param(l)&&i.at_default!==!0&&(n[l]=i.text);this.setValues(n)}dismiss(){this.notice=null,this.#e()}fail(t){this.#a(t),this.#e()}#a(t){if(t instanceof DOMException&&t.name==="AbortError")return;let n=t instanceof jt?t.help:"";this.notice={message:t instanceof Error?t.message:String(t),help:n}}async#n(t){try{await t()}catch(n){this.#a(n)}this.#e()}#l(){!this.#f||this.withoutModel||(window.clearTimeout(this.#c),this.#c=window.setTimeout(()=>{let t={version:1,params:this.values,view:{...this.settings}};this.#n(()=>zt("PUT","/api/session",t))},op))}};var Ea=document.getElementById("studio");if(Ea){li(ni());let e=new si;yo(p(Ta,{studio:e}),Ea),e.load()}})();
+"use strict";(()=>{var Ct,ap,Cx,Os,ih,ol,lp,nl,cp,rh,sh,Px,Go=Symbol.for("pv"),al={},ll=[],Ix=/^m(i|n|o|s|text|space)$/,oh=Array.isArray,up=ll.slice,or=Object.assign;function rr(n){n&&n.parentNode&&n.remove()}function il(n,e,t,i,s){var r={type:n,props:e,key:t,ref:i,__k:null,__:null,__b:0,__e:null,__c:null,constructor:Go,__v:s||++ap,__i:-1,__u:0};return!s&&Ct.vnode&&Ct.vnode(r),r}function Yt(n){return n.children}function sl(n,e){this.props=n,this.context=e,this.__g=0}function Bs(n,e){if(e==null)return n.__&&Bs(n.__,n.__i+1);for(var t;e<n.__k.length;e++)if((t=n.__k[e])&&t.__e)return t.__e;return typeof n.type!="function"||n.props.__P?null:Bs(n)}function Lx(n){var e,t=n.__v,i=t.__e,s=[],r=[],o=n.__P;o&&((e=or({constructor:Go},t)).__v=t.__v+1,Ct.vnode&&Ct.vnode(e),ah(o,e,t,n.__n,o.namespaceURI,32&t.__u?[i]:null,s,i||Bs(t),32&t.__u,r),e.__v=t.__v,e.__.__k[e.__i]=e,gp(s,e,r),t.__=t.__e=null,e.__e!=i&&hp(e))}function hp(n){if((n=n.__)&&n.__c&&!n.props.__P)return n.__e=null,n.__k.some(function(e){return e&&(n.__e=e.__e)}),hp(n)}function rp(n){(8&n.__g||(n.__g|=8,Os.push(n),ol++))&&ih==Ct.debounceRendering||((ih=Ct.debounceRendering)||queueMicrotask)(dp)}function dp(){try{for(var n,e=1;Os.length;)Os.length>e&&Os.sort(lp),n=Os.shift(),e=Os.length,8&n.__g&&Lx(n)}finally{(ol=Os.length)&&(ih||queueMicrotask)(dp)}}function fp(n,e,t,i,s,r,o,a,l,c,u){var h,f,d,p,y,g,m=i.__k||ll,b=e.length;for(l=Dx(t,e,m,l,b),h=0;h<b;h++)(d=t.__k[h])!=null&&(f=~d.__i&&m[d.__i]||al,d.__i=h,g=ah(n,d,f,s,r,o,a,l,c,u),p=d.__e,(f.ref!=d.ref||8&f.__u)&&(f.ref&&lh(f.ref,null,d,f),d.ref&&u.push(d.ref,d.__c||p,d)),y=y||p,4&d.__u?(l=pp(d,l,n,!f.__v),f.__e&&(f.__e=null)):typeof d.type=="function"&&g!==void 0?l=g:p&&(l=p.nextSibling),d.__u&=-21);return t.__e=y,l}function Dx(n,e,t,i,s){var r,o,a,l,c,u,h,f,d,p=t.length,y=p,g=0,m=0,b=n.__k=Array(s);for(r=0;r<s;r++)(o=e[r])!=null&&typeof o!="boolean"&&typeof o!="function"?(typeof o!="object"||o.constructor===String?o=b[r]=il(null,o):oh(o)?o=b[r]=il(Yt,{children:o}):o.constructor===Go&&o.__b?o=b[r]=il(o.type,o.props,o.key,o.ref,o.__v):b[r]=o,l=r+g,o.__=n,o.__b=n.__b+1,a=null,~(c=o.__i=Nx(o,t,l,y))&&(y--,(a=t[c])&&(a.__u|=2)),a&&a.__v?(o.__u|=16,c==l-1?g--:c==l+1?g++:c!=l&&(c>l?g--:g++,m=1)):(~c||(s>p?g--:s<p&&g++),typeof o.type!="function"&&(o.__u|=4))):b[r]=null;if(m){for(u=[],h=[],r=0;r<s;r++)if((o=b[r])&&16&o.__u){for(g=0,f=u.length;g<f;)u[d=g+f>>1]<o.__i?g=d+1:f=d;u[g]=o.__i,h[r]=g+1}for(g=u.length;r--;)h[r]&&(h[r]==g?g--:b[r].__u|=4)}if(y)for(r=0;r<p;r++)!(a=t[r])||2&a.__u||(a.__e==i&&(i=Bs(a)),ch(a,a));return i}function pp(n,e,t,i){var s,r,o,a;if(typeof n.type=="function"){if(n.props.__P)return e;if(s=n.__k)for(r=0;r<s.length;r++)s[r]&&(s[r].__=n,e=pp(s[r],e,t,!1));return e}for(e&&!e.parentNode&&(e=Bs(n))&&!e.parentNode&&(e=null),o=n.__e,a=e;a&&a.nodeType==8;)a=a.nextSibling;for(o!=a&&(!i&&t.moveBefore&&o.parentNode?t.moveBefore(o,e):t.insertBefore(o,e||null)),e=o;(e=e&&e.nextSibling)&&e.nodeType==8&&!e.data.startsWith("$s"););return e}function Nx(n,e,t,i){var s,r=n.key,o=n.type,a=e[t],l=a&&!(2&a.__u);if(a===null&&r==null||l&&r==a.key&&o==a.type)return t;if(i>(l?1:0)){for(s=t-1;s>=0;s--)if((a=e[s])&&!(2&a.__u)&&r==a.key&&o==a.type)return s;for(s=t+1;s<e.length;s++)if((a=e[s])&&!(2&a.__u)&&r==a.key&&o==a.type)return s}return-1}function op(n,e,t){t==null&&(t=""),e[0]=="-"?n.setProperty(e,t):n[e]=t}function tl(n,e,t,i,s){var r,o;if(e=="style")if(typeof t=="string")n.style.cssText=t;else{if(typeof i=="string"&&(n.style.cssText=i=""),i)for(e in i)t&&e in t||op(n.style,e);if(t)for(e in t)i&&t[e]==i[e]||op(n.style,e,t[e])}else if(e[0]=="o"&&e[1]=="n")typeof t!="function"&&(t=null),typeof i!="function"&&(i=null),(n.__e||(n.__e={}))[e]=t,t&&i||(o=sh[e]||(sh[e]=Fx(e)),(n.__a||(n.__a={}))[e]=rh,r=e!=(e=e.replace(cp,"$1")),(e=e.slice(2))[0]<"a"&&(e=e.toLowerCase()),t?n.addEventListener(e,o,r):n.removeEventListener(e,o,r));else{if(s=="http://www.w3.org/2000/svg")e=e.replace(/xlink(H|:h)/,"h").replace(/sName$/,"s");else if(e!="width"&&e!="height"&&e!="href"&&e!="list"&&e!="form"&&e!="tabIndex"&&e!="download"&&e!="rowSpan"&&e!="colSpan"&&e!="role"&&e!="popover"&&e in n)try{return void(n[e]=t??"")}catch{}if(typeof t=="function")return;t==null||t===!1&&e[4]!="-"?n.removeAttribute(e):n.setAttribute(e,e=="popover"&&t==1?"":t)}}function Fx(n){return function(e){var t=this.__e;if(t){if(t=t[n],e[nl]==null)e[nl]=rh++;else if(e[nl]<this.__a[n])return;return t(Ct.event?Ct.event(e):e)}}}function ah(n,e,t,i,s,r,o,a,l,c){var u,h,f,d,p,y,g,m,b,R,S,C,A,_,T,U,D,L,k=e.type;if(e.constructor!==Go)return null;128&t.__u&&(l=32&t.__u,u=t.__c.__z)&&(e.__u|=l,h=r=[],u.nodeType==8?a=rl(u,r):r.push(u),a=r[0]||a),(u=Ct.__b)&&u(e);e:if(typeof k=="function"){f=o.length;try{if(m=e.props,b=(u=k.prototype)&&u.render,R=(u=k.contextType)&&i[u.__c],S=u?R?R.props.value:u.__:i,(d=t.__c)?(e.__c=d,2&d.__g&&(d.__g|=1)):(b?e.__c=d=new k(m,S):(e.__c=d=new sl(m,S),d.constructor=k,d.render=Ox),R&&R.sub(d),d.state||(d.state={}),d.__n=i,d.__g|=8,d.__h=[],d.__k=[]),b&&(d.__s||(d.__s=d.state),k.getDerivedStateFromProps&&(d.__s==d.state&&(d.__s=or({},d.__s)),or(d.__s,k.getDerivedStateFromProps(m,d.__s)))),p=d.props,y=d.state,d.__v=e,t.__c){if(m!==p&&b&&!k.getDerivedStateFromProps&&d.componentWillReceiveProps&&d.componentWillReceiveProps(m,S),e.__v==t.__v&&!(8&d.__g)||!(4&d.__g)&&d.shouldComponentUpdate&&d.shouldComponentUpdate(m,d.__s,S)===!1){e.__v!=t.__v&&(d.props=m,d.state=d.__s,d.__g&=-9),e.__e=t.__e,e.__k=t.__k,e.__k.some(function(z){z&&(z.__=e)}),ll.push.apply(d.__h,d.__k),d.__k=[],d.__h.length&&o.push(d),a=Bs(t);break e}d.componentWillUpdate&&d.componentWillUpdate(m,d.__s,S),b&&d.componentDidUpdate&&d.__h.push(function(){d.componentDidUpdate(p,y,g)})}else b&&!k.getDerivedStateFromProps&&d.componentWillMount&&d.componentWillMount(),b&&d.componentDidMount&&d.__h.push(d.componentDidMount);d.context=S,d.props=m,d.__P=n,d.__g&=-5,C=Ct.__r,A=b?25:0;do d.__g&=-9,C&&C(e),u=d.render(d.props,d.state=d.__s,d.context);while(8&d.__g&&++A<25);b&&(ll.push.apply(d.__h,d.__k),d.__k=[]),d.state=d.__s,d.getChildContext&&(i=or({},i,d.getChildContext())),b&&t.__c&&d.getSnapshotBeforeUpdate&&(g=d.getSnapshotBeforeUpdate(p,y)),_=u&&u.type===Yt&&u.key==null?u.props.children:u,m.__P&&(u=a,s=(n=m.__P).namespaceURI,l=r=null,t.props&&t.props.__P!=n&&(t.__k.some(function(z){z&&ch(z,z)}),t.__k=null),a=t.__k?Bs(t,0):null),a=fp(n,oh(_)?_:[_],e,t,i,s,r,o,a,l,c),m.__P&&(e.__e=null,a=u),e.__u&=-161,h&&h.some(rr),d.__h.length&&o.push(d),1&d.__g&&(d.__g&=-4)}catch(z){if(o.length=f,e.__v=null,l||r)if(z&&z.then){if(e.__u|=128|l,r){for(~(D=r.indexOf(a||void 0))||(D=r.length);(L=r[D-1])&&L.nodeType==8;)D--;for(;D<r.length;D++)if(L=r[D])if(r[D]=null,T){if(L==U)break}else{if(L.nodeType!=8)break;L.data.startsWith("$s")&&(U=rl(T=L))}}if(!T){for(;a&&a.nodeType==8&&a.nextSibling;)a=a.nextSibling;T=a}(u=rl(T=e.__c.__z||(e.__c.__z=T)))?(e.__e=T,a=u):e.__e=a,a=a&&a.nextSibling}else r&&r.some(rr);else e.__e=t.__e;e.__k||(e.__k=t.__k||[]),z&&z.then||mp(e),Ct.__e(z,e,t)}}else a=e.__e=Ux(t.__e,e,t,i,s,r,o,l,c,n);return(u=Ct.diffed)&&u(e),a}function rl(n,e){if(n&&n.nodeType==8&&n.data.startsWith("$s"))for(var t=1;n=n.nextSibling;){if(n.nodeType==8){if(n.data.startsWith("$s"))t++;else if(n.data.startsWith("/$s")&&!--t)return n}e&&e.push(n)}}function mp(n){n&&(n.__c&&(n.__c.__g|=4),n.__k&&n.__k.some(mp))}function gp(n,e,t){for(var i=0;i<t.length;)lh(t[i++],t[i++],t[i++]);Ct.__c&&Ct.__c(e,n),n.some(function(s){try{n=s.__h,s.__h=[],n.some(function(r){r.call(s)})}catch(r){Ct.__e(r,s.__v)}})}function Ux(n,e,t,i,s,r,o,a,l,c){var u,h,f,d,p,y,g,m,b=t.props||al,R=e.props,S=e.type;if(S=="svg"?s="http://www.w3.org/2000/svg":S=="math"?s="http://www.w3.org/1998/Math/MathML":s||(s="http://www.w3.org/1999/xhtml"),r){for(u=0;u<r.length;u++)if((p=r[u])&&(S?p.localName==S:p.nodeType==3)){n=p,r[u]=null;break}}if(!n){if(m=c.ownerDocument||document,!S)return m.createTextNode(R);n=m.createElementNS(s,S,R.is?R:c),a&&(Ct.__m&&Ct.__m(e,r),a=!1),r=null}if(S){if(c=S=="template"&&n.content||n,r=S=="textarea"&&R.defaultValue!=null?null:r&&up.call(c.childNodes),!a&&r)for(b={},u=0;u<n.attributes.length;u++)b[(p=n.attributes[u]).name]=p.value;for(u in b)p=b[u],u=="dangerouslySetInnerHTML"?f=p:u=="children"||u in R||u=="value"&&"defaultValue"in R||u=="checked"&&"defaultChecked"in R||tl(n,u,null,p,s);for(u in R)p=R[u],u=="children"?d=p:u=="dangerouslySetInnerHTML"?h=p:u=="value"?y=p:u=="checked"?g=p:a&&typeof p!="function"||b[u]===p||tl(n,u,p,b[u],s);h?(a||f&&(h.__html==f.__html||h.__html==n.innerHTML)||(n.innerHTML=h.__html),e.__k=[]):(f&&(n.textContent=""),(S=="foreignObject"||s=="http://www.w3.org/1998/Math/MathML"&&Ix.test(S))&&(s="http://www.w3.org/1999/xhtml"),fp(c,oh(d)?d:[d],e,t,i,s,r,o,r?r[0]:t.__k&&Bs(t,0),a,l),r&&r.some(rr)),a&&S!="textarea"||(u="value",S=="progress"&&y==null?n.removeAttribute(u):y==null||y===n[u]&&(S!="progress"||y)||tl(n,u,y,b[u],s),u="checked",g!=null&&g!=n[u]&&tl(n,u,g,b[u],s))}else b===R||a&&n.data==R||(n.data=R);return n}function lh(n,e,t,i){try{typeof n=="function"?e?e.__x=n(e)||1:i&&(i=i.__c||i.__e)&&(e=i.__x)&&(i.__x=null,typeof e=="function"?e():n(null)):n.current=e}catch(s){Ct.__e(s,t)}}function ch(n,e,t){var i,s,r,o;if(Ct.unmount&&Ct.unmount(n),!(i=n.ref)||i.current&&i.current!=n.__e||lh(i,null,e,n),i=n.__c){if(i.componentWillUnmount)try{i.componentWillUnmount()}catch(a){Ct.__e(a,e)}i.__P=i.__n=null}if(i=n.__k)for(o=0;o<i.length;o++)i[o]&&ch(i[o],e,typeof n.type!="function"||t&&!n.props.__P);!t&&(i=n.__c)&&(i=i.__z)&&(s=rl(i,r=[]))&&(i==n.__e&&r.some(rr),rr(s),rr(i)),t||rr(n.__e),n.__e=n.__c=n.__=null}function Ox(n,e,t){return this.constructor(n,t)}function Wo(n,e){var t,i,s,r;Ct.__&&Ct.__(n,e),e.nodeType==9&&(e=e.documentElement),i=(t=n&&32&n.__u)?null:e.__k,e.__k=il(Yt,{children:[n]}),s=[],r=[],ah(e,e.__k,i||al,al,e.namespaceURI,i?null:e.firstChild?up.call(e.childNodes):null,s,i?i.__e:e.firstChild,t,r),gp(s,e.__k,r),e.__k.props.children=null}Ct={__e:function(n,e,t,i){for(var s,r,o;e=e.__;)if((s=e.__c)&&!(1&s.__g)){s.__g|=4;try{if((o=(r=s.constructor)&&r.getDerivedStateFromError)&&s.setState(r.getDerivedStateFromError(n)),s.componentDidCatch&&(s.componentDidCatch(n,i||{}),o=1),o&&8&s.__g)return void(s.__g|=2)}catch(a){n=a}}throw ol=0,n}},ap=0,Cx=function(n){return n!=null&&n.constructor===Go},sl.prototype.setState=function(n,e){var t=this.__s;t&&t!=this.state||(t=this.__s=or({},this.state)),typeof n=="function"&&(n=n(or({},t),this.props)),n&&(or(t,n),this.__v&&(e&&this.__k.push(e),rp(this)))},sl.prototype.forceUpdate=function(n){this.__v&&(this.__g|=4,n&&this.__h.push(n),rp(this))},sl.prototype.render=Yt,Os=[],ol=0,lp=function(n,e){return n.__v.__b-e.__v.__b},nl=Symbol(),cp=/(PointerCapture)$|Capture$/i,rh=0,sh={},Px=0;var qo,bn,uh,_p,hh=Object.is,cl=0,Tp=[],dh=[],fn=Ct,xp=fn.__b,vp=fn.__r,yp=fn.diffed,bp=fn.__c,Sp=fn.unmount,Mp=fn.__;function ph(n,e){fn.__h&&fn.__h(bn,n,cl||e),cl=0;var t=bn.__H||(bn.__H={__:[],__h:[]});return n>=t.__.length&&t.__.push({}),t.__[n]}function Sn(n){return cl=1,mh(Rp,n)}function mh(n,e,t){var i=ph(qo++,2);if(i.t=n,!i.__c&&(i.__=[t?t(e):Rp(void 0,e),function(r){var o=(i.__N||i.__)[0],a=i.t(o,r);hh(o,a)||(i.__N=[a,i.__[1]],i.__c.setState({}))}],i.__c=bn,!bn.__f)){bn.__f=!0;var s=bn.shouldComponentUpdate;bn.shouldComponentUpdate=function(r,o,a){var l=this.__H;if(!l)return!0;var c=!1,u=this.props!=r;if(l.__.some(function(f){f.__N&&(c=!0,hh(f.__[0],f.__N[0])||(u=!0))}),s){var h=s.call(this,r,o,a);return c?h||u:h}return!c||u}}return i.__}function Ut(n,e){var t=ph(qo++,3);!fn.__s&&Ap(t.__H,e)&&(t.__P=!0,t.__=n,t.u=e,bn.__H.__h.push(t))}function sn(n){return cl=5,Bx(function(){return{current:n}},[])}function Bx(n,e){var t=ph(qo++,7);return Ap(t.__H,e)&&(t.__=n(),t.__H=e),t.__}function kx(){var n;do{for(;n=dh.shift();)try{Xo(n)}catch(t){fn.__e(t,{__:(n=n.__P)&&n.__v})}for(;n=Tp.shift();){var e=n.__H;if(n.__P&&e)try{e.__h.some(Xo),e.__h.some(fh),e.__h=[]}catch(t){e.__h=[],fn.__e(t,n.__v)}}}while(dh.length)}fn.__b=function(n){bn=null,xp&&xp(n)},fn.__=function(n,e){n&&e.__k&&e.__k.__m&&(n.__m=e.__k.__m),Mp&&Mp(n,e)},fn.__r=function(n){vp&&vp(n),qo=0;var e=(bn=n.__c).__H;e&&(uh==bn?bn.__h=[]:(e.__h.some(Xo),e.__h.some(fh),qo=0),e.__h=[],e.__.some(function(t){t.__N&&(t.__=t.__N),t.u=t.__N=void 0})),uh=bn},fn.diffed=function(n){yp&&yp(n);var e=n.__c;e&&e.__H&&(e.__H.__h.length&&Ep(Tp.push(e)),e.__H.__.some(function(t){t.u&&(t.__H=t.u)})),uh=bn=null},fn.__c=function(n,e){e.some(function(t){try{t.__h.some(Xo),t.__h=t.__h.filter(function(i){return!i.__||fh(i)})}catch(i){t.__h=[function(){throw i}]}}),bp&&bp(n,e)},fn.unmount=function(n){Sp&&Sp(n);var e,t,i=n.__c;i&&i.__H&&(i.__H.__.some(function(s){try{if(s.__P&&s.__c){if(t===void 0){for(t=n.__;t&&(!t.__c||!t.__c.__P);)t=t.__;t=t&&t.__c}s.__P=t,Ep(dh.push(s))}else Xo(s)}catch(r){e=r}}),i.__H=void 0,e&&fn.__e(e,i.__v))};var wp=typeof requestAnimationFrame=="function";function zx(n){var e,t=function(){clearTimeout(i),wp&&cancelAnimationFrame(e),setTimeout(n)},i=setTimeout(t,35);wp&&(e=requestAnimationFrame(t))}function Ep(n){n!=1&&_p==fn.requestAnimationFrame||((_p=fn.requestAnimationFrame)||zx)(kx)}function Xo(n){var e=bn,t=n.__c;typeof t=="function"&&(n.__c=void 0,t()),bn=e}function fh(n){var e=bn;n.__c=n.__(),bn=e}function Ap(n,e){return!n||n.length!=e.length||e.some(function(t,i){return!hh(t,n[i])})}function Rp(n,e){return typeof e=="function"?e(n):e}function Ii(n){if(n==null||Number.isNaN(n))return"–";if(n===0)return"0";let e=Math.abs(n);return e>=1e6||e<1e-4?n.toExponential(3).replace("e+","e"):String(Number(n.toPrecision(5)))}function $o(n){return n<.095?`${Math.ceil(1e3*n)} ms`:n<9.5?`${n.toFixed(1)} s`:n<600?`${Math.round(n)} s`:n<7200?`${Math.round(n/60)} min`:`${(n/3600).toFixed(1)} h`}function Cp(n){return n<1e6?"below 1 MB":n<1e9?`${Math.ceil(1e-6*n)} MB`:`${(1e-9*n).toFixed(1)} GB`}function Pp(n){let e=100*n;return e>=1?`${e.toFixed(1)} %`:`${Number(e.toPrecision(1))} %`}function ul(n){if(n===null)return"";let e=new Date(1e3*n),t=e.toDateString()===new Date().toDateString(),i=e.toLocaleTimeString(void 0,{hour:"2-digit",minute:"2-digit"});return t?i:`${e.toLocaleDateString()} ${i}`}function Un(n){return n==="preview"?"Automatic run":n==="model"?"Run from the command line":n==="opened"?"Opened run":`Run ${Number(n.replace("run-",""))}`}function On(n){return n.replaceAll("_"," ")}function Br(n){return n.split("/").pop()??n}function Ip(n,e){return e?`${n} ${e}`:n}function Yo(n){return/^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*$/.test(n)}var Vx=Symbol.for("pv"),Hx=0;function x(n,e,t,i,s,r){e||(e={});var o,a,l=e;if("ref"in l&&typeof n!="function")for(a in l={},e)a=="ref"?o=e[a]:l[a]=e[a];var c={type:n,props:l,key:t,ref:o,__k:null,__:null,__b:0,__e:null,__c:null,constructor:Vx,__v:--Hx,__i:-1,__u:0};return(s||r)&&(c.__source=s,c.__self=r),Ct.vnode&&Ct.vnode(c),c}function hl({text:n,isError:e}){return x("pre",{class:`rendered ${e?"error":"warning"}`,role:e?"alert":void 0,tabIndex:0,"aria-label":"Diagnostics of the model",children:n.trim()})}function Lp({messages:n}){return n.length===0?null:x("ul",{class:"messages",children:n.map((e,t)=>x("li",{class:e.severity,children:[e.code&&x("code",{children:e.code})," ",e.message,e.primary&&x("span",{class:"place",children:[" ",Br(e.primary.file),":",e.primary.line]}),e.help&&x("span",{class:"help",children:e.help})]},t))})}var Gx=200,Wx=1e3;function Dp({studio:n,param:e}){let t=n.value(e),i=e.name in n.values,s=n.check?.errors[e.name],r=`param-${e.name}`,o=[`${r}-doc`,s&&`${r}-error`].filter(Boolean).join(" ");return x("div",{class:`field ${i?"changed":""} ${s?"invalid":""}`,"data-param":e.name,children:[x("div",{class:"field-head",children:[x("label",{for:r,title:e.name,children:On(e.name.split(".").pop()??e.name)}),i&&x("button",{type:"button",class:"quiet small","aria-label":`Reset ${On(e.name)} to ${e.default??"its default"}`,title:`Reset to ${e.default??"its default"}`,onClick:()=>n.reset(e.name),children:"reset"})]}),x(qx,{studio:n,param:e,id:r,text:t,describedBy:o,isInvalid:!!s}),x($x,{studio:n,param:e,text:t}),x("p",{class:"doc",id:`${r}-doc`,children:[e.doc,!e.independent&&x("span",{class:"note",children:" Default and range follow other params."}),(e.kind==="number"||e.kind==="integer"||e.kind==="array")&&e.domain&&x("span",{class:"range",children:e.domain})]}),s&&x(Xx,{id:`${r}-error`,error:s})]})}function Xx({id:n,error:e}){return x("p",{class:"field-error",id:n,role:"alert",children:[e.message,e.help&&x("span",{class:"help",children:e.help})]})}function qx({studio:n,param:e,id:t,text:i,describedBy:s,isInvalid:r}){let o=l=>n.setValue(e.name,l);if(e.kind==="boolean")return x("div",{class:"control",children:x("input",{id:t,type:"checkbox",checked:i.toUpperCase()==="TRUE","aria-describedby":s,onChange:l=>o(l.currentTarget.checked?"TRUE":"FALSE")})});if(e.kind==="choice"){let l=e.choices.includes(i)?e.choices:[i,...e.choices];return x("div",{class:"control",children:x("select",{id:t,value:i,"aria-describedby":s,"aria-invalid":r,onChange:c=>o(c.currentTarget.value),children:l.map(c=>x("option",{value:c,children:c},c))})})}let a=e.unit!==""&&(Yo(i)||i===""||/^\s*\[[^\]]*\]\s*$/.test(i));return x("div",{class:"control",children:[x("input",{id:t,type:"text",inputMode:e.kind==="integer"?"numeric":void 0,value:i,placeholder:e.default??"",autocomplete:"off",spellcheck:!1,"aria-describedby":s,"aria-invalid":r,onInput:l=>o(l.currentTarget.value)}),e.unit&&x("span",{class:`unit ${a?"":"off"}`,children:e.unit})]})}function $x({studio:n,param:e,text:t}){let{low:i,high:s}=e;if(e.kind!=="number"&&e.kind!=="integer"||!e.independent||i===null||s===null||!(s>i)||!Yo(t)||i>0&&s/i>Gx||e.kind==="integer"&&s-i>Wx)return null;let r=e.kind==="integer"?1:10**Math.floor(Math.log10((s-i)/100));return x("input",{type:"range",class:"slider",min:i,max:s,step:r,value:t,"aria-label":`${On(e.name)}, slider`,onInput:o=>n.setValue(e.name,String(Number(o.currentTarget.value)))})}var ms=class extends Error{constructor(t,i,s,r){super(t);this.status=i;this.help=s;this.body=r}status;help;body};async function gh(n,e={}){let t;try{t=await fetch(n,e)}catch(o){throw o instanceof DOMException&&o.name==="AbortError"?o:new ms("the studio does not respond",0,"start `calyx studio` again",null)}if(t.ok)return t;let i=await t.json().catch(()=>null),{message:s,help:r}=i??{};throw new ms(s??t.statusText,t.status,r??"",i)}async function ks(n,e){return(await gh(n,{signal:e})).json()}async function _h(n){return(await gh(n)).arrayBuffer()}async function Qi(n,e,t,i){let r=await(await gh(e,{method:n,signal:i,headers:{"Content-Type":"application/json"},body:JSON.stringify(t??{})})).text();return r?JSON.parse(r):null}function Li(n,e=""){return`/api/runs/${encodeURIComponent(n)}${e}`}async function Np(n){let e=await n.text(),{params:t}=await Qi("POST","/api/params",{name:n.name,text:e});return t}function Yx(n){let e=(n.model?.params??[]).filter(t=>t.independent||t.name in n.values).map(t=>{let i=n.value(t).trim();if(t.kind==="boolean")return[t.name,i.toUpperCase()==="TRUE"];let s=(t.kind==="number"||t.kind==="integer")&&Yo(i);return[t.name,s?Number(i):i]});return`${JSON.stringify(Object.fromEntries(e),null,2)}
+`}function Fp(n,e){let t=URL.createObjectURL(new Blob([Yx(n)],{type:"application/json"})),i=document.createElement("a");i.href=t,i.download=e,i.click(),URL.revokeObjectURL(t)}function Up({studio:n}){let e=n.model;if(!e)return x("p",{class:"empty",children:n.withoutModel?"The model of this run is not known.":"Loading …"});let t=Object.keys(n.values).length;return x("form",{class:"params","aria-label":"Params",onSubmit:i=>i.preventDefault(),children:[x(Zx,{studio:n,changed:t}),e.params.length===0&&x("p",{class:"empty",children:"The model has no params."}),Jx(e.params).map(([i,s])=>x("fieldset",{children:[x("legend",{class:i?"":"hidden-text",children:i||"Params"}),s.map(r=>x(Dp,{studio:n,param:r},r.name))]},i))]})}function Jx(n){let e=new Map;for(let t of n){let i=e.get(t.group);i?i.push(t):e.set(t.group,[t])}return[...e]}function Zx({studio:n,changed:e}){let t=sn(null),i=async s=>{if(s)try{n.setValues(await Np(s))}catch(r){n.fail(r)}};return x("div",{class:"toolbar",children:[x("span",{class:"count",role:"status",children:e===0?"Defaults":`${e} changed`}),x("button",{type:"button",class:"quiet",disabled:e===0,onClick:()=>n.setValues({}),children:"Reset all"}),x("button",{type:"button",class:"quiet",onClick:()=>t.current?.click(),children:"Load …"}),x("button",{type:"button",class:"quiet",onClick:()=>Fp(n,`${Br(n.model?.model??"model")}.json`),children:"Save"}),x("input",{ref:t,type:"file",accept:".json,.toml",class:"hidden-text",tabIndex:-1,"aria-label":"Params file",onChange:s=>{let r=s.currentTarget;i(r.files?.[0]).finally(()=>r.value="")}})]})}var Op=["#2f6fb3","#c8641b","#2c8a57","#8c4fa8","#b3324b","#6b7280","#0f8b8d","#a8861b"];function kr(n){return Op[n%Op.length]??"#2f6fb3"}var Kx=[["max","Maximum"],["mean","Mean"],["min","Minimum"],["peak_to_peak","Peak to peak"]];function Bp({studio:n}){let e=n.settings.selected,t=e.flatMap(i=>n.results[i]??[]);return x("section",{class:"panel","aria-labelledby":"outputs-heading",children:[x("h2",{id:"outputs-heading",children:"Outputs"}),e.length<=1&&(t[0]?.run?.outputs?x(Qx,{results:t[0]}):x(jx,{studio:n})),e.length>1&&x(tv,{runs:t,places:e})]})}function jx({studio:n}){let e=n.model?.outputs??[];return e.length===0?x("p",{class:"muted",children:"The model has no outputs."}):x("dl",{class:"declared",children:e.map(t=>x("div",{children:[x("dt",{children:[On(t.name)," ",t.unit&&x("span",{class:"unit",children:t.unit})]}),x("dd",{children:t.doc})]},t.name))})}function Qx({results:n}){let e=Object.entries(n.run?.outputs??{}),t=e.some(([,i])=>i.error_estimate?.includes_level===!1);return x("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Outputs",children:[x("table",{class:"outputs","data-testid":"outputs",children:[x("thead",{children:x("tr",{children:[x("th",{scope:"col",children:"Output"}),x("th",{scope:"col",children:"Min"}),x("th",{scope:"col",children:"Mean"}),x("th",{scope:"col",children:"Max"}),x("th",{scope:"col",children:"Error"})]})}),x("tbody",{children:e.map(([i,s])=>x("tr",{children:[x("th",{scope:"row",title:s.doc,children:[On(i)," ",x("span",{class:"unit",children:s.display.unit})]}),x("td",{children:Ii(s.display.min)}),x("td",{children:Ii(s.display.mean)}),x("td",{children:Ii(s.display.max)}),x("td",{children:ev(s)})]},i))})]}),x("p",{class:"muted small-text",children:["Error: estimated, relative to the largest magnitude.",t&&" The error of the fidelity level itself is not included."]})]})}function ev(n){let e=n.error_estimate;return e?e.is_rounding?"rounding":e.relative==null?"–":Pp(e.relative):"–"}function tv({runs:n,places:e}){let[t,i]=Sn("max"),s=[...new Set(n.flatMap(r=>Object.keys(r.run?.outputs??{})))];return x(Yt,{children:[x("label",{class:"inline",children:["Value",x("select",{value:t,onChange:r=>i(r.currentTarget.value),children:Kx.map(([r,o])=>x("option",{value:r,children:o},r))})]}),x("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Compared outputs",children:x("table",{class:"outputs","data-testid":"compared",children:[x("thead",{children:x("tr",{children:[x("th",{scope:"col",children:"Output"}),n.map(r=>x("th",{scope:"col",children:[x("span",{class:"swatch",style:{background:kr(e.indexOf(r.id))}}),Un(r.id)]},r.id))]})}),x("tbody",{children:s.map(r=>x("tr",{children:[x("th",{scope:"row",children:[On(r)," ",x("span",{class:"unit",children:n.find(o=>o.run?.outputs?.[r])?.run?.outputs?.[r]?.display.unit})]}),n.map((o,a)=>x("td",{children:[Ii(xh(o,r,t)),a>0&&x(nv,{from:xh(n[0],r,t),to:xh(o,r,t)})]},o.id))]},r))})]})})]})}function xh(n,e,t){return n?.run?.outputs?.[e]?.display[t]??null}function nv({from:n,to:e}){if(n===null||e===null||n===0)return null;let t=100*(e-n)/Math.abs(n),i=Math.abs(t)<.005?"±0":`${t>0?"+":"−"}${Math.abs(t).toFixed(Math.abs(t)<10?2:1)}`;return x("span",{class:"change",children:[i," %"]})}var iv="uplot",sv="u-hz",rv="u-vt",ov="u-title",av="u-wrap",lv="u-under",cv="u-over",uv="u-axis",cr="u-off",hv="u-select",dv="u-cursor-x",fv="u-cursor-y",pv="u-cursor-pt",mv="u-legend",gv="u-live",_v="u-inline",xv="u-series",vv="u-marker",kp="u-label",yv="u-value",Zo="width",Ko="height";var zp="bottom",zr="left",vh="right",Uh="#000",Vp=Uh+"0",yh="mousemove",Hp="mousedown",bh="mouseup",Gp="mouseenter",Wp="mouseleave",Xp="dblclick",bv="resize",Sv="scroll",qp="change",gl="dppxchange",Oh="--",$r=typeof window<"u",Th=$r?document:null,Hr=$r?window:null,Mv=$r?navigator:null,Mt,dl;function Ah(){let n=devicePixelRatio;Mt!=n&&(Mt=n,dl&&Ch(qp,dl,Ah),dl=matchMedia(`(min-resolution: ${Mt-.001}dppx) and (max-resolution: ${Mt+.001}dppx)`),ur(qp,dl,Ah),Hr.dispatchEvent(new CustomEvent(gl)))}function ci(n,e){if(e!=null){let t=n.classList;!t.contains(e)&&t.add(e)}}function Rh(n,e){let t=n.classList;t.contains(e)&&t.remove(e)}function Ht(n,e,t){n.style[e]=t+"px"}function Di(n,e,t,i){let s=Th.createElement(n);return e!=null&&ci(s,e),t?.insertBefore(s,i),s}function bi(n,e){return Di("div",n,e)}var $p=new WeakMap;function es(n,e,t,i,s){let r="translate("+e+"px,"+t+"px)",o=$p.get(n);r!=o&&(n.style.transform=r,$p.set(n,r),e<0||t<0||e>i||t>s?ci(n,cr):Rh(n,cr))}var Yp=new WeakMap;function Jp(n,e,t){let i=e+t,s=Yp.get(n);i!=s&&(Yp.set(n,i),n.style.background=e,n.style.borderColor=t)}var Zp=new WeakMap;function Kp(n,e,t,i){let s=e+""+t,r=Zp.get(n);s!=r&&(Zp.set(n,s),n.style.height=t+"px",n.style.width=e+"px",n.style.marginLeft=i?-e/2+"px":0,n.style.marginTop=i?-t/2+"px":0)}var Bh={passive:!0},wv={...Bh,capture:!0};function ur(n,e,t,i){e.addEventListener(n,t,i?wv:Bh)}function Ch(n,e,t,i){e.removeEventListener(n,t,Bh)}$r&&Ah();function Ni(n,e,t,i){let s;t=t||0,i=i||e.length-1;let r=i<=2147483647;for(;i-t>1;)s=r?t+i>>1:ui((t+i)/2),e[s]<n?t=s:i=s;return n-e[t]<=e[i]-n?t:i}function Em(n){return(t,i,s)=>{let r=-1,o=-1;for(let a=i;a<=s;a++)if(n(t[a])){r=a;break}for(let a=s;a>=i;a--)if(n(t[a])){o=a;break}return[r,o]}}var Tm=n=>n!=null,Am=n=>n!=null&&n>0,vl=Em(Tm),Ev=Em(Am);function Tv(n,e,t,i=0,s=!1){let r=s?Ev:vl,o=s?Am:Tm;[e,t]=r(n,e,t);let a=n[e],l=n[e];if(e>-1)if(i==1)a=n[e],l=n[t];else if(i==-1)a=n[t],l=n[e];else for(let c=e;c<=t;c++){let u=n[c];o(u)&&(u<a?a=u:u>l&&(l=u))}return[a??Dt,l??-Dt]}function yl(n,e,t,i){let s=em(n),r=em(e);n==e&&(s==-1?(n*=t,e/=t):(n/=t,e*=t));let o=t==10?gs:Rm,a=s==1?ui:Si,l=r==1?Si:ui,c=a(o(wn(n))),u=l(o(wn(e))),h=Gr(t,c),f=Gr(t,u);return t==10&&(c<0&&(h=Nt(h,-c)),u<0&&(f=Nt(f,-u))),i||t==2?(n=h*s,e=f*r):(n=Lm(n,h),e=bl(e,f)),[n,e]}function kh(n,e,t,i){let s=yl(n,e,t,i);return n==0&&(s[0]=0),e==0&&(s[1]=0),s}var zh=.1,jp={mode:3,pad:zh},Qo={pad:0,soft:null,mode:0},Av={min:Qo,max:Qo};function _l(n,e,t,i){return Sl(t)?Qp(n,e,t):(Qo.pad=t,Qo.soft=i?0:null,Qo.mode=i?3:0,Qp(n,e,Av))}function bt(n,e){return n??e}function Rv(n,e,t){for(e=bt(e,0),t=bt(t,n.length-1);e<=t;){if(n[e]!=null)return!0;e++}return!1}function Qp(n,e,t){let i=t.min,s=t.max,r=bt(i.pad,0),o=bt(s.pad,0),a=bt(i.hard,-Dt),l=bt(s.hard,Dt),c=bt(i.soft,Dt),u=bt(s.soft,-Dt),h=bt(i.mode,0),f=bt(s.mode,0),d=e-n,p=gs(d),y=jn(wn(n),wn(e)),g=gs(y),m=wn(g-p);(d<1e-24||m>10)&&(d=0,(n==0||e==0)&&(d=1e-24,h==2&&c!=Dt&&(r=0),f==2&&u!=-Dt&&(o=0)));let b=d||y||1e3,R=gs(b),S=Gr(10,ui(R)),C=b*(d==0?n==0?.1:1:r),A=Nt(Lm(n-C,S/10),24),_=n>=c&&(h==1||h==3&&A<=c||h==2&&A>=c)?c:Dt,T=jn(a,A<_&&n>=_?_:Fi(_,A)),U=b*(d==0?e==0?.1:1:o),D=Nt(bl(e+U,S/10),24),L=e<=u&&(f==1||f==3&&D>=u||f==2&&D<=u)?u:-Dt,k=Fi(l,D>L&&e<=L?L:jn(L,D));return T==k&&T==0&&(k=100),[T,k]}var Cv=new Intl.NumberFormat($r?Mv.language:"en-US"),Vh=n=>Cv.format(n),hi=Math,ml=hi.PI,wn=hi.abs,ui=hi.floor,Mn=hi.round,Si=hi.ceil,Fi=hi.min,jn=hi.max,Gr=hi.pow,em=hi.sign,gs=hi.log10,Rm=hi.log2,Pv=(n,e=1)=>hi.sinh(n)*e,Sh=(n,e=1)=>hi.asinh(n/e),Dt=1/0;function tm(n){return(gs((n^n>>31)-(n>>31))|0)+1}function Ph(n,e,t){return Fi(jn(n,e),t)}function Cm(n){return typeof n=="function"}function pt(n){return Cm(n)?n:()=>n}var Iv=()=>{},Pm=n=>n,Im=(n,e)=>e,Lv=n=>null,nm=n=>!0,im=(n,e)=>n==e,Dv=/\.\d*?(?=9{6,}|0{6,})/gm,hr=n=>{if(Nm(n)||Vs.has(n))return n;let e=`${n}`,t=e.match(Dv);if(t==null)return n;let i=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+`${hr(s)}e${r}`}return Nt(n,i)};function ar(n,e){return hr(Nt(hr(n/e))*e)}function bl(n,e){return hr(Si(hr(n/e))*e)}function Lm(n,e){return hr(ui(hr(n/e))*e)}function Nt(n,e=0){if(Nm(n))return n;let t=10**e,i=n*t*(1+Number.EPSILON);return Mn(i)/t}var Vs=new Map;function Dm(n){return((""+n).split(".")[1]||"").length}function ta(n,e,t,i){let s=[],r=i.map(Dm);for(let o=e;o<t;o++){let a=wn(o),l=Nt(Gr(n,o),a);for(let c=0;c<i.length;c++){let u=n==10?+`${i[c]}e${o}`:i[c]*l,h=(o>=0?0:a)+(o>=r[c]?0:r[c]),f=n==10?u:Nt(u,h);s.push(f),Vs.set(f,h)}}return s}var ea={},Hh=[],Wr=[null,null],zs=Array.isArray,Nm=Number.isInteger,Nv=n=>n===void 0;function sm(n){return typeof n=="string"}function Sl(n){let e=!1;if(n!=null){let t=n.constructor;e=t==null||t==Object}return e}function Fv(n){return n!=null&&typeof n=="object"}var Uv=Object.getPrototypeOf(Uint8Array),Fm="__proto__";function Xr(n,e=Sl){let t;if(zs(n)){let i=n.find(s=>s!=null);if(zs(i)||e(i)){t=Array(n.length);for(let s=0;s<n.length;s++)t[s]=Xr(n[s],e)}else t=n.slice()}else if(n instanceof Uv)t=n.slice();else if(e(n)){t={};for(let i in n)i!=Fm&&(t[i]=Xr(n[i],e))}else t=n;return t}function pn(n){let e=arguments;for(let t=1;t<e.length;t++){let i=e[t];for(let s in i)s!=Fm&&(Sl(n[s])?pn(n[s],Xr(i[s])):n[s]=Xr(i[s]))}return n}var Ov=0,Bv=1,kv=2;function zv(n,e,t){for(let i=0,s,r=-1;i<e.length;i++){let o=e[i];if(o>r){for(s=o-1;s>=0&&n[s]==null;)n[s--]=null;for(s=o+1;s<t&&n[s]==null;)n[r=s++]=null}}}function Vv(n,e){if(Wv(n)){let o=n[0].slice();for(let a=1;a<n.length;a++)o.push(...n[a].slice(1));return Xv(o[0])||(o=Gv(o)),o}let t=new Set;for(let o=0;o<n.length;o++){let l=n[o][0],c=l.length;for(let u=0;u<c;u++)t.add(l[u])}let i=[Array.from(t).sort((o,a)=>o-a)],s=i[0].length,r=new Map;for(let o=0;o<s;o++)r.set(i[0][o],o);for(let o=0;o<n.length;o++){let a=n[o],l=a[0];for(let c=1;c<a.length;c++){let u=a[c],h=Array(s).fill(void 0),f=e?e[o][c]:Bv,d=[];for(let p=0;p<u.length;p++){let y=u[p],g=r.get(l[p]);y===null?f!=Ov&&(h[g]=y,f==kv&&d.push(g)):h[g]=y}zv(h,d,s),i.push(h)}}return i}var Hv=typeof queueMicrotask>"u"?n=>Promise.resolve().then(n):queueMicrotask;function Gv(n){let e=n[0],t=e.length,i=Array(t);for(let r=0;r<i.length;r++)i[r]=r;i.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<n.length;r++){let o=n[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[i[l]];s.push(a)}return s}function Wv(n){let e=n[0][0],t=e.length;for(let i=1;i<n.length;i++){let s=n[i][0];if(s.length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function Xv(n,e=100){let t=n.length;if(t<=1)return!0;let i=0,s=t-1;for(;i<=s&&n[i]==null;)i++;for(;s>=i&&n[s]==null;)s--;if(s<=i)return!0;let r=jn(1,ui((s-i+1)/e));for(let o=n[i],a=i+r;a<=s;a+=r){let l=n[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}var Um=["January","February","March","April","May","June","July","August","September","October","November","December"],Om=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function Bm(n){return n.slice(0,3)}var qv=Om.map(Bm),$v=Um.map(Bm),Yv={MMMM:Um,MMM:$v,WWWW:Om,WWW:qv};function Jo(n){return(n<10?"0":"")+n}function Jv(n){return(n<10?"00":n<100?"0":"")+n}var Zv={YYYY:n=>n.getFullYear(),YY:n=>(n.getFullYear()+"").slice(2),MMMM:(n,e)=>e.MMMM[n.getMonth()],MMM:(n,e)=>e.MMM[n.getMonth()],MM:n=>Jo(n.getMonth()+1),M:n=>n.getMonth()+1,DD:n=>Jo(n.getDate()),D:n=>n.getDate(),WWWW:(n,e)=>e.WWWW[n.getDay()],WWW:(n,e)=>e.WWW[n.getDay()],HH:n=>Jo(n.getHours()),H:n=>n.getHours(),h:n=>{let e=n.getHours();return e==0?12:e>12?e-12:e},AA:n=>n.getHours()>=12?"PM":"AM",aa:n=>n.getHours()>=12?"pm":"am",a:n=>n.getHours()>=12?"p":"a",mm:n=>Jo(n.getMinutes()),m:n=>n.getMinutes(),ss:n=>Jo(n.getSeconds()),s:n=>n.getSeconds(),fff:n=>Jv(n.getMilliseconds())};function Gh(n,e){e=e||Yv;let t=[],i=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=i.exec(n);)t.push(s[0][0]=="{"?Zv[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var Kv=new Intl.DateTimeFormat().resolvedOptions().timeZone;function jv(n,e){let t;return e=="UTC"||e=="Etc/UTC"?t=new Date(+n+n.getTimezoneOffset()*6e4):e==Kv?t=n:(t=new Date(n.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(n.getMilliseconds())),t}var km=n=>n%1==0,xl=[1,2,2.5,5],Qv=ta(10,-32,0,xl),zm=ta(10,0,32,xl),ey=zm.filter(km),lr=Qv.concat(zm),Wh=`
+`,Vm="{YYYY}",rm=Wh+Vm,Hm="{M}/{D}",jo=Wh+Hm,fl=jo+"/{YY}",Gm="{aa}",ty="{h}:{mm}",Vr=ty+Gm,om=Wh+Vr,am=":{ss}",wt=null;function Wm(n){let e=n*1e3,t=e*60,i=t*60,s=i*24,r=s*30,o=s*365,l=(n==1?ta(10,0,3,xl).filter(km):ta(10,-3,0,xl)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,i,i*2,i*3,i*4,i*6,i*8,i*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),c=[[o,Vm,wt,wt,wt,wt,wt,wt,1],[s*28,"{MMM}",rm,wt,wt,wt,wt,wt,1],[s,Hm,rm,wt,wt,wt,wt,wt,1],[i,"{h}"+Gm,fl,wt,jo,wt,wt,wt,1],[t,Vr,fl,wt,jo,wt,wt,wt,1],[e,am,fl+" "+Vr,wt,jo+" "+Vr,wt,om,wt,1],[n,am+".{fff}",fl+" "+Vr,wt,jo+" "+Vr,wt,om,wt,1]];function u(h){return(f,d,p,y,g,m)=>{let b=[],R=g>=o,S=g>=r&&g<o,C=h(p),A=Nt(C*n,3),_=Mh(C.getFullYear(),R?0:C.getMonth(),S||R?1:C.getDate()),T=Nt(_*n,3);if(S||R){let U=S?g/r:0,D=R?g/o:0,L=A==T?A:Nt(Mh(_.getFullYear()+D,_.getMonth()+U,1)*n,3),k=new Date(Mn(L/n)),z=k.getFullYear(),N=k.getMonth();for(let G=0;L<=y;G++){let $=Mh(z+D*G,N+U*G,1),H=$-h(Nt($*n,3));L=Nt((+$+H)*n,3),L<=y&&b.push(L)}}else{let U=g>=s?s:g,D=ui(p)-ui(A),L=T+D+bl(A-T,U);b.push(L);let k=h(L),z=k.getHours()+k.getMinutes()/t+k.getSeconds()/i,N=g/i,G=f.axes[d]._space,$=m/G;for(;L=Nt(L+g,n==1?0:3),!(L>y);)if(N>1){let H=ui(Nt(z+N,6))%24,Q=h(L).getHours()-H;Q>1&&(Q=-1),L-=Q*i,z=(z+N)%24;let ie=b[b.length-1];Nt((L-ie)/g,3)*$>=.7&&b.push(L)}else b.push(L)}return b}}return[l,c,u]}var[ny,iy,sy]=Wm(1),[ry,oy,ay]=Wm(.001);ta(2,-53,53,[1]);function lm(n,e){return n.map(t=>t.map((i,s)=>s==0||s==8||i==null?i:e(s==1||t[8]==0?i:t[1]+i)))}function cm(n,e){return(t,i,s,r,o)=>{let a=e.find(p=>o>=p[0])||e[e.length-1],l,c,u,h,f,d;return i.map(p=>{let y=n(p),g=y.getFullYear(),m=y.getMonth(),b=y.getDate(),R=y.getHours(),S=y.getMinutes(),C=y.getSeconds(),A=g!=l&&a[2]||m!=c&&a[3]||b!=u&&a[4]||R!=h&&a[5]||S!=f&&a[6]||C!=d&&a[7]||a[1];return l=g,c=m,u=b,h=R,f=S,d=C,A(y)})}}function ly(n,e){let t=Gh(e);return(i,s,r,o,a)=>s.map(l=>t(n(l)))}function Mh(n,e,t){return new Date(n,e,t)}function um(n,e){return e(n)}var cy="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function hm(n,e){return(t,i,s,r)=>r==null?Oh:e(n(i))}function uy(n,e){let t=n.series[e];return t.width?t.stroke(n,e):t.points.width?t.points.stroke(n,e):null}function hy(n,e){return n.series[e].fill(n,e)}var dy={show:!0,live:!0,isolate:!1,mount:Iv,markers:{show:!0,width:2,stroke:uy,fill:hy,dash:"solid"},idx:null,idxs:null,values:[]};function fy(n,e){let t=n.cursor.points,i=bi(),s=t.size(n,e);Ht(i,Zo,s),Ht(i,Ko,s);let r=s/-2;Ht(i,"marginLeft",r),Ht(i,"marginTop",r);let o=t.width(n,e,s);return o&&Ht(i,"borderWidth",o),i}function py(n,e){let t=n.series[e].points;return t._fill||t._stroke}function my(n,e){let t=n.series[e].points;return t._stroke||t._fill}function gy(n,e){return n.series[e].points.size}var wh=[0,0];function _y(n,e,t){return wh[0]=e,wh[1]=t,wh}function pl(n,e,t,i=!0){return s=>{s.button==0&&(!i||s.target==e)&&t(s)}}function Eh(n,e,t,i=!0){return s=>{(!i||s.target==e)&&t(s)}}var xy={show:!0,x:!0,y:!0,lock:!1,move:_y,points:{one:!1,show:fy,size:gy,width:0,stroke:my,fill:py},bind:{mousedown:pl,mouseup:pl,click:pl,dblclick:pl,mousemove:Eh,mouseleave:Eh,mouseenter:Eh},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(n,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(n,e,t,i,s)=>i-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Xm={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Xh=pn({},Xm,{filter:Im}),qm=pn({},Xh,{size:10}),$m=pn({},Xm,{show:!1}),qh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',Ym="bold "+qh,Jm=1.5,dm={show:!0,scale:"x",stroke:Uh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Ym,side:2,grid:Xh,ticks:qm,border:$m,font:qh,lineGap:Jm,rotate:0},vy="Value",yy="Time",fm={show:!0,scale:"x",auto:!1,sorted:1,min:Dt,max:-Dt,idxs:[]};function by(n,e,t,i,s){return e.map(r=>r==null?"":Vh(r))}function Sy(n,e,t,i,s,r,o){let a=[],l=Vs.get(s)||0;t=o?t:Nt(bl(t,s),l);for(let c=t;c<=i;c=Nt(c+s,l))a.push(Object.is(c,-0)?0:c);return a}function Ih(n,e,t,i,s,r,o){let a=[],l=n.scales[n.axes[e].scale].log,c=l==10?gs:Rm,u=ui(c(t));s=Gr(l,u),l==10&&(s=lr[Ni(s,lr)]);let h=t,f=s*l;l==10&&(f=lr[Ni(f,lr)]);do a.push(h),h=h+s,l==10&&!Vs.has(h)&&(h=Nt(h,Vs.get(s))),h>=f&&(s=h,f=s*l,l==10&&(f=lr[Ni(f,lr)]));while(h<=i);return a}function My(n,e,t,i,s,r,o){let l=n.scales[n.axes[e].scale].asinh,c=i>l?Ih(n,e,jn(l,t),i,s):[l],u=i>=0&&t<=0?[0]:[];return(t<-l?Ih(n,e,jn(l,-i),-t,s):[l]).reverse().map(f=>-f).concat(u,c)}var Zm=/./,wy=/[12357]/,Ey=/[125]/,pm=/1/,Lh=(n,e,t,i)=>n.map((s,r)=>e==4&&s==0||r%i==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function Ty(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=n.scales[o],l=n.valToPos,c=r._space,u=l(10,o),h=l(9,o)-u>=c?Zm:l(7,o)-u>=c?wy:l(5,o)-u>=c?Ey:pm;if(h==pm){let f=wn(l(1,o)-u);if(f<c)return Lh(e.slice().reverse(),a.distr,h,Si(c/f)).reverse()}return Lh(e,a.distr,h,1)}function Ay(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=r._space,l=n.valToPos,c=wn(l(1,o)-l(2,o));return c<a?Lh(e.slice().reverse(),3,Zm,Si(a/c)).reverse():e}function Ry(n,e,t,i){return i==null?Oh:e==null?"":Vh(e)}var mm={show:!0,scale:"y",stroke:Uh,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Ym,side:3,grid:Xh,ticks:qm,border:$m,font:qh,lineGap:Jm,rotate:0};function Cy(n,e){let t=3+(n||1)*2;return Nt(t*e,3)}function Py(n,e){let{scale:t,idxs:i}=n.series[0],s=n._data[0],r=n.valToPos(s[i[0]],t,!0),o=n.valToPos(s[i[1]],t,!0),a=wn(o-r),l=n.series[e],c=a/(l.points.space*Mt);return i[1]-i[0]<=c}var gm={scale:null,auto:!0,sorted:0,min:Dt,max:-Dt},Km=(n,e,t,i,s)=>s,_m={show:!0,auto:!0,sorted:0,gaps:Km,alpha:1,facets:[pn({},gm,{scale:"x"}),pn({},gm,{scale:"y"})]},xm={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Km,alpha:1,points:{show:Py,filter:null},values:null,min:Dt,max:-Dt,idxs:[],path:null,clip:null};function Iy(n,e,t,i,s){return t/10}var jm={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},Ly=pn({},jm,{time:!1,ori:1}),vm={};function Qm(n,e){let t=vm[n];return t||(t={key:n,plots:[],sub(i){t.plots.push(i)},unsub(i){t.plots=t.plots.filter(s=>s!=i)},pub(i,s,r,o,a,l,c){for(let u=0;u<t.plots.length;u++)t.plots[u]!=s&&t.plots[u].pub(i,s,r,o,a,l,c)}},n!=null&&(vm[n]=t)),t}var qr=1,Dh=2;function dr(n,e,t){let i=n.mode,s=n.series[e],r=i==2?n._data[e]:n._data,o=n.scales,a=n.bbox,l=r[0],c=i==2?r[1]:r[e],u=i==2?o[s.facets[0].scale]:o[n.series[0].scale],h=i==2?o[s.facets[1].scale]:o[s.scale],f=a.left,d=a.top,p=a.width,y=a.height,g=n.valToPosH,m=n.valToPosV;return u.ori==0?t(s,l,c,u,h,g,m,f,d,p,y,wl,Yr,Tl,tg,ig):t(s,l,c,u,h,m,g,d,f,y,p,El,Jr,Jh,ng,sg)}function $h(n,e){let t=0,i=0,s=bt(n.bands,Hh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?i|=1:i|=2)}return[t,i==1?-1:i==2?1:i==3?2:0]}function Dy(n,e,t,i,s){let r=n.mode,o=n.series[e],a=r==2?o.facets[1].scale:o.scale,l=n.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function _s(n,e,t,i,s,r){return dr(n,e,(o,a,l,c,u,h,f,d,p,y,g)=>{let m=o.pxRound,b=c.dir*(c.ori==0?1:-1),R=c.ori==0?Yr:Jr,S,C;b==1?(S=t,C=i):(S=i,C=t);let A=m(h(a[S],c,y,d)),_=m(f(l[S],u,g,p)),T=m(h(a[C],c,y,d)),U=m(f(r==1?u.max:u.min,u,g,p)),D=new Path2D(s);return R(D,T,U),R(D,A,U),R(D,A,_),D})}function Ml(n,e,t,i,s,r){let o=null;if(n.length>0){o=new Path2D;let a=e==0?Tl:Jh,l=t;for(let h=0;h<n.length;h++){let f=n[h];if(f[1]>f[0]){let d=f[0]-l;d>0&&a(o,l,i,d,i+r),l=f[1]}}let c=t+s-l,u=10;c>0&&a(o,l,i-u/2,c,i+r+u)}return o}function Ny(n,e,t){let i=n[n.length-1];i&&i[0]==e?i[1]=t:n.push([e,t])}function Yh(n,e,t,i,s,r,o){let a=[],l=n.length;for(let c=s==1?t:i;c>=t&&c<=i;c+=s)if(e[c]===null){let h=c,f=c;if(s==1)for(;++c<=i&&e[c]===null;)f=c;else for(;--c>=t&&e[c]===null;)f=c;let d=r(n[h]),p=f==h?d:r(n[f]),y=h-s;d=o<=0&&y>=0&&y<l?r(n[y]):d;let m=f+s;p=o>=0&&m>=0&&m<l?r(n[m]):p,p>=d&&a.push([d,p])}return a}function ym(n){return n==0?Pm:n==1?Mn:e=>ar(e,n)}function eg(n){let e=n==0?wl:El,t=n==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},i=n==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,u=0)=>{c==0&&u==0?i(s,r,o,a,l):(c=Fi(c,a/2,l/2),u=Fi(u,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,u),t(s,r,o+l,r,o,u),t(s,r,o,r+a,o,c),s.closePath())}}var wl=(n,e,t)=>{n.moveTo(e,t)},El=(n,e,t)=>{n.moveTo(t,e)},Yr=(n,e,t)=>{n.lineTo(e,t)},Jr=(n,e,t)=>{n.lineTo(t,e)},Tl=eg(0),Jh=eg(1),tg=(n,e,t,i,s,r)=>{n.arc(e,t,i,s,r)},ng=(n,e,t,i,s,r)=>{n.arc(t,e,i,s,r)},ig=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(e,t,i,s,r,o)},sg=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(t,e,s,i,o,r)};function rg(n){return(e,t,i,s,r)=>dr(e,t,(o,a,l,c,u,h,f,d,p,y,g)=>{let{pxRound:m,points:b}=o,R,S;c.ori==0?(R=wl,S=tg):(R=El,S=ng);let C=Nt(b.width*Mt,3),A=(b.size-b.width)/2*Mt,_=Nt(A*2,3),T=new Path2D,U=new Path2D,{left:D,top:L,width:k,height:z}=e.bbox;Tl(U,D-_,L-_,k+_*2,z+_*2);let N=G=>{if(l[G]!=null){let $=m(h(a[G],c,y,d)),H=m(f(l[G],u,g,p));R(T,$+A,H),S(T,$,H,A,0,ml*2)}};if(r)r.forEach(N);else for(let G=i;G<=s;G++)N(G);return{stroke:C>0?T:null,fill:T,clip:U,flags:qr|Dh}})}function og(n){return(e,t,i,s,r,o)=>{i!=s&&(r!=i&&o!=i&&n(e,t,i),r!=s&&o!=s&&n(e,t,s),n(e,t,o))}}var Fy=og(Yr),Uy=og(Jr);function ag(n){let e=bt(n?.alignGaps,0);return(t,i,s,r)=>dr(t,i,(o,a,l,c,u,h,f,d,p,y,g)=>{[s,r]=vl(l,s,r);let m=o.pxRound,b=z=>m(h(z,c,y,d)),R=z=>m(f(z,u,g,p)),S,C;c.ori==0?(S=Yr,C=Fy):(S=Jr,C=Uy);let A=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:qr},T=_.stroke,U=!1;if(r-s>=y*4){let z=he=>t.posToVal(he,c.key,!0),N=null,G=null,$,H,le,Z=b(a[A==1?s:r]),Q=b(a[s]),ie=b(a[r]),de=z(A==1?Q+1:ie-1);for(let he=A==1?s:r;he>=s&&he<=r;he+=A){let ee=a[he],ge=(A==1?ee<de:ee>de)?Z:b(ee),Me=l[he];ge==Z?Me!=null?(H=Me,N==null?(S(T,ge,R(H)),$=N=G=H):H<N?N=H:H>G&&(G=H)):Me===null&&(U=!0):(N!=null&&C(T,Z,R(N),R(G),R($),R(H)),Me!=null?(H=Me,S(T,ge,R(H)),N=G=$=H):(N=G=null,Me===null&&(U=!0)),Z=ge,de=z(Z+A))}N!=null&&N!=G&&le!=Z&&C(T,Z,R(N),R(G),R($),R(H))}else for(let z=A==1?s:r;z>=s&&z<=r;z+=A){let N=l[z];N===null?U=!0:N!=null&&S(T,b(a[z]),R(N))}let[L,k]=$h(t,i);if(o.fill!=null||L!=0){let z=_.fill=new Path2D(T),N=o.fillTo(t,i,o.min,o.max,L),G=R(N),$=b(a[s]),H=b(a[r]);A==-1&&([H,$]=[$,H]),S(z,H,G),S(z,$,G)}if(!o.spanGaps){let z=[];U&&z.push(...Yh(a,l,s,r,A,b,e)),_.gaps=z=o.gaps(t,i,s,r,z),_.clip=Ml(z,c.ori,d,p,y,g)}return k!=0&&(_.band=k==2?[_s(t,i,s,r,T,-1),_s(t,i,s,r,T,1)]:_s(t,i,s,r,T,k)),_})}function Oy(n){let e=bt(n.align,1),t=bt(n.ascDesc,!1),i=bt(n.alignGaps,0),s=bt(n.extend,!1);return(r,o,a,l)=>dr(r,o,(c,u,h,f,d,p,y,g,m,b,R)=>{[a,l]=vl(h,a,l);let S=c.pxRound,{left:C,width:A}=r.bbox,_=Q=>S(p(Q,f,b,g)),T=Q=>S(y(Q,d,R,m)),U=f.ori==0?Yr:Jr,D={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:qr},L=D.stroke,k=f.dir*(f.ori==0?1:-1),z=T(h[k==1?a:l]),N=_(u[k==1?a:l]),G=N,$=N;s&&e==-1&&($=C,U(L,$,z)),U(L,N,z);for(let Q=k==1?a:l;Q>=a&&Q<=l;Q+=k){let ie=h[Q];if(ie==null)continue;let de=_(u[Q]),he=T(ie);e==1?U(L,de,z):U(L,G,he),U(L,de,he),z=he,G=de}let H=G;s&&e==1&&(H=C+A,U(L,H,z));let[le,Z]=$h(r,o);if(c.fill!=null||le!=0){let Q=D.fill=new Path2D(L),ie=c.fillTo(r,o,c.min,c.max,le),de=T(ie);U(Q,H,de),U(Q,$,de)}if(!c.spanGaps){let Q=[];Q.push(...Yh(u,h,a,l,k,_,i));let ie=c.width*Mt/2,de=t||e==1?ie:-ie,he=t||e==-1?-ie:ie;Q.forEach(ee=>{ee[0]+=de,ee[1]+=he}),D.gaps=Q=c.gaps(r,o,a,l,Q),D.clip=Ml(Q,f.ori,g,m,b,R)}return Z!=0&&(D.band=Z==2?[_s(r,o,a,l,L,-1),_s(r,o,a,l,L,1)]:_s(r,o,a,l,L,Z)),D})}function bm(n,e,t,i,s,r,o=Dt){if(n.length>1){let a=null;for(let l=0,c=1/0;l<n.length;l++)if(e[l]!==void 0){if(a!=null){let u=wn(n[l]-n[a]);u<c&&(c=u,o=wn(t(n[l],i,s,r)-t(n[a],i,s,r)))}a=l}}return o}function By(n){n=n||ea;let e=bt(n.size,[.6,Dt,1]),t=n.align||0,i=n.gap||0,s=n.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=pt(s),o=1-e[0],a=bt(e[1],Dt),l=bt(e[2],1),c=bt(n.disp,ea),u=bt(n.each,d=>{}),{fill:h,stroke:f}=c;return(d,p,y,g)=>dr(d,p,(m,b,R,S,C,A,_,T,U,D,L)=>{let k=m.pxRound,z=t,N=i*Mt,G=a*Mt,$=l*Mt,H,le;S.ori==0?[H,le]=r(d,p):[le,H]=r(d,p);let Z=S.dir*(S.ori==0?1:-1),Q=S.ori==0?Tl:Jh,ie=S.ori==0?u:(Ce,qe,it,we,Lt,Ve,Xe)=>{u(Ce,qe,it,Lt,we,Xe,Ve)},de=bt(d.bands,Hh).find(Ce=>Ce.series[0]==p),he=de!=null?de.dir:0,ee=m.fillTo(d,p,m.min,m.max,he),me=k(_(ee,C,L,U)),ge,Me,ve,He=D,Je=k(m.width*Mt),Oe=!1,ct=null,ot=null,tt=null,Xt=null;h!=null&&(Je==0||f!=null)&&(Oe=!0,ct=h.values(d,p,y,g),ot=new Map,new Set(ct).forEach(Ce=>{Ce!=null&&ot.set(Ce,new Path2D)}),Je>0&&(tt=f.values(d,p,y,g),Xt=new Map,new Set(tt).forEach(Ce=>{Ce!=null&&Xt.set(Ce,new Path2D)})));let{x0:Ft,size:an}=c;if(Ft!=null&&an!=null){z=1,b=Ft.values(d,p,y,g),Ft.unit==2&&(b=b.map(it=>d.posToVal(T+it*D,S.key,!0)));let Ce=an.values(d,p,y,g);an.unit==2?Me=Ce[0]*D:Me=A(Ce[0],S,D,T)-A(0,S,D,T),He=bm(b,R,A,S,D,T,He),ve=He-Me+N}else He=bm(b,R,A,S,D,T,He),ve=He*o+N,Me=He-ve;ve<1&&(ve=0),Je>=Me/2&&(Je=0),ve<5&&(k=Pm);let Pt=ve>0,An=He-ve-(Pt?Je:0);Me=k(Ph(An,$,G)),ge=(z==0?Me/2:z==Z?0:Me)-z*Z*((z==0?N/2:0)+(Pt?Je/2:0));let xt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},vn=Oe?null:new Path2D,Jt=null;if(de!=null)Jt=d.data[de.series[1]];else{let{y0:Ce,y1:qe}=c;Ce!=null&&qe!=null&&(R=qe.values(d,p,y,g),Jt=Ce.values(d,p,y,g))}let ln=H*Me,B=le*Me;for(let Ce=Z==1?y:g;Ce>=y&&Ce<=g;Ce+=Z){let qe=R[Ce];if(qe==null)continue;if(Jt!=null){let q=Jt[Ce]??0;if(qe-q==0)continue;me=_(q,C,L,U)}let it=S.distr!=2||c!=null?b[Ce]:Ce,we=A(it,S,D,T),Lt=_(bt(qe,ee),C,L,U),Ve=k(we-ge),Xe=k(jn(Lt,me)),P=k(Fi(Lt,me)),M=Xe-P;if(qe!=null){let q=qe<0?B:ln,ue=qe<0?ln:B;Oe?(Je>0&&tt[Ce]!=null&&Q(Xt.get(tt[Ce]),Ve,P+ui(Je/2),Me,jn(0,M-Je),q,ue),ct[Ce]!=null&&Q(ot.get(ct[Ce]),Ve,P+ui(Je/2),Me,jn(0,M-Je),q,ue)):Q(vn,Ve,P+ui(Je/2),Me,jn(0,M-Je),q,ue),ie(d,p,Ce,Ve-Je/2,P,Me+Je,M)}}return Je>0?xt.stroke=Oe?Xt:vn:Oe||(xt._fill=m.width==0?m._fill:m._stroke??m._fill,xt.width=0),xt.fill=Oe?ot:vn,xt})}function ky(n,e){let t=bt(e?.alignGaps,0);return(i,s,r,o)=>dr(i,s,(a,l,c,u,h,f,d,p,y,g,m)=>{[r,o]=vl(c,r,o);let b=a.pxRound,R=H=>b(f(H,u,g,p)),S=H=>b(d(H,h,m,y)),C,A,_;u.ori==0?(C=wl,_=Yr,A=ig):(C=El,_=Jr,A=sg);let T=u.dir*(u.ori==0?1:-1),U=R(l[T==1?r:o]),D=U,L=[],k=[];for(let H=T==1?r:o;H>=r&&H<=o;H+=T)if(c[H]!=null){let Z=l[H],Q=R(Z);L.push(D=Q),k.push(S(c[H]))}let z={stroke:n(L,k,C,_,A,b),fill:null,clip:null,band:null,gaps:null,flags:qr},N=z.stroke,[G,$]=$h(i,s);if(a.fill!=null||G!=0){let H=z.fill=new Path2D(N),le=a.fillTo(i,s,a.min,a.max,G),Z=S(le);_(H,D,Z),_(H,U,Z)}if(!a.spanGaps){let H=[];H.push(...Yh(l,c,r,o,T,R,t)),z.gaps=H=a.gaps(i,s,r,o,H),z.clip=Ml(H,u.ori,p,y,g,m)}return $!=0&&(z.band=$==2?[_s(i,s,r,o,N,-1),_s(i,s,r,o,N,1)]:_s(i,s,r,o,N,$)),z})}function zy(n){return ky(Vy,n)}function Vy(n,e,t,i,s,r){let o=n.length;if(o<2)return null;let a=new Path2D;if(t(a,n[0],e[0]),o==2)i(a,n[1],e[1]);else{let l=Array(o),c=Array(o-1),u=Array(o-1),h=Array(o-1);for(let f=0;f<o-1;f++)u[f]=e[f+1]-e[f],h[f]=n[f+1]-n[f],c[f]=u[f]/h[f];l[0]=c[0];for(let f=1;f<o-1;f++)c[f]===0||c[f-1]===0||c[f-1]>0!=c[f]>0?l[f]=0:(l[f]=3*(h[f-1]+h[f])/((2*h[f]+h[f-1])/c[f-1]+(h[f]+2*h[f-1])/c[f]),isFinite(l[f])||(l[f]=0));l[o-1]=c[o-2];for(let f=0;f<o-1;f++)s(a,n[f]+h[f]/3,e[f]+l[f]*h[f]/3,n[f+1]-h[f]/3,e[f+1]-l[f+1]*h[f]/3,n[f+1],e[f+1])}return a}var Nh=new Set;function Sm(){for(let n of Nh)n.syncRect(!0)}$r&&(ur(bv,Hr,Sm),ur(Sv,Hr,Sm,!0),ur(gl,Hr,()=>{mn.pxRatio=Mt}));var Hy=ag(),Gy=rg();function Mm(n,e,t,i){return(i?[n[0],n[1]].concat(n.slice(2)):[n[0]].concat(n.slice(1))).map((r,o)=>Fh(r,o,e,t))}function Wy(n,e){return n.map((t,i)=>i==0?{}:pn({},e,t))}function Fh(n,e,t,i){return pn({},e==0?t:i,n)}function lg(n,e,t){return e==null?Wr:[e,t]}var Xy=lg;function qy(n,e,t){return e==null?Wr:_l(e,t,zh,!0)}function cg(n,e,t,i){return e==null?Wr:yl(e,t,n.scales[i].log,!1)}var $y=cg;function ug(n,e,t,i){return e==null?Wr:kh(e,t,n.scales[i].log,!1)}var Yy=ug;function Jy(n,e,t,i,s){let r=jn(tm(n),tm(e)),o=e-n,a=Ni(s/i*o,t);do{let l=t[a],c=i*l/o;if(c>=s&&r+(l<5?Vs.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function wm(n){let e,t;return n=n.replace(/(\d+)px/,(i,s)=>(e=Mn((t=+s)*Mt))+"px"),[n,e,t]}function Zy(n){n.show&&[n.font,n.labelFont].forEach(e=>{let t=Nt(e[2]*Mt,1);e[0]=e[0].replace(/[0-9.]+px/,t+"px"),e[1]=t})}function mn(n,e,t){let i={mode:bt(n.mode,1)},s=i.mode;function r(v,w,I,F){let W=w.valToPct(v);return F+I*(w.dir==-1?1-W:W)}function o(v,w,I,F){let W=w.valToPct(v);return F+I*(w.dir==-1?W:1-W)}function a(v,w,I,F){return w.ori==0?r(v,w,I,F):o(v,w,I,F)}i.valToPosH=r,i.valToPosV=o;let l=!1;i.status=0;let c=i.root=bi(iv);if(n.id!=null&&(c.id=n.id),ci(c,n.class),n.title){let v=bi(ov,c);v.textContent=n.title}let u=Di("canvas"),h=i.ctx=u.getContext("2d"),f=bi(av,c);ur("click",f,v=>{v.target===p&&(kt!=Dr||qt!=Nr)&&Fn.click(i,v)},!0);let d=i.under=bi(lv,f);f.appendChild(u);let p=i.over=bi(cv,f);n=Xr(n);let y=+bt(n.pxAlign,1),g=ym(y);(n.plugins||[]).forEach(v=>{v.opts&&(n=v.opts(i,n)||n)});let m=n.ms||.001,b=i.series=s==1?Mm(n.series||[],fm,xm,!1):Wy(n.series||[null],_m),R=i.axes=Mm(n.axes||[],dm,mm,!0),S=i.scales={},C=i.bands=n.bands||[];C.forEach(v=>{v.fill=pt(v.fill||null),v.dir=bt(v.dir,-1)});let A=s==2?b[1].facets[0].scale:b[0].scale,_={axes:fs,series:ht},T=(n.drawOrder||["axes","series"]).map(v=>_[v]);function U(v){let w=v.distr==3?I=>gs(I>0?I:v.clamp(i,I,v.min,v.max,v.key)):v.distr==4?I=>Sh(I,v.asinh):v.distr==100?I=>v.fwd(I):I=>I;return I=>{let F=w(I),{_min:W,_max:K}=v,ae=K-W;return(F-W)/ae}}function D(v){let w=S[v];if(w==null){let I=(n.scales||ea)[v]||ea;if(I.from!=null){D(I.from);let F=pn({},S[I.from],I,{key:v});F.valToPct=U(F),S[v]=F}else{w=S[v]=pn({},v==A?jm:Ly,I),w.key=v;let F=w.time,W=w.range,K=zs(W);if((v!=A||s==2&&!F)&&(K&&(W[0]==null||W[1]==null)&&(W={min:W[0]==null?jp:{mode:1,hard:W[0],soft:W[0]},max:W[1]==null?jp:{mode:1,hard:W[1],soft:W[1]}},K=!1),!K&&Sl(W))){let ae=W;W=(fe,be,De)=>be==null?Wr:_l(be,De,ae)}w.range=pt(W||(F?Xy:v==A?w.distr==3?$y:w.distr==4?Yy:lg:w.distr==3?cg:w.distr==4?ug:qy)),w.auto=pt(K?!1:w.auto),w.clamp=pt(w.clamp||Iy),w._min=w._max=null,w.valToPct=U(w)}}}D("x"),D("y"),s==1&&b.forEach(v=>{D(v.scale)}),R.forEach(v=>{D(v.scale)});for(let v in n.scales)D(v);let L=S[A],k=L.distr,z,N;L.ori==0?(ci(c,sv),z=r,N=o):(ci(c,rv),z=o,N=r);let G={};for(let v in S){let w=S[v];(w.min!=null||w.max!=null)&&(G[v]={min:w.min,max:w.max},w.min=w.max=null)}let $=n.tzDate||(v=>new Date(Mn(v/m))),H=n.fmtDate||Gh,le=m==1?sy($):ay($),Z=cm($,lm(m==1?iy:oy,H)),Q=hm($,um(cy,H)),ie=[],de=i.legend=pn({},dy,n.legend),he=i.cursor=pn({},xy,{drag:{y:s==2}},n.cursor),ee=de.show,me=he.show,ge=de.markers;de.idxs=ie,ge.width=pt(ge.width),ge.dash=pt(ge.dash),ge.stroke=pt(ge.stroke),ge.fill=pt(ge.fill);let Me,ve,He,Je=[],Oe=[],ct,ot=!1,tt={};if(de.live){let v=b[1]?b[1].values:null;ot=v!=null,ct=ot?v(i,1,0):{_:0};for(let w in ct)tt[w]=Oh}if(ee)if(Me=Di("table",mv,c),He=Di("tbody",null,Me),de.mount(i,Me),ot){ve=Di("thead",null,Me,He);let v=Di("tr",null,ve);Di("th",null,v);for(var Xt in ct)Di("th",kp,v).textContent=Xt}else ci(Me,_v),de.live&&ci(Me,gv);let Ft={show:!0},an={show:!1};function Pt(v,w){if(w==0&&(ot||!de.live||s==2))return Wr;let I=[],F=Di("tr",xv,He,He.childNodes[w]);ci(F,v.class),v.show||ci(F,cr);let W=Di("th",null,F);if(ge.show){let fe=bi(vv,W);if(w>0){let be=ge.width(i,w);be&&(fe.style.border=be+"px "+ge.dash(i,w)+" "+ge.stroke(i,w)),fe.style.background=ge.fill(i,w)}}let K=bi(kp,W);v.label instanceof HTMLElement?K.appendChild(v.label):K.textContent=v.label,w>0&&(ge.show||(K.style.color=v.width>0?ge.stroke(i,w):ge.fill(i,w)),xt("click",W,fe=>{if(he._lock)return;Ze(fe);let be=b.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.isolate){let De=b.some((Ne,Ue)=>Ue>0&&Ue!=be&&Ne.show);b.forEach((Ne,Ue)=>{Ue>0&&Ji(Ue,De?Ue==be?Ft:an:Ft,!0,dn.setSeries)})}else Ji(be,{show:!v.show},!0,dn.setSeries)},!1),Ke&&xt(Gp,W,fe=>{he._lock||(Ze(fe),Ji(b.indexOf(v),Ur,!0,dn.setSeries))},!1));for(var ae in ct){let fe=Di("td",yv,F);fe.textContent="--",I.push(fe)}return[F,I]}let An=new Map;function xt(v,w,I,F=!0){let W=An.get(w)||{},K=he.bind[v](i,w,I,F);K&&(ur(v,w,W[v]=K),An.set(w,W))}function vn(v,w,I){let F=An.get(w)||{};for(let W in F)(v==null||W==v)&&(Ch(W,w,F[W]),delete F[W]);v==null&&An.delete(w)}let Jt=0,ln=0,B=0,Ce=0,qe=0,it=0,we=qe,Lt=it,Ve=B,Xe=Ce,P=0,M=0,q=0,ue=0;i.bbox={};let oe=!1,xe=!1,ye=!1,te=!1,se=!1,pe=!1;function O(v,w,I){(I||v!=i.width||w!=i.height)&&re(v,w),at(!1),ye=!0,xe=!0,Gn()}function re(v,w){i.width=Jt=B=v,i.height=ln=Ce=w,qe=it=0,Se(),Ge();let I=i.bbox;P=I.left=ar(qe*Mt,.5),M=I.top=ar(it*Mt,.5),q=I.width=ar(B*Mt,.5),ue=I.height=ar(Ce*Mt,.5)}let ne=3;function Ee(){let v=!1,w=0;for(;!v;){w++;let I=Pr(w),F=Yi(w);v=w==ne||I&&F,v||(re(i.width,i.height),xe=!0)}}function _e({width:v,height:w}){O(v,w)}i.setSize=_e;function Se(){let v=!1,w=!1,I=!1,F=!1;R.forEach((W,K)=>{if(W.show&&W._show){let{side:ae,_size:fe}=W,be=ae%2,De=W.label!=null?W.labelSize:0,Ne=fe+De;Ne>0&&(be?(B-=Ne,ae==3?(qe+=Ne,F=!0):I=!0):(Ce-=Ne,ae==0?(it+=Ne,v=!0):w=!0))}}),qi[0]=v,qi[1]=I,qi[2]=w,qi[3]=F,B-=Ri[1]+Ri[3],qe+=Ri[3],Ce-=Ri[2]+Ri[0],it+=Ri[0]}function Ge(){let v=qe+B,w=it+Ce,I=qe,F=it;function W(K,ae){switch(K){case 1:return v+=ae,v-ae;case 2:return w+=ae,w-ae;case 3:return I-=ae,I+ae;case 0:return F-=ae,F+ae}}R.forEach((K,ae)=>{if(K.show&&K._show){let fe=K.side;K._pos=W(fe,K._size),K.label!=null&&(K._lpos=W(fe,K.labelSize))}})}if(he.dataIdx==null){let v=he.hover,w=v.skip=new Set(v.skip??[]);w.add(void 0);let I=v.prox=pt(v.prox),F=v.bias??=0;he.dataIdx=(W,K,ae,fe)=>{if(K==0)return ae;let be=ae,De=I(W,K,ae,fe)??Dt,Ne=De>=0&&De<Dt,Ue=L.ori==0?B:Ce,nt=he.left,St=e[0],yt=e[K];if(w.has(yt[ae])){be=null;let dt=null,Ye=null,We;if(F==0||F==-1)for(We=ae;dt==null&&We-- >0;)w.has(yt[We])||(dt=We);if(F==0||F==1)for(We=ae;Ye==null&&We++<yt.length;)w.has(yt[We])||(Ye=We);if(dt!=null||Ye!=null)if(Ne){let Vt=dt==null?-1/0:z(St[dt],L,Ue,0),jt=Ye==null?1/0:z(St[Ye],L,Ue,0),In=nt-Vt,It=jt-nt;In<=It?In<=De&&(be=dt):It<=De&&(be=Ye)}else be=Ye==null?dt:dt==null?Ye:ae-dt<=Ye-ae?dt:Ye}else Ne&&wn(nt-z(St[ae],L,Ue,0))>De&&(be=null);return be}}let Ze=v=>{he.event=v};he.idxs=ie,he._lock=!1;let ce=he.points;ce.show=pt(ce.show),ce.size=pt(ce.size),ce.stroke=pt(ce.stroke),ce.width=pt(ce.width),ce.fill=pt(ce.fill);let Be=i.focus=pn({},n.focus||{alpha:.3},he.focus),Ke=Be.prox>=0,Re=Ke&&ce.one,st=[],Bt=[],$n=[];function Fo(v,w){let I=ce.show(i,w);if(I instanceof HTMLElement)return ci(I,pv),ci(I,v.class),es(I,-10,-10,B,Ce),p.insertBefore(I,st[w]),I}function Ar(v,w){if(s==1||w>0){let I=s==1&&S[v.scale].time,F=v.value;v.value=I?sm(F)?hm($,um(F,H)):F||Q:F||Ry,v.label=v.label||(I?yy:vy)}if(Re||w>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Hy||Lv,v.fillTo=pt(v.fillTo||Dy),v.pxAlign=+bt(v.pxAlign,y),v.pxRound=ym(v.pxAlign),v.stroke=pt(v.stroke||null),v.fill=pt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let I=Cy(jn(1,v.width),1),F=v.points=pn({},{size:I,width:jn(1,I*.2),stroke:v.stroke,space:I*2,paths:Gy,_stroke:null,_fill:null},v.points);F.show=pt(F.show),F.filter=pt(F.filter),F.fill=pt(F.fill),F.stroke=pt(F.stroke),F.paths=pt(F.paths),F.pxAlign=v.pxAlign}if(ee){let I=Pt(v,w);Je.splice(w,0,I[0]),Oe.splice(w,0,I[1]),de.values.push(null)}if(me){ie.splice(w,0,null);let I=null;Re?w==0&&(I=Fo(v,w)):w>0&&(I=Fo(v,w)),st.splice(w,0,I),Bt.splice(w,0,0),$n.splice(w,0,0)}Pn("addSeries",w)}function $u(v,w){w=w??b.length,v=s==1?Fh(v,w,fm,xm):Fh(v,w,{},_m),b.splice(w,0,v),Ar(b[w],w)}i.addSeries=$u;function Ka(v){if(b.splice(v,1),ee){de.values.splice(v,1),Oe.splice(v,1);let w=Je.splice(v,1)[0];vn(null,w.firstChild),w.remove()}me&&(ie.splice(v,1),st.splice(v,1)[0].remove(),Bt.splice(v,1),$n.splice(v,1)),Pn("delSeries",v)}i.delSeries=Ka;let qi=[!1,!1,!1,!1];function us(v,w){if(v._show=v.show,v.show){let I=v.side%2,F=S[v.scale];F==null&&(v.scale=I?b[1].scale:A,F=S[v.scale]);let W=F.time;v.size=pt(v.size),v.space=pt(v.space),v.rotate=pt(v.rotate),zs(v.incrs)&&v.incrs.forEach(ae=>{!Vs.has(ae)&&Vs.set(ae,Dm(ae))}),v.incrs=pt(v.incrs||(F.distr==2?ey:W?m==1?ny:ry:lr)),v.splits=pt(v.splits||(W&&F.distr==1?le:F.distr==3?Ih:F.distr==4?My:Sy)),v.stroke=pt(v.stroke),v.grid.stroke=pt(v.grid.stroke),v.ticks.stroke=pt(v.ticks.stroke),v.border.stroke=pt(v.border.stroke);let K=v.values;v.values=zs(K)&&!zs(K[0])?pt(K):W?zs(K)?cm($,lm(K,H)):sm(K)?ly($,K):K||Z:K||by,v.filter=pt(v.filter||(F.distr>=3&&F.log==10?Ty:F.distr==3&&F.log==2?Ay:Im)),v.font=wm(v.font),v.labelFont=wm(v.labelFont),v._size=v.size(i,null,w,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(qi[w]=!0,v._el=bi(uv,f))}}function hs(v,w,I,F){let[W,K,ae,fe]=I,be=w%2,De=0;return be==0&&(fe||K)&&(De=w==0&&!W||w==2&&!ae?Mn(dm.size/3):0),be==1&&(W||ae)&&(De=w==1&&!K||w==3&&!fe?Mn(mm.size/2):0),De}let Uo=i.padding=(n.padding||[hs,hs,hs,hs]).map(v=>pt(bt(v,hs))),Ri=i._padding=Uo.map((v,w)=>v(i,w,qi,0)),Zt,tn=null,nn=null,$i=s==1?b[0].idxs:null,ri=null,Is=!1;function Oo(v,w){if(e=v??[],i.data=i._data=e,s==2){Zt=0;for(let I=1;I<b.length;I++)Zt+=e[I][0].length}else{e.length==0&&(i.data=i._data=e=[[]]),ri=e[0],Zt=ri.length;let I=e;if(k==2){I=e.slice();let F=I[0]=Array(Zt);for(let W=0;W<Zt;W++)F[W]=W}i._data=e=I}if(at(!0),Pn("setData"),k==2&&(ye=!0),w!==!1){let I=L;I.auto(i,Is)?Bo():Ns(A,I.min,I.max),te=te||he.left>=0,pe=!0,Gn()}}i.setData=Oo;function Bo(){Is=!0;let v,w;s==1&&(Zt>0?(tn=$i[0]=0,nn=$i[1]=Zt-1,v=e[0][tn],w=e[0][nn],k==2?(v=tn,w=nn):v==w&&(k==3?[v,w]=yl(v,v,L.log,!1):k==4?[v,w]=kh(v,v,L.log,!1):L.time?w=v+Mn(86400/m):[v,w]=_l(v,w,zh,!0))):(tn=$i[0]=v=null,nn=$i[1]=w=null)),Ns(A,v,w)}let Rr,Ls,Cr,E,V,j,Y,J,Te,Pe;function Ae(v,w,I,F,W,K){v??=Vp,I??=Hh,F??="butt",W??=Vp,K??="round",v!=Rr&&(h.strokeStyle=Rr=v),W!=Ls&&(h.fillStyle=Ls=W),w!=Cr&&(h.lineWidth=Cr=w),K!=V&&(h.lineJoin=V=K),F!=j&&(h.lineCap=j=F),I!=E&&h.setLineDash(E=I)}function Ie(v,w,I,F){w!=Ls&&(h.fillStyle=Ls=w),v!=Y&&(h.font=Y=v),I!=J&&(h.textAlign=J=I),F!=Te&&(h.textBaseline=Te=F)}function ze(v,w,I,F,W=0){if(F.length>0&&v.auto(i,Is)&&(w==null||w.min==null)){let K=bt(tn,0),ae=bt(nn,F.length-1),fe=I.min==null?Tv(F,K,ae,W,v.distr==3):[I.min,I.max];v.min=Fi(v.min,I.min=fe[0]),v.max=jn(v.max,I.max=fe[1])}}let je={min:null,max:null};function ut(){for(let F in S){let W=S[F];G[F]==null&&(W.min==null||G[A]!=null&&W.auto(i,Is))&&(G[F]=je)}for(let F in S){let W=S[F];G[F]==null&&W.from!=null&&G[W.from]!=null&&(G[F]=je)}G[A]!=null&&at(!0);let v={};for(let F in G){let W=G[F];if(W!=null){let K=v[F]=Xr(S[F],Fv);if(W.min!=null)pn(K,W);else if(F!=A||s==2)if(Zt==0&&K.from==null){let ae=K.range(i,null,null,F);K.min=ae[0],K.max=ae[1]}else K.min=Dt,K.max=-Dt}}if(Zt>0){b.forEach((F,W)=>{if(s==1){let K=F.scale,ae=G[K];if(ae==null)return;let fe=v[K];if(W==0){let be=fe.range(i,fe.min,fe.max,K);fe.min=be[0],fe.max=be[1],tn=Ni(fe.min,e[0]),nn=Ni(fe.max,e[0]),nn-tn>1&&(e[0][tn]<fe.min&&tn++,e[0][nn]>fe.max&&nn--),F.min=ri[tn],F.max=ri[nn]}else F.show&&F.auto&&ze(fe,ae,F,e[W],F.sorted);F.idxs[0]=tn,F.idxs[1]=nn}else if(W>0&&F.show&&F.auto){let[K,ae]=F.facets,fe=K.scale,be=ae.scale,[De,Ne]=e[W],Ue=v[fe],nt=v[be];Ue!=null&&ze(Ue,G[fe],K,De,K.sorted),nt!=null&&ze(nt,G[be],ae,Ne,ae.sorted),F.min=ae.min,F.max=ae.max}});for(let F in v){let W=v[F],K=G[F];if(W.from==null&&(K==null||K.min==null)){let ae=W.range(i,W.min==Dt?null:W.min,W.max==-Dt?null:W.max,F);W.min=ae[0],W.max=ae[1]}}}for(let F in v){let W=v[F];if(W.from!=null){let K=v[W.from];if(K.min==null)W.min=W.max=null;else{let ae=W.range(i,K.min,K.max,F);W.min=ae[0],W.max=ae[1]}}}let w={},I=!1;for(let F in v){let W=v[F],K=S[F];if(K.min!=W.min||K.max!=W.max){K.min=W.min,K.max=W.max;let ae=K.distr;K._min=ae==3?gs(K.min):ae==4?Sh(K.min,K.asinh):ae==100?K.fwd(K.min):K.min,K._max=ae==3?gs(K.max):ae==4?Sh(K.max,K.asinh):ae==100?K.fwd(K.max):K.max,w[F]=I=!0}}if(I){b.forEach((F,W)=>{s==2?W>0&&w.y&&(F._paths=null):w[F.scale]&&(F._paths=null)});for(let F in w)ye=!0,Pn("setScale",F);me&&he.left>=0&&(te=pe=!0)}for(let F in G)G[F]=null}function ke(v){let w=Ph(tn-1,0,Zt-1),I=Ph(nn+1,0,Zt-1);for(;v[w]==null&&w>0;)w--;for(;v[I]==null&&I<Zt-1;)I++;return[w,I]}function ht(){if(Zt>0){let v=b.some(w=>w._focus)&&Pe!=Be.alpha;v&&(h.globalAlpha=Pe=Be.alpha),b.forEach((w,I)=>{if(I>0&&w.show&&($t(I,!1),$t(I,!0),w._paths==null)){let F=Pe;Pe!=w.alpha&&(h.globalAlpha=Pe=w.alpha);let W=s==2?[0,e[I][0].length-1]:ke(e[I]);w._paths=w.paths(i,I,W[0],W[1]),Pe!=F&&(h.globalAlpha=Pe=F)}}),b.forEach((w,I)=>{if(I>0&&w.show){let F=Pe;Pe!=w.alpha&&(h.globalAlpha=Pe=w.alpha),w._paths!=null&&Tt(I,!1);{let W=w._paths!=null?w._paths.gaps:null,K=w.points.show(i,I,tn,nn,W),ae=w.points.filter(i,I,K,W);(K||ae)&&(w.points._paths=w.points.paths(i,I,tn,nn,ae),Tt(I,!0))}Pe!=F&&(h.globalAlpha=Pe=F),Pn("drawSeries",I)}}),v&&(h.globalAlpha=Pe=1)}}function $t(v,w){let I=w?b[v].points:b[v];I._stroke=I.stroke(i,v),I._fill=I.fill(i,v)}function Tt(v,w){let I=w?b[v].points:b[v],{stroke:F,fill:W,clip:K,flags:ae,_stroke:fe=I._stroke,_fill:be=I._fill,_width:De=I.width}=I._paths;De=Nt(De*Mt,3);let Ne=null,Ue=De%2/2;w&&be==null&&(be=De>0?"#fff":fe);let nt=I.pxAlign==1&&Ue>0;if(nt&&h.translate(Ue,Ue),!w){let St=P-De/2,yt=M-De/2,dt=q+De,Ye=ue+De;Ne=new Path2D,Ne.rect(St,yt,dt,Ye)}w?Fe(fe,De,I.dash,I.cap,be,F,W,ae,K):At(v,fe,De,I.dash,I.cap,be,F,W,ae,Ne,K),nt&&h.translate(-Ue,-Ue)}function At(v,w,I,F,W,K,ae,fe,be,De,Ne){let Ue=!1;be!=0&&C.forEach((nt,St)=>{if(nt.series[0]==v){let yt=b[nt.series[1]],dt=e[nt.series[1]],Ye=(yt._paths||ea).band;zs(Ye)&&(Ye=nt.dir==1?Ye[0]:Ye[1]);let We,Vt=null;yt.show&&Ye&&Rv(dt,tn,nn)?(Vt=nt.fill(i,St)||K,We=yt._paths.clip):Ye=null,Fe(w,I,F,W,Vt,ae,fe,be,De,Ne,We,Ye),Ue=!0}}),Ue||Fe(w,I,F,W,K,ae,fe,be,De,Ne)}let yn=qr|Dh;function Fe(v,w,I,F,W,K,ae,fe,be,De,Ne,Ue){Ae(v,w,I,F,W),(be||De||Ue)&&(h.save(),be&&h.clip(be),De&&h.clip(De)),Ue?(fe&yn)==yn?(h.clip(Ue),Ne&&h.clip(Ne),ft(W,ae),cn(v,K,w)):fe&Dh?(ft(W,ae),h.clip(Ue),cn(v,K,w)):fe&qr&&(h.save(),h.clip(Ue),Ne&&h.clip(Ne),ft(W,ae),h.restore(),cn(v,K,w)):(ft(W,ae),cn(v,K,w)),(be||De||Ue)&&h.restore()}function cn(v,w,I){I>0&&(w instanceof Map?w.forEach((F,W)=>{h.strokeStyle=Rr=W,h.stroke(F)}):w!=null&&v&&h.stroke(w))}function ft(v,w){w instanceof Map?w.forEach((I,F)=>{h.fillStyle=Ls=F,h.fill(I)}):w!=null&&v&&h.fill(w)}function ds(v,w,I,F){let W=R[v],K;if(F<=0)K=[0,0];else{let ae=W._space=W.space(i,v,w,I,F),fe=W._incrs=W.incrs(i,v,w,I,F,ae);K=Jy(w,I,fe,F,ae)}return W._found=K}function un(v,w,I,F,W,K,ae,fe,be,De){let Ne=ae%2/2;y==1&&h.translate(Ne,Ne),Ae(fe,ae,be,De,fe),h.beginPath();let Ue,nt,St,yt,dt=W+(F==0||F==3?-K:K);I==0?(nt=W,yt=dt):(Ue=W,St=dt);for(let Ye=0;Ye<v.length;Ye++)w[Ye]!=null&&(I==0?Ue=St=v[Ye]:nt=yt=v[Ye],h.moveTo(Ue,nt),h.lineTo(St,yt));h.stroke(),y==1&&h.translate(-Ne,-Ne)}function Pr(v){let w=!0;return R.forEach((I,F)=>{if(!I.show)return;let W=S[I.scale];if(W.min==null){I._show&&(w=!1,I._show=!1,at(!1));return}else I._show||(w=!1,I._show=!0,at(!1));let K=I.side,ae=K%2,{min:fe,max:be}=W,[De,Ne]=ds(F,fe,be,ae==0?B:Ce);if(Ne==0)return;let Ue=W.distr==2,nt=I._splits=I.splits(i,F,fe,be,De,Ne,Ue),St=W.distr==2?nt.map(We=>ri[We]):nt,yt=W.distr==2?ri[nt[1]]-ri[nt[0]]:De,dt=I._values=I.values(i,I.filter(i,St,F,Ne,yt),F,Ne,yt);I._rotate=K==2?I.rotate(i,dt,F,Ne):0;let Ye=I._size;I._size=Si(I.size(i,dt,F,v)),Ye!=null&&I._size!=Ye&&(w=!1)}),w}function Yi(v){let w=!0;return Uo.forEach((I,F)=>{let W=I(i,F,qi,v);W!=Ri[F]&&(w=!1),Ri[F]=W}),w}function fs(){for(let v=0;v<R.length;v++){let w=R[v];if(!w.show||!w._show)continue;let I=w.side,F=I%2,W,K,ae=w.stroke(i,v),fe=I==0||I==3?-1:1,[be,De]=w._found;if(w.label!=null){let Zn=w.labelGap*fe,li=Mn((w._lpos+Zn)*Mt);Ie(w.labelFont[0],ae,"center",I==2?"top":zp),h.save(),F==1?(W=K=0,h.translate(li,Mn(M+ue/2)),h.rotate((I==3?-ml:ml)/2)):(W=Mn(P+q/2),K=li);let sr=Cm(w.label)?w.label(i,v,be,De):w.label;h.fillText(sr,W,K),h.restore()}if(De==0)continue;let Ne=S[w.scale],Ue=F==0?q:ue,nt=F==0?P:M,St=w._splits,yt=Ne.distr==2?St.map(Zn=>ri[Zn]):St,dt=Ne.distr==2?ri[St[1]]-ri[St[0]]:be,Ye=w.ticks,We=w.border,Vt=Ye.show?Ye.size:0,jt=Mn(Vt*Mt),In=Mn((w.alignTo==2?w._size-Vt-w.gap:w.gap)*Mt),It=w._rotate*-ml/180,Qt=g(w._pos*Mt),oi=(jt+In)*fe,Jn=Qt+oi;K=F==0?Jn:0,W=F==1?Jn:0;let vi=w.font[0],Ci=w.align==1?zr:w.align==2?vh:It>0?zr:It<0?vh:F==0?"center":I==3?vh:zr,Ki=It||F==1?"middle":I==2?"top":zp;Ie(vi,ae,Ci,Ki);let ai=w.font[1]*w.lineGap,yi=St.map(Zn=>g(a(Zn,Ne,Ue,nt))),Pi=w._values;for(let Zn=0;Zn<Pi.length;Zn++){let li=Pi[Zn];if(li!=null){F==0?W=yi[Zn]:K=yi[Zn],li=""+li;let sr=li.indexOf(`
+`)==-1?[li]:li.split(/\n/gm);for(let Kn=0;Kn<sr.length;Kn++){let sp=sr[Kn];It?(h.save(),h.translate(W,K+Kn*ai),h.rotate(It),h.fillText(sp,0,0),h.restore()):h.fillText(sp,W,K+Kn*ai)}}}Ye.show&&un(yi,Ye.filter(i,yt,v,De,dt),F,I,Qt,jt,Nt(Ye.width*Mt,3),Ye.stroke(i,v),Ye.dash,Ye.cap);let ji=w.grid;ji.show&&un(yi,ji.filter(i,yt,v,De,dt),F,F==0?2:1,F==0?M:P,F==0?ue:q,Nt(ji.width*Mt,3),ji.stroke(i,v),ji.dash,ji.cap),We.show&&un([Qt],[1],F==0?1:0,F==0?1:2,F==1?M:P,F==1?ue:q,Nt(We.width*Mt,3),We.stroke(i,v),We.dash,We.cap)}Pn("drawAxes")}function at(v){b.forEach((w,I)=>{I>0&&(w._paths=null,v&&(s==1?(w.min=null,w.max=null):w.facets.forEach(F=>{F.min=null,F.max=null})))})}let Kt=!1,Yn=!1,Rt=[];function hn(){Yn=!1;for(let v=0;v<Rt.length;v++)Pn(...Rt[v]);Rt.length=0}function Gn(){Kt||(Hv(zf),Kt=!0)}function ja(v,w=!1){Kt=!0,Yn=w,v(i),zf(),w&&Rt.length>0&&queueMicrotask(hn)}i.batch=ja;function zf(){if(oe&&(ut(),oe=!1),ye&&(Ee(),ye=!1),xe){if(Ht(d,zr,qe),Ht(d,"top",it),Ht(d,Zo,B),Ht(d,Ko,Ce),Ht(p,zr,qe),Ht(p,"top",it),Ht(p,Zo,B),Ht(p,Ko,Ce),Ht(f,Zo,Jt),Ht(f,Ko,ln),u.width=Mn(Jt*Mt),u.height=Mn(ln*Mt),R.forEach(({_el:v,_show:w,_size:I,_pos:F,side:W})=>{if(v!=null)if(w){let K=W===3||W===0?I:0,ae=W%2==1;Ht(v,ae?"left":"top",F-K),Ht(v,ae?"width":"height",I),Ht(v,ae?"top":"left",ae?it:qe),Ht(v,ae?"height":"width",ae?Ce:B),Rh(v,cr)}else ci(v,cr)}),Rr=Ls=Cr=V=j=Y=J=Te=E=null,Pe=1,Vo(!0),qe!=we||it!=Lt||B!=Ve||Ce!=Xe){at(!1);let v=B/Ve,w=Ce/Xe;if(me&&!te&&he.left>=0){he.left*=v,he.top*=w,Ir&&es(Ir,Mn(he.left),0,B,Ce),Lr&&es(Lr,0,Mn(he.top),B,Ce);for(let I=0;I<st.length;I++){let F=st[I];F!=null&&(Bt[I]*=v,$n[I]*=w,es(F,Si(Bt[I]),Si($n[I]),B,Ce))}}if(zt.show&&!se&&zt.left>=0&&zt.width>0){zt.left*=v,zt.width*=v,zt.top*=w,zt.height*=w;for(let I in Qu)Ht(Fr,I,zt[I])}we=qe,Lt=it,Ve=B,Xe=Ce}Pn("setSize"),xe=!1}Jt>0&&ln>0&&(h.clearRect(0,0,u.width,u.height),Pn("drawClear"),T.forEach(v=>v()),Pn("draw")),zt.show&&se&&(Qa(zt),se=!1),me&&te&&(ir(null,!0,!1),te=!1),de.show&&de.live&&pe&&(Ku(),pe=!1),l||(l=!0,i.status=1,Pn("ready")),Is=!1,Kt=!1}i.redraw=(v,w)=>{ye=w||!1,v!==!1?Ns(A,L.min,L.max):Gn()};function Yu(v,w){let I=S[v];if(I.from==null){if(Zt==0){let F=I.range(i,w.min,w.max,v);w.min=F[0],w.max=F[1]}if(w.min>w.max){let F=w.min;w.min=w.max,w.max=F}if(Zt>1&&w.min!=null&&w.max!=null&&w.max-w.min<1e-16)return;v==A&&I.distr==2&&Zt>0&&(w.min=Ni(w.min,e[0]),w.max=Ni(w.max,e[0]),w.min==w.max&&w.max++),G[v]=w,oe=!0,Gn()}}i.setScale=Yu;let Ju,Zu,Ir,Lr,Vf,Hf,Dr,Nr,Gf,Wf,kt,qt,Ds=!1,Fn=he.drag,Rn=Fn.x,Cn=Fn.y;me&&(he.x&&(Ju=bi(dv,p)),he.y&&(Zu=bi(fv,p)),L.ori==0?(Ir=Ju,Lr=Zu):(Ir=Zu,Lr=Ju),kt=he.left,qt=he.top);let zt=i.select=pn({show:!0,over:!0,left:0,width:0,top:0,height:0},n.select),Fr=zt.show?bi(hv,zt.over?p:d):null;function Qa(v,w){if(zt.show){for(let I in v)zt[I]=v[I],I in Qu&&Ht(Fr,I,v[I]);w!==!1&&Pn("setSelect")}}i.setSelect=Qa;function _x(v){if(b[v].show)ee&&Rh(Je[v],cr);else if(ee&&ci(Je[v],cr),me){let I=Re?st[0]:st[v];I!=null&&es(I,-10,-10,B,Ce)}}function Ns(v,w,I){Yu(v,{min:w,max:I})}function Ji(v,w,I,F){w.focus!=null&&Sx(v),w.show!=null&&b.forEach((W,K)=>{K>0&&(v==K||v==null)&&(W.show=w.show,_x(K),s==2?(Ns(W.facets[0].scale,null,null),Ns(W.facets[1].scale,null,null)):Ns(W.scale,null,null),Gn())}),I!==!1&&Pn("setSeries",v,w),F&&Ho("setSeries",i,v,w)}i.setSeries=Ji;function xx(v,w){pn(C[v],w)}function vx(v,w){v.fill=pt(v.fill||null),v.dir=bt(v.dir,-1),w=w??C.length,C.splice(w,0,v)}function yx(v){v==null?C.length=0:C.splice(v,1)}i.addBand=vx,i.setBand=xx,i.delBand=yx;function bx(v,w){b[v].alpha=w,me&&st[v]!=null&&(st[v].style.opacity=w),ee&&Je[v]&&(Je[v].style.opacity=w)}let ps,Fs,nr,Ur={focus:!0};function Sx(v){if(v!=nr){let w=v==null,I=Be.alpha!=1;b.forEach((F,W)=>{if(s==1||W>0){let K=w||W==0||W==v;F._focus=w?null:K,I&&bx(W,K?1:Be.alpha)}}),nr=v,I&&Gn()}}ee&&Ke&&xt(Wp,Me,v=>{he._lock||(Ze(v),nr!=null&&Ji(null,Ur,!0,dn.setSeries))});function Zi(v,w,I){let F=S[w];I&&(v=v/Mt-(F.ori==1?it:qe));let W=B;F.ori==1&&(W=Ce,v=W-v),F.dir==-1&&(v=W-v);let K=F._min,ae=F._max,fe=v/W,be=K+(ae-K)*fe,De=F.distr;return De==3?Gr(10,be):De==4?Pv(be,F.asinh):De==100?F.bwd(be):be}function Mx(v,w){let I=Zi(v,A,w);return Ni(I,e[0],tn,nn)}i.valToIdx=v=>Ni(v,e[0]),i.posToIdx=Mx,i.posToVal=Zi,i.valToPos=(v,w,I)=>S[w].ori==0?r(v,S[w],I?q:B,I?P:0):o(v,S[w],I?ue:Ce,I?M:0),i.setCursor=(v,w,I)=>{kt=v.left,qt=v.top,ir(null,w,I)};function Xf(v,w){Ht(Fr,zr,zt.left=v),Ht(Fr,Zo,zt.width=w)}function qf(v,w){Ht(Fr,"top",zt.top=v),Ht(Fr,Ko,zt.height=w)}let ko=L.ori==0?Xf:qf,zo=L.ori==1?Xf:qf;function wx(){if(ee&&de.live)for(let v=s==2?1:0;v<b.length;v++){if(v==0&&ot)continue;let w=de.values[v],I=0;for(let F in w)Oe[v][I++].firstChild.nodeValue=w[F]}}function Ku(v,w){if(v!=null&&(v.idxs?v.idxs.forEach((I,F)=>{ie[F]=I}):Nv(v.idx)||ie.fill(v.idx),de.idx=ie[0]),ee&&de.live){for(let I=0;I<b.length;I++)(I>0||s==1&&!ot)&&Ex(I,ie[I]);wx()}pe=!1,w!==!1&&Pn("setLegend")}i.setLegend=Ku;function Ex(v,w){let I=b[v],F=v==0&&k==2?ri:e[v],W;ot?W=I.values(i,v,w)??tt:(W=I.value(i,w==null?null:F[w],v,w),W=W==null?tt:{_:W}),de.values[v]=W}function ir(v,w,I){Gf=kt,Wf=qt,[kt,qt]=he.move(i,kt,qt),he.left=kt,he.top=qt,me&&(Ir&&es(Ir,Mn(kt),0,B,Ce),Lr&&es(Lr,0,Mn(qt),B,Ce));let F,W=tn>nn;ps=Dt,Fs=null;let K=L.ori==0?B:Ce,ae=L.ori==1?B:Ce;if(kt<0||Zt==0||W){F=he.idx=null;for(let fe=0;fe<b.length;fe++){let be=st[fe];be!=null&&es(be,-10,-10,B,Ce)}Ke&&Ji(null,Ur,!0,v==null&&dn.setSeries),de.live&&(ie.fill(F),pe=!0)}else{let fe,be,De;s==1&&(fe=L.ori==0?kt:qt,be=Zi(fe,A),F=he.idx=Ni(be,e[0],tn,nn),De=z(e[0][F],L,K,0));let Ne=-10,Ue=-10,nt=0,St=0,yt=!0,dt="",Ye="";for(let We=s==2?1:0;We<b.length;We++){let Vt=b[We],jt=ie[We],In=jt==null?null:s==1?e[We][jt]:e[We][1][jt],It=he.dataIdx(i,We,F,be),Qt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Qt!=In||It!=jt,ie[We]=It,We>0&&Vt.show){let oi=It==null?-10:It==F?De:z(s==1?e[0][It]:e[We][0][It],L,K,0),Jn=Qt==null?-10:N(Qt,s==1?S[Vt.scale]:S[Vt.facets[1].scale],ae,0);if(Ke&&Qt!=null){let vi=L.ori==1?kt:qt,Ci=wn(Be.dist(i,We,It,Jn,vi));if(Ci<ps){let Ki=Be.bias;if(Ki!=0){let ai=Zi(vi,Vt.scale),yi=Qt>=0?1:-1,Pi=ai>=0?1:-1;Pi==yi&&(Pi==1?Ki==1?Qt>=ai:Qt<=ai:Ki==1?Qt<=ai:Qt>=ai)&&(ps=Ci,Fs=We)}else ps=Ci,Fs=We}}if(pe||Re){let vi,Ci;L.ori==0?(vi=oi,Ci=Jn):(vi=Jn,Ci=oi);let Ki,ai,yi,Pi,ji,Zn,li=!0,sr=ce.bbox;if(sr!=null){li=!1;let Kn=sr(i,We);yi=Kn.left,Pi=Kn.top,Ki=Kn.width,ai=Kn.height}else yi=vi,Pi=Ci,Ki=ai=ce.size(i,We);if(Zn=ce.fill(i,We),ji=ce.stroke(i,We),Re)We==Fs&&ps<=Be.prox&&(Ne=yi,Ue=Pi,nt=Ki,St=ai,yt=li,dt=Zn,Ye=ji);else{let Kn=st[We];Kn!=null&&(Bt[We]=yi,$n[We]=Pi,Kp(Kn,Ki,ai,li),Jp(Kn,Zn,ji),es(Kn,Si(yi),Si(Pi),B,Ce))}}}}if(Re){let We=Be.prox,Vt=nr==null?ps<=We:ps>We||Fs!=nr;if(pe||Vt){let jt=st[0];jt!=null&&(Bt[0]=Ne,$n[0]=Ue,Kp(jt,nt,St,yt),Jp(jt,dt,Ye),es(jt,Si(Ne),Si(Ue),B,Ce))}}}if(zt.show&&Ds)if(v!=null){let[fe,be]=dn.scales,[De,Ne]=dn.match,[Ue,nt]=v.cursor.sync.scales,St=v.cursor.drag;if(Rn=St._x,Cn=St._y,Rn||Cn){let{left:yt,top:dt,width:Ye,height:We}=v.select,Vt=v.scales[Ue].ori,jt=v.posToVal,In,It,Qt,oi,Jn,vi=fe!=null&&De(fe,Ue),Ci=be!=null&&Ne(be,nt);vi&&Rn?(Vt==0?(In=yt,It=Ye):(In=dt,It=We),Qt=S[fe],oi=z(jt(In,Ue),Qt,K,0),Jn=z(jt(In+It,Ue),Qt,K,0),ko(Fi(oi,Jn),wn(Jn-oi))):ko(0,K),Ci&&Cn?(Vt==1?(In=yt,It=Ye):(In=dt,It=We),Qt=S[be],oi=N(jt(In,nt),Qt,ae,0),Jn=N(jt(In+It,nt),Qt,ae,0),zo(Fi(oi,Jn),wn(Jn-oi))):zo(0,ae)}else eh()}else{let fe=wn(Gf-Vf),be=wn(Wf-Hf);if(L.ori==1){let nt=fe;fe=be,be=nt}Rn=Fn.x&&fe>=Fn.dist,Cn=Fn.y&&be>=Fn.dist;let De=Fn.uni;De!=null?Rn&&Cn&&(Rn=fe>=De,Cn=be>=De,!Rn&&!Cn&&(be>fe?Cn=!0:Rn=!0)):Fn.x&&Fn.y&&(Rn||Cn)&&(Rn=Cn=!0);let Ne,Ue;Rn&&(L.ori==0?(Ne=Dr,Ue=kt):(Ne=Nr,Ue=qt),ko(Fi(Ne,Ue),wn(Ue-Ne)),Cn||zo(0,ae)),Cn&&(L.ori==1?(Ne=Dr,Ue=kt):(Ne=Nr,Ue=qt),zo(Fi(Ne,Ue),wn(Ue-Ne)),Rn||ko(0,K)),!Rn&&!Cn&&(ko(0,0),zo(0,0))}if(Fn._x=Rn,Fn._y=Cn,v==null){if(I){if(ip!=null){let[fe,be]=dn.scales;dn.values[0]=fe!=null?Zi(L.ori==0?kt:qt,fe):null,dn.values[1]=be!=null?Zi(L.ori==1?kt:qt,be):null}Ho(yh,i,kt,qt,B,Ce,F)}if(Ke){let fe=I&&dn.setSeries,be=Be.prox;nr==null?ps<=be&&Ji(Fs,Ur,!0,fe):ps>be?Ji(null,Ur,!0,fe):Fs!=nr&&Ji(Fs,Ur,!0,fe)}}pe&&(de.idx=F,Ku()),w!==!1&&Pn("setCursor")}let Us=null;Object.defineProperty(i,"rect",{get(){return Us==null&&Vo(!1),Us}});function Vo(v=!1){v?Us=null:(Us=p.getBoundingClientRect(),Pn("syncRect",Us))}function $f(v,w,I,F,W,K,ae){he._lock||Ds&&v!=null&&v.movementX==0&&v.movementY==0||(ju(v,w,I,F,W,K,ae,!1,v!=null),v!=null?ir(null,!0,!0):ir(w,!0,!1))}function ju(v,w,I,F,W,K,ae,fe,be){if(Us==null&&Vo(!1),Ze(v),v!=null)I=v.clientX-Us.left,F=v.clientY-Us.top;else{if(I<0||F<0){kt=-10,qt=-10;return}let[De,Ne]=dn.scales,Ue=w.cursor.sync,[nt,St]=Ue.values,[yt,dt]=Ue.scales,[Ye,We]=dn.match,Vt=w.axes[0].side%2==1,jt=L.ori==0?B:Ce,In=L.ori==1?B:Ce,It=Vt?K:W,Qt=Vt?W:K,oi=Vt?F:I,Jn=Vt?I:F;if(yt!=null?I=Ye(De,yt)?a(nt,S[De],jt,0):-10:I=jt*(oi/It),dt!=null?F=We(Ne,dt)?a(St,S[Ne],In,0):-10:F=In*(Jn/Qt),L.ori==1){let vi=I;I=F,F=vi}}be&&(w==null||w.cursor.event.type==yh)&&((I<=1||I>=B-1)&&(I=ar(I,B)),(F<=1||F>=Ce-1)&&(F=ar(F,Ce))),fe?(Vf=I,Hf=F,[Dr,Nr]=he.move(i,I,F)):(kt=I,qt=F)}let Qu={width:0,height:0,left:0,top:0};function eh(){Qa(Qu,!1)}let Yf,Jf,Zf,Kf;function jf(v,w,I,F,W,K,ae){Ds=!0,Rn=Cn=Fn._x=Fn._y=!1,ju(v,w,I,F,W,K,ae,!0,!1),v!=null&&(xt(bh,Th,Qf,!1),Ho(Hp,i,Dr,Nr,B,Ce,null));let{left:fe,top:be,width:De,height:Ne}=zt;Yf=fe,Jf=be,Zf=De,Kf=Ne}function Qf(v,w,I,F,W,K,ae){Ds=Fn._x=Fn._y=!1,ju(v,w,I,F,W,K,ae,!1,!0);let{left:fe,top:be,width:De,height:Ne}=zt,Ue=De>0||Ne>0,nt=Yf!=fe||Jf!=be||Zf!=De||Kf!=Ne;if(Ue&&nt&&Qa(zt),Fn.setScale&&Ue&&nt){let St=fe,yt=De,dt=be,Ye=Ne;if(L.ori==1&&(St=be,yt=Ne,dt=fe,Ye=De),Rn&&Ns(A,Zi(St,A),Zi(St+yt,A)),Cn)for(let We in S){let Vt=S[We];We!=A&&Vt.from==null&&Vt.min!=Dt&&Ns(We,Zi(dt+Ye,We),Zi(dt,We))}eh()}else he.lock&&(he._lock=!he._lock,ir(w,!0,v!=null));v!=null&&(vn(bh,Th),Ho(bh,i,kt,qt,B,Ce,null))}function Tx(v,w,I,F,W,K,ae){if(he._lock)return;Ze(v);let fe=Ds;if(Ds){let be=!0,De=!0,Ne=10,Ue,nt;L.ori==0?(Ue=Rn,nt=Cn):(Ue=Cn,nt=Rn),Ue&&nt&&(be=kt<=Ne||kt>=B-Ne,De=qt<=Ne||qt>=Ce-Ne),Ue&&be&&(kt=kt<Dr?0:B),nt&&De&&(qt=qt<Nr?0:Ce),ir(null,!0,!0),Ds=!1}kt=-10,qt=-10,ie.fill(null),ir(null,!0,!0),fe&&(Ds=fe)}function ep(v,w,I,F,W,K,ae){he._lock||(Ze(v),Bo(),eh(),v!=null&&Ho(Xp,i,kt,qt,B,Ce,null))}function tp(){R.forEach(Zy),O(i.width,i.height,!0)}ur(gl,Hr,tp);let Or={};Or.mousedown=jf,Or.mousemove=$f,Or.mouseup=Qf,Or.dblclick=ep,Or.setSeries=(v,w,I,F)=>{let W=dn.match[2];I=W(i,w,I),I!=-1&&Ji(I,F,!0,!1)},me&&(xt(Hp,p,jf),xt(yh,p,$f),xt(Gp,p,v=>{Ze(v),Vo(!1)}),xt(Wp,p,Tx),xt(Xp,p,ep),Nh.add(i),i.syncRect=Vo);let el=i.hooks=n.hooks||{};function Pn(v,w,I){Yn?Rt.push([v,w,I]):v in el&&el[v].forEach(F=>{F.call(null,i,w,I)})}(n.plugins||[]).forEach(v=>{for(let w in v.hooks)el[w]=(el[w]||[]).concat(v.hooks[w])});let np=(v,w,I)=>I,dn=pn({key:null,setSeries:!1,filters:{pub:nm,sub:nm},scales:[A,b[1]?b[1].scale:null],match:[im,im,np],values:[null,null]},he.sync);dn.match.length==2&&dn.match.push(np),he.sync=dn;let ip=dn.key,th=Qm(ip);function Ho(v,w,I,F,W,K,ae){dn.filters.pub(v,w,I,F,W,K,ae)&&th.pub(v,w,I,F,W,K,ae)}th.sub(i);function Ax(v,w,I,F,W,K,ae){dn.filters.sub(v,w,I,F,W,K,ae)&&Or[v](null,w,I,F,W,K,ae)}i.pub=Ax;function Rx(){th.unsub(i),Nh.delete(i),An.clear(),Ch(gl,Hr,tp),c.remove(),Me?.remove(),Pn("destroy")}i.destroy=Rx;function nh(){Pn("init",n,e),Oo(e||n.data,!1),G[A]?Yu(A,G[A]):Bo(),se=zt.show&&(zt.width>0||zt.height>0),te=pe=!0,O(n.width,n.height)}return b.forEach(Ar),R.forEach(us),t?t instanceof HTMLElement?(t.appendChild(c),nh()):t(i,nh):nh(),i}mn.assign=pn;mn.fmtNum=Vh;mn.rangeNum=_l;mn.rangeLog=yl;mn.rangeAsinh=kh;mn.orient=dr;mn.pxRatio=Mt;mn.join=Vv;mn.fmtDate=Gh,mn.tzDate=jv;mn.sync=Qm;{mn.addGap=Ny,mn.clipGaps=Ml;let n=mn.paths={points:rg};n.linear=ag,n.stepped=Oy,n.bars=By,n.spline=zy}var Zh="calyx-theme",hg="(prefers-color-scheme: dark)";function Rl(){let n=localStorage.getItem(Zh);return n==="light"||n==="dark"?n:"system"}function Cl(n){n==="system"?localStorage.removeItem(Zh):localStorage.setItem(Zh,n),n==="system"?delete document.documentElement.dataset.theme:document.documentElement.dataset.theme=n,window.dispatchEvent(new Event("calyx-theme"))}function Al(){let n=document.documentElement.dataset.theme;return n==="light"||n==="dark"?n:matchMedia(hg).matches?"dark":"light"}function Pl(){let[n,e]=Sn(Al());return Ut(()=>{let t=()=>e(Al()),i=matchMedia(hg);return i.addEventListener("change",t),window.addEventListener("calyx-theme",t),()=>{i.removeEventListener("change",t),window.removeEventListener("calyx-theme",t)}},[]),n}var dg=[["cycle","Mesh cycle"],["roll_angle","Roll angle in deg"],["time","Time in s"],["step","Position"]],fg=190,Ky=2;function pg({studio:n}){let[e,t]=Sn("cycle"),[i,s]=Sn(null),r=n.settings.selected,o=r.flatMap(u=>n.results[u]??[]).filter(u=>u.steps),a=Qy(o);if(a.length===0)return null;let l=(i??a.slice(0,Ky)).filter(u=>a.includes(u)),c=u=>s(l.includes(u)?l.filter(h=>h!==u):[...l,u]);return x("section",{class:"plots","aria-label":"Plots",children:[x("div",{class:"plot-settings",children:[x("div",{class:"chips",role:"group","aria-label":"Plotted outputs",children:a.map(u=>x("button",{type:"button",class:"chip","aria-pressed":l.includes(u),onClick:()=>c(u),children:On(u)},u))}),x("label",{class:"inline",children:["over",x("select",{value:e,onChange:u=>t(u.currentTarget.value),children:dg.map(([u,h])=>x("option",{value:u,children:h},u))})]})]}),x("div",{class:"plot-grid",children:l.map(u=>x(nb,{title:On(u),unit:eb(n,o,u),label:dg.find(([h])=>h===e)?.[1]??"",curves:o.flatMap(h=>tb(n,h,u,e,r.indexOf(h.id)))},u))})]})}var jy=new Set(["step","time","cycle","roll_angle","point"]);function Qy(n){return[...new Set(n.flatMap(e=>Object.keys(e.steps??{})))].filter(e=>!jy.has(e))}function mg(n,e,t){let i=e.run?.outputs?.[t]?.display,s=n.model?.outputs.find(r=>r.name===t);return{unit:i?.unit??s?.unit??"SI",factor:i?.factor??s?.factor??1}}function eb(n,e,t){let i=e.find(s=>s.steps?.[t]);return i?mg(n,i,t).unit:""}function tb(n,e,t,i,s){let[r,o]=[e.steps?.[i],e.steps?.[t]];if(!r||!o)return[];let{factor:a}=mg(n,e,t),l=i==="roll_angle"?180/Math.PI:1,c=r.map((h,f)=>f).filter(h=>typeof r[h]=="number");c.sort((h,f)=>Number(r[h])-Number(r[f]));let u=h=>typeof h=="number"?h/a:null;return[{run:Un(e.id),colour:kr(s),x:c.map(h=>l*Number(r[h])),y:c.map(h=>u(o[h]))}]}function nb({title:n,unit:e,label:t,curves:i}){let s=sn(null),r=Pl(),o=JSON.stringify([n,e,t,i,r]);return Ut(()=>{let a=s.current;if(!a)return;let l=new mn(rb(a,n,e,t,i),sb(i),a),c=new ResizeObserver(()=>{a.clientWidth>0&&l.setSize({width:a.clientWidth,height:fg})});return c.observe(a),()=>{c.disconnect(),l.destroy()}},[o]),x("figure",{class:"plot",children:[x("figcaption",{children:[n," ",e&&x("span",{class:"unit",children:e})]}),x("div",{ref:s,role:"img","aria-label":ib(n,e,i)})]})}function ib(n,e,t){let i=t.map(({run:s,y:r})=>{let o=r.filter(a=>a!==null);return`${s} from ${Ii(Math.min(...o))} to ${Ii(Math.max(...o))}`});return`Plot of ${n}${e&&` in ${e}`}: ${i.join(", ")}`}function sb(n){return n.length===0?[[]]:mn.join(n.map(({x:e,y:t})=>[e,t]))}function rb(n,e,t,i,s){let r=getComputedStyle(n),[o,a]=[r.getPropertyValue("--muted").trim(),r.getPropertyValue("--line").trim()],l="12px system-ui, sans-serif",c={stroke:o,font:l,labelFont:l,grid:{stroke:a,width:1},ticks:{stroke:a,width:1,size:4}};return{width:Math.max(n.clientWidth,100),height:fg,cursor:{sync:{key:"positions"},points:{size:6}},legend:{live:!0},scales:{x:{time:!1}},axes:[{...c,label:i,labelSize:18,size:34},{...c,size:58}],series:[{label:i},...s.map(({run:u,colour:h})=>({label:s.length>1?u:e,stroke:h,width:1.6,spanGaps:!0,points:{show:(s[0]?.x.length??0)<60,size:4,fill:h},value:(f,d)=>d===null?"–":`${Ii(d)} ${t}`}))]}}function Kh(n){let e=n.run;return[["Directory",n.directory],["Started",ul(n.started)],["Model",e?.model],["Hash of the source",e?.source?.sha256?.slice(0,16)],["Calyx",e?.calyx],["Fidelity",e?.fidelity],["Positions",e?.positions?.toString()],...Object.entries(e?.overrides??{}).map(([i,s])=>[On(i),JSON.stringify(s)]),...Object.entries(e?.certificate??{}).map(([i,s])=>[`Residual: ${On(i)}`,Ii(s)])].filter(i=>!!i[1])}function gg({studio:n}){let e=n.settings.selected.flatMap(t=>n.results[t]??[]);return e.length===0?null:x("section",{class:"panel","aria-labelledby":"provenance-heading",children:[x("h2",{id:"provenance-heading",children:"Provenance"}),e.map(t=>x("details",{open:e.length===1,children:[x("summary",{children:Un(t.id)}),x("dl",{class:"provenance",children:Kh(t).map(([i,s])=>x("div",{children:[x("dt",{children:i}),x("dd",{children:s})]},i))}),x(ob,{results:t}),t.printed&&x("pre",{class:"plain",tabIndex:0,"aria-label":"Text that the model prints",children:t.printed}),x("p",{class:"links",children:[t.has_report&&x("a",{href:Li(t.id,"/files/report.html"),target:"_blank",rel:"noreferrer",children:"Report"}),t.steps&&x("a",{href:Li(t.id,"/files/steps.csv"),download:`${t.id}-steps.csv`,children:"steps.csv"}),t.run&&x("a",{href:Li(t.id,"/files/run.json"),download:`${t.id}.json`,children:"run.json"}),!n.withoutModel&&t.params&&x("button",{type:"button",class:"quiet",onClick:()=>n.useParams(t),children:"Use these params"})]})]},t.id))]})}function ob({results:n}){let e=Object.entries(n.run?.ignored_inputs??{}),t=Object.entries(n.run?.refused_outputs??{});return e.length+t.length===0?null:x("ul",{class:"messages",children:[e.map(([i,s])=>x("li",{class:"warning",children:[x("code",{children:i})," is not used as given: ",s]},i)),t.map(([i,s])=>x("li",{class:"warning",children:[x("code",{children:i})," has no value: ",s]},i))]})}function _g({studio:n}){if(n.withoutModel)return null;let{check:e,model:t}=n,i=!!e?.runnable&&!n.isStarting,s=n.runs.filter(r=>r.status==="running");return x("section",{class:"panel","aria-labelledby":"run-heading",children:[x("h2",{id:"run-heading",children:"Run"}),x(ab,{studio:n}),x("div",{class:"run-row",children:[x("button",{type:"button",class:"primary",disabled:!i,onClick:()=>{n.run()},children:"Run"}),x("label",{class:"switch",children:[x("input",{type:"checkbox",checked:n.settings.automatic,onChange:r=>n.setAutomatic(r.currentTarget.checked)}),"Run after changes if below 1 s"]})]}),e?.refused&&x("p",{class:"field-error",role:"alert",children:[e.refused.message,x("span",{class:"help",children:e.refused.help})]}),e&&!t?.broken&&e.rendered&&x("details",{open:!e.runnable,children:[x("summary",{children:e.runnable?"Warnings of the model":"Errors of the model with these params"}),x(hl,{text:e.rendered,isError:!e.runnable})]}),s.map(r=>x(lb,{studio:n,run:r},r.id)),n.settings.selected.slice(0,1).map(r=>x(ub,{studio:n,id:r},r))]})}function ab({studio:n}){let{check:e}=n,t=e?.plan;if(!t){let i=e?.runnable?"The model analyses nothing.":n.isChecking?"Checking …":"No plan: the model or its params have errors.";return x("p",{class:"muted","aria-busy":n.isChecking,children:i})}return x("div",{"aria-busy":n.isChecking,children:[x("dl",{class:"facts",children:[x("div",{children:[x("dt",{children:"Predicted time"}),x("dd",{"data-testid":"predicted-time",children:$o(t.time)})]}),x("div",{children:[x("dt",{children:"Memory"}),x("dd",{children:Cp(t.memory)})]}),x("div",{children:[x("dt",{children:"Fidelity"}),x("dd",{children:t.fidelity})]}),x("div",{children:[x("dt",{children:"Positions"}),x("dd",{children:t.positions})]})]}),x("details",{children:[x("summary",{children:"Plan and gear data"}),x("pre",{class:"plain",tabIndex:0,"aria-label":"Plan",children:`${t.cost}
+${t.text}
+${e.gear_data}`.trim()})]})]})}function lb({studio:n,run:e}){let t=n.progress[e.id]??e.progress;return x("div",{class:"running",children:[x("div",{class:"running-head",children:[x("span",{children:Un(e.id)}),x("button",{type:"button",class:"quiet",onClick:()=>{n.cancel(e.id)},"aria-label":`Cancel ${Un(e.id)}`,children:"Cancel"})]}),x(cb,{name:Un(e.id),progress:t})]})}function cb({name:n,progress:e}){let t=e?.total??null,i=e?.seconds_left;return x(Yt,{children:[x("progress",{"aria-label":`Progress of ${n}`,max:t??void 0,value:t===null?void 0:e?.done}),x("p",{class:"muted small-text",children:[e?.stage??"starting",t!==null&&` ${e?.done} of ${t}`,i!=null&&i>0&&`, ${$o(i)} left`]})]})}function ub({studio:n,id:e}){let t=n.results[e];if(!t||t.status==="running")return null;let s=(t.messages??[]).filter(c=>c.severity!=="note"),r=t.run?.warnings??[],o=new Set(s.map(c=>c.message)),a=r.filter(c=>![...o].some(u=>c.includes(u))),l=[...s,...a.map(c=>({severity:"warning",code:null,message:c,help:null}))];return t.status==="finished"&&l.length===0?null:x("div",{class:"ended",children:[x("p",{children:[Un(e),": ",t.status,t.message&&s.length===0?`, ${t.message}`:""]}),x(Lp,{messages:l})]})}var jh=4;function xg({studio:n}){let e=[...n.runs].reverse(),t=vg(n.runs);return x("section",{class:"panel","aria-labelledby":"runs-heading",children:[x("h2",{id:"runs-heading",children:"Runs"}),e.length===0&&x("p",{class:"muted",children:"No runs yet."}),x("ul",{class:"runs",children:e.map(i=>x(hb,{studio:n,run:i,differing:t},i.id))}),e.length>1&&x("p",{class:"muted small-text",children:"Check two or more runs to compare them."})]})}function hb({studio:n,run:e,differing:t}){let i=n.settings.selected.indexOf(e.id),s=Un(e.id);return x("li",{class:i>=0?"selected":"","data-run":e.id,children:[x("input",{type:"checkbox","aria-label":`Compare ${s}`,checked:i>=0,style:i>=0?{accentColor:kr(i)}:void 0,onChange:()=>n.toggle(e.id)}),x("button",{type:"button",class:"run-name","aria-pressed":i>=0,title:e.directory,onClick:()=>n.select([e.id]),children:[x("span",{class:"run-title",children:[s,x("span",{class:`status ${e.status}`,children:db(n,e)}),x("span",{class:"when",children:ul(e.started)})]}),x("span",{class:"differences",children:fb(e,t)})]})]})}function db(n,e){if(e.status==="elsewhere")return"written by another process";let t=n.progress[e.id]?.seconds_left;return e.status==="running"&&t?`running, ${$o(t)} left`:e.status}function vg(n){let e=n.filter(i=>i.params!==null);return[...new Set(e.flatMap(i=>Object.keys(i.params??{})))].filter(i=>new Set(e.map(r=>Qh(r,i))).size>1)}function Qh(n,e){let t=n.params?.[e];return t?Ip(t.text,t.unit):"default"}function fb(n,e){let t=n.params??{},i=e.filter(o=>t[o]&&t[o].at_default!==!0),s=i.slice(0,jh).map(o=>`${On(o)} ${Qh(n,o)}`),r=i.length>jh?[`${i.length-jh} more`]:[];return[...s,...r].join(", ")||(n.params?"defaults":"")}function yg({studio:n}){let e=n.settings.selected.flatMap(i=>n.runs.filter(s=>s.id===i));if(e.length<2)return null;let t=vg(e);return x("section",{class:"panel","aria-labelledby":"differences-heading",children:[x("h2",{id:"differences-heading",children:"Different params"}),t.length===0&&x("p",{class:"muted",children:"These runs have the same params."}),t.length>0&&x("div",{class:"scroll",tabIndex:0,role:"region","aria-label":"Different params",children:x("table",{children:[x("thead",{children:x("tr",{children:[x("th",{scope:"col",children:"Param"}),e.map(i=>x("th",{scope:"col",children:Un(i.id)},i.id))]})}),x("tbody",{children:t.map(i=>x("tr",{children:[x("th",{scope:"row",children:On(i)}),e.map(s=>x("td",{children:Qh(s,i)},s.id))]},i))})]})})]})}var qg=0,Rd=1,$g=2;var Ra=1,Yg=2,Mo=3,Ai=0,kn=1,zn=2,vr=0,wo=1,Cd=2,Pd=3,Id=4,Jg=5;var yr=100,Zg=101,Kg=102,jg=103,Qg=104,e0=200,t0=201,n0=202,i0=203,Ld=204,Dd=205,s0=206,r0=207,o0=208,a0=209,l0=210,c0=211,u0=212,h0=213,d0=214,tc=0,nc=1,ic=2,uo=3,sc=4,rc=5,ho=6,oc=7,Nd=0,f0=1,p0=2,rs=0,Fd=1,Ud=2,Od=3,Bd=4,kd=5,zd=6,Vd=7;var Hd=300,br=301,Eo=302,Ic=303,Lc=304,ac=1e3,ns=1001,lc=1002,_n=1003,m0=1004;var Ca=1005;var Bn=1006,Dc=1007;var As=1008;var _i=1009,Gd=1010,Wd=1011,To=1012,Nc=1013,zi=1014,Vi=1015,Hi=1016,Fc=1017,Uc=1018,Sr=1020,Xd=35902,qd=35899,$d=1021,Yd=1022,xi=1023,ws=1026,Rs=1027,Jd=1028,Oc=1029,er=1030,Bc=1031;var kc=1033,Pa=33776,Ia=33777,La=33778,Da=33779,zc=35840,Vc=35841,Hc=35842,Gc=35843,Wc=36196,Xc=37492,qc=37496,$c=37488,Yc=37489,Na=37490,Jc=37491,Zc=37808,Kc=37809,jc=37810,Qc=37811,eu=37812,tu=37813,nu=37814,iu=37815,su=37816,ru=37817,ou=37818,au=37819,lu=37820,cu=37821,uu=36492,hu=36494,du=36495,fu=36283,pu=36284,Fa=36285,mu=36286;var la=2300,cc=2301,Ql=2302,Sd=2303,Md=2400,wd=2401,Ed=2402;var g0=3200;var Zd=0,_0=1,Cs="",Qn="srgb",ca="srgb-linear",ua="linear",Et="srgb";var ec=7680,Ua=7681;var Kd=34055,jd=34056;var Qd=517;var gu=519,x0=512,v0=513,y0=514,ef=515,b0=516,S0=517,tf=518,nf=519,M0=35044,sf=35048;var rf="300 es",wi=2e3,ha=2001;function pb(n){for(let e=n.length-1;e>=0;--e)if(n[e]>=65535)return!0;return!1}function mb(n){return ArrayBuffer.isView(n)&&!(n instanceof DataView)}function da(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function w0(){let n=da("canvas");return n.style.display="block",n}var bg={},fo=null;function of(...n){let e="THREE."+n.shift();fo?fo("log",e,...n):console.log(e,...n)}function E0(n){let e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function $e(...n){n=E0(n);let e="THREE."+n.shift();if(fo)fo("warn",e,...n);else{let t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}function Qe(...n){n=E0(n);let e="THREE."+n.shift();if(fo)fo("error",e,...n);else{let t=n[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...n)}}function aa(...n){let e=n.join(" ");e in bg||(bg[e]=!0,$e(...n))}function T0(n,e,t){return new Promise(function(i,s){function r(){switch(n.clientWaitSync(e,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:s();break;case n.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:i()}}setTimeout(r,t)})}var A0={[tc]:tc,[ic]:ho,[sc]:sc,[uo]:rc,[nc]:nc,[ho]:ic,[oc]:oc,[rc]:uo},is=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let i=this._listeners;i[e]===void 0&&(i[e]=[]),i[e].indexOf(t)===-1&&i[e].push(t)}hasEventListener(e,t){let i=this._listeners;return i===void 0?!1:i[e]!==void 0&&i[e].indexOf(t)!==-1}removeEventListener(e,t){let i=this._listeners;if(i===void 0)return;let s=i[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let i=t[e.type];if(i!==void 0){e.target=this;let s=i.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},Wn=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var ed=Math.PI/180,uc=180/Math.PI;function Oa(){let n=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(Wn[n&255]+Wn[n>>8&255]+Wn[n>>16&255]+Wn[n>>24&255]+"-"+Wn[e&255]+Wn[e>>8&255]+"-"+Wn[e>>16&15|64]+Wn[e>>24&255]+"-"+Wn[t&63|128]+Wn[t>>8&255]+"-"+Wn[t>>16&255]+Wn[t>>24&255]+Wn[i&255]+Wn[i>>8&255]+Wn[i>>16&255]+Wn[i>>24&255]).toLowerCase()}function gt(n,e,t){return Math.max(e,Math.min(t,n))}function gb(n,e){return(n%e+e)%e}function td(n,e,t){return(1-t)*n+t*e}function R0(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function af(n){switch(n.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function _b(n,e){if(e.constructor===Float32Array)return n;let t=af(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(n/t,-1)}function xb(n,e){if(e.constructor===Float32Array)return n;let t=af(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(n*t)}var _t=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,i=this.y,s=e.elements;return this.x=s[0]*t+s[3]*i+s[6],this.y=s[1]*t+s[4]*i+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=gt(this.x,e.x,t.x),this.y=gt(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=gt(this.x,e,t),this.y=gt(this.y,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(gt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(gt(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y;return t*t+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let i=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*i-o*s+e.x,this.y=r*s+o*i+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Ei=class{constructor(e=0,t=0,i=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=i,this._w=s}static slerpFlat(e,t,i,s,r,o,a){let l=i[s+0],c=i[s+1],u=i[s+2],h=i[s+3],f=r[o+0],d=r[o+1],p=r[o+2],y=r[o+3];if(h!==y||l!==f||c!==d||u!==p){let g=l*f+c*d+u*p+h*y;g<0&&(f=-f,d=-d,p=-p,y=-y,g=-g);let m=1-a;if(g<.9995){let b=Math.acos(g),R=Math.sin(b);m=Math.sin(m*b)/R,a=Math.sin(a*b)/R,l=l*m+f*a,c=c*m+d*a,u=u*m+p*a,h=h*m+y*a}else{l=l*m+f*a,c=c*m+d*a,u=u*m+p*a,h=h*m+y*a;let b=1/Math.sqrt(l*l+c*c+u*u+h*h);l*=b,c*=b,u*=b,h*=b}}e[t]=l,e[t+1]=c,e[t+2]=u,e[t+3]=h}static multiplyQuaternionsFlat(e,t,i,s,r,o){let a=i[s],l=i[s+1],c=i[s+2],u=i[s+3],h=r[o],f=r[o+1],d=r[o+2],p=r[o+3];return e[t]=a*p+u*h+l*d-c*f,e[t+1]=l*p+u*f+c*h-a*d,e[t+2]=c*p+u*d+a*f-l*h,e[t+3]=u*p-a*h-l*f-c*d,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,i,s){return this._x=e,this._y=t,this._z=i,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let i=e._x,s=e._y,r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(i/2),u=a(s/2),h=a(r/2),f=l(i/2),d=l(s/2),p=l(r/2);switch(o){case"XYZ":this._x=f*u*h+c*d*p,this._y=c*d*h-f*u*p,this._z=c*u*p+f*d*h,this._w=c*u*h-f*d*p;break;case"YXZ":this._x=f*u*h+c*d*p,this._y=c*d*h-f*u*p,this._z=c*u*p-f*d*h,this._w=c*u*h+f*d*p;break;case"ZXY":this._x=f*u*h-c*d*p,this._y=c*d*h+f*u*p,this._z=c*u*p+f*d*h,this._w=c*u*h-f*d*p;break;case"ZYX":this._x=f*u*h-c*d*p,this._y=c*d*h+f*u*p,this._z=c*u*p-f*d*h,this._w=c*u*h+f*d*p;break;case"YZX":this._x=f*u*h+c*d*p,this._y=c*d*h+f*u*p,this._z=c*u*p-f*d*h,this._w=c*u*h-f*d*p;break;case"XZY":this._x=f*u*h-c*d*p,this._y=c*d*h-f*u*p,this._z=c*u*p+f*d*h,this._w=c*u*h+f*d*p;break;default:$e("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let i=t/2,s=Math.sin(i);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,i=t[0],s=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],u=t[6],h=t[10],f=i+a+h;if(f>0){let d=.5/Math.sqrt(f+1);this._w=.25/d,this._x=(u-l)*d,this._y=(r-c)*d,this._z=(o-s)*d}else if(i>a&&i>h){let d=2*Math.sqrt(1+i-a-h);this._w=(u-l)/d,this._x=.25*d,this._y=(s+o)/d,this._z=(r+c)/d}else if(a>h){let d=2*Math.sqrt(1+a-i-h);this._w=(r-c)/d,this._x=(s+o)/d,this._y=.25*d,this._z=(l+u)/d}else{let d=2*Math.sqrt(1+h-i-a);this._w=(o-s)/d,this._x=(r+c)/d,this._y=(l+u)/d,this._z=.25*d}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let i=e.dot(t)+1;return i<1e-8?(i=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=i):(this._x=0,this._y=-e.z,this._z=e.y,this._w=i)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=i),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(gt(this.dot(e),-1,1)))}rotateTowards(e,t){let i=this.angleTo(e);if(i===0)return this;let s=Math.min(1,t/i);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=t._x,l=t._y,c=t._z,u=t._w;return this._x=i*u+o*a+s*c-r*l,this._y=s*u+o*l+r*a-i*c,this._z=r*u+o*c+i*l-s*a,this._w=o*u-i*a-s*l-r*c,this._onChangeCallback(),this}slerp(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(i=-i,s=-s,r=-r,o=-o,a=-a);let l=1-t;if(a<.9995){let c=Math.acos(a),u=Math.sin(c);l=Math.sin(l*c)/u,t=Math.sin(t*c)/u,this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this._onChangeCallback()}else this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this.normalize();return this}slerpQuaternions(e,t,i){return this.copy(e).slerp(t,i)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),i=Math.random(),s=Math.sqrt(1-i),r=Math.sqrt(i);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},X=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,i=0){this.x=e,this.y=t,this.z=i}set(e,t,i){return i===void 0&&(i=this.z),this.x=e,this.y=t,this.z=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Sg.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(Sg.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*i+r[6]*s,this.y=r[1]*t+r[4]*i+r[7]*s,this.z=r[2]*t+r[5]*i+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=e.elements,o=1/(r[3]*t+r[7]*i+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*i+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*i+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*i+r[10]*s+r[14])*o,this}applyQuaternion(e){let t=this.x,i=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*i),u=2*(a*t-r*s),h=2*(r*i-o*t);return this.x=t+l*c+o*h-a*u,this.y=i+l*u+a*c-r*h,this.z=s+l*h+r*u-o*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*i+r[8]*s,this.y=r[1]*t+r[5]*i+r[9]*s,this.z=r[2]*t+r[6]*i+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=gt(this.x,e.x,t.x),this.y=gt(this.y,e.y,t.y),this.z=gt(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=gt(this.x,e,t),this.y=gt(this.y,e,t),this.z=gt(this.z,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(gt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let i=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.y=r*o-i*l,this.z=i*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let i=e.dot(this)/t;return this.copy(e).multiplyScalar(i)}projectOnPlane(e){return nd.copy(this).projectOnVector(e),this.sub(nd)}reflect(e){return this.sub(nd.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(gt(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y,s=this.z-e.z;return t*t+i*i+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,i){let s=Math.sin(t)*e;return this.x=s*Math.sin(i),this.y=Math.cos(t)*e,this.z=s*Math.cos(i),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,i){return this.x=e*Math.sin(t),this.y=i,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),i=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=i,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,i=Math.sqrt(1-t*t);return this.x=i*Math.cos(e),this.y=t,this.z=i*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},nd=new X,Sg=new Ei,et=class{static{this.prototype.isMatrix3=!0}constructor(e,t,i,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c)}set(e,t,i,s,r,o,a,l,c){let u=this.elements;return u[0]=e,u[1]=s,u[2]=a,u[3]=t,u[4]=r,u[5]=l,u[6]=i,u[7]=o,u[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],this}extractBasis(e,t,i){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[3],l=i[6],c=i[1],u=i[4],h=i[7],f=i[2],d=i[5],p=i[8],y=s[0],g=s[3],m=s[6],b=s[1],R=s[4],S=s[7],C=s[2],A=s[5],_=s[8];return r[0]=o*y+a*b+l*C,r[3]=o*g+a*R+l*A,r[6]=o*m+a*S+l*_,r[1]=c*y+u*b+h*C,r[4]=c*g+u*R+h*A,r[7]=c*m+u*S+h*_,r[2]=f*y+d*b+p*C,r[5]=f*g+d*R+p*A,r[8]=f*m+d*S+p*_,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8];return t*o*u-t*a*c-i*r*u+i*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],h=u*o-a*c,f=a*l-u*r,d=c*r-o*l,p=t*h+i*f+s*d;if(p===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/p;return e[0]=h*y,e[1]=(s*c-u*i)*y,e[2]=(a*i-s*o)*y,e[3]=f*y,e[4]=(u*t-s*l)*y,e[5]=(s*r-a*t)*y,e[6]=d*y,e[7]=(i*l-c*t)*y,e[8]=(o*t-i*r)*y,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,i,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.set(i*l,i*c,-i*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return aa("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(id.makeScale(e,t)),this}rotate(e){return aa("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(id.makeRotation(-e)),this}translate(e,t){return aa("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(id.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,i,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<9;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<9;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e}clone(){return new this.constructor().fromArray(this.elements)}},id=new et,Mg=new et().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),wg=new et().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function vb(){let n={enabled:!0,workingColorSpace:ca,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Et&&(s.r=Ms(s.r),s.g=Ms(s.g),s.b=Ms(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Et&&(s.r=co(s.r),s.g=co(s.g),s.b=co(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===Cs?ua:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[ca]:{primaries:e,whitePoint:i,transfer:ua,toXYZ:Mg,fromXYZ:wg,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},[Qn]:{primaries:e,whitePoint:i,transfer:Et,toXYZ:Mg,fromXYZ:wg,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),n}var mt=vb();function Ms(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function co(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}var Zr,hc=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let i;if(e instanceof HTMLCanvasElement)i=e;else{Zr===void 0&&(Zr=da("canvas")),Zr.width=e.width,Zr.height=e.height;let s=Zr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),i=Zr}return i.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=da("canvas");t.width=e.width,t.height=e.height;let i=t.getContext("2d");i.drawImage(e,0,0,e.width,e.height);let s=i.getImageData(0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=Ms(r[o]/255)*255;return i.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let i=0;i<t.length;i++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[i]=Math.floor(Ms(t[i]/255)*255):t[i]=Ms(t[i]);return{data:t,width:e.width,height:e.height}}else return $e("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},yb=0,po=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:yb++}),this.uuid=Oa(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let i={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(sd(s[o].image)):r.push(sd(s[o]))}else r=sd(s);i.url=r}return t||(e.images[this.uuid]=i),i}};function sd(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?hc.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:($e("Texture: Unable to serialize Texture."),{})}var bb=0,rd=new X,ni=class n extends is{constructor(e=n.DEFAULT_IMAGE,t=n.DEFAULT_MAPPING,i=ns,s=ns,r=Bn,o=As,a=xi,l=_i,c=n.DEFAULT_ANISOTROPY,u=Cs){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:bb++}),this.uuid=Oa(),this.name="",this.source=new po(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=i,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new _t(0,0),this.repeat=new _t(1,1),this.center=new _t(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new et,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=u,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(rd).x}get height(){return this.source.getSize(rd).y}get depth(){return this.source.getSize(rd).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let i=e[t];if(i===void 0){$e(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){$e(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&i&&s.isVector2&&i.isVector2||s&&i&&s.isVector3&&i.isVector3||s&&i&&s.isMatrix3&&i.isMatrix3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),t||(e.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==Hd)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case ac:e.x=e.x-Math.floor(e.x);break;case ns:e.x=e.x<0?0:1;break;case lc:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case ac:e.y=e.y-Math.floor(e.y);break;case ns:e.y=e.y<0?0:1;break;case lc:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};ni.DEFAULT_IMAGE=null;ni.DEFAULT_MAPPING=Hd;ni.DEFAULT_ANISOTROPY=1;var Wt=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,i=0,s=1){this.x=e,this.y=t,this.z=i,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,i,s){return this.x=e,this.y=t,this.z=i,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*i+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*i+o[9]*s+o[13]*r,this.z=o[2]*t+o[6]*i+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*i+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,i,s,r,l=e.elements,c=l[0],u=l[4],h=l[8],f=l[1],d=l[5],p=l[9],y=l[2],g=l[6],m=l[10];if(Math.abs(u-f)<.01&&Math.abs(h-y)<.01&&Math.abs(p-g)<.01){if(Math.abs(u+f)<.1&&Math.abs(h+y)<.1&&Math.abs(p+g)<.1&&Math.abs(c+d+m-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let R=(c+1)/2,S=(d+1)/2,C=(m+1)/2,A=(u+f)/4,_=(h+y)/4,T=(p+g)/4;return R>S&&R>C?R<.01?(i=0,s=.707106781,r=.707106781):(i=Math.sqrt(R),s=A/i,r=_/i):S>C?S<.01?(i=.707106781,s=0,r=.707106781):(s=Math.sqrt(S),i=A/s,r=T/s):C<.01?(i=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),i=_/r,s=T/r),this.set(i,s,r,t),this}let b=Math.sqrt((g-p)*(g-p)+(h-y)*(h-y)+(f-u)*(f-u));return Math.abs(b)<.001&&(b=1),this.x=(g-p)/b,this.y=(h-y)/b,this.z=(f-u)/b,this.w=Math.acos((c+d+m-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=gt(this.x,e.x,t.x),this.y=gt(this.y,e.y,t.y),this.z=gt(this.z,e.z,t.z),this.w=gt(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=gt(this.x,e,t),this.y=gt(this.y,e,t),this.z=gt(this.z,e,t),this.w=gt(this.w,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(gt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this.w=e.w+(t.w-e.w)*i,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},dc=class extends is{constructor(e=1,t=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Bn,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},i),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=i.depth,this.scissor=new Wt(0,0,e,t),this.scissorTest=!1,this.viewport=new Wt(0,0,e,t),this.textures=[];let s=i.count;for(let r=0;r<s;r++)this.textures[r]=new ni({width:e,height:t,depth:i.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveColorBuffer=i.resolveColorBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this.storeMultisampledColorBuffer=i.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=i.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=i.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview,this.useArrayDepthTexture=i.useArrayDepthTexture}_setTextureOptions(e={}){let t={minFilter:Bn,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,i=1){if(this.width!==e||this.height!==t||this.depth!==i){this.width=e,this.height=t,this.depth=i;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=i,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,i=e.textures.length;t<i;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new po(s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},pi=class extends dc{constructor(e=1,t=1,i={}){super(e,t,i),this.isWebGLRenderTarget=!0}},fa=class extends ni{constructor(e=null,t=1,i=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=_n,this.minFilter=_n,this.wrapR=ns,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var fc=class extends ni{constructor(e=null,t=1,i=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=_n,this.minFilter=_n,this.wrapR=ns,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var vt=class n{static{this.prototype.isMatrix4=!0}constructor(e,t,i,s,r,o,a,l,c,u,h,f,d,p,y,g){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c,u,h,f,d,p,y,g)}set(e,t,i,s,r,o,a,l,c,u,h,f,d,p,y,g){let m=this.elements;return m[0]=e,m[4]=t,m[8]=i,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=c,m[6]=u,m[10]=h,m[14]=f,m[3]=d,m[7]=p,m[11]=y,m[15]=g,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new n().fromArray(this.elements)}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],t[9]=i[9],t[10]=i[10],t[11]=i[11],t[12]=i[12],t[13]=i[13],t[14]=i[14],t[15]=i[15],this}copyPosition(e){let t=this.elements,i=e.elements;return t[12]=i[12],t[13]=i[13],t[14]=i[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,i){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),i.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(e,t,i){return this.set(e.x,t.x,i.x,0,e.y,t.y,i.y,0,e.z,t.z,i.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,i=e.elements,s=1/Kr.setFromMatrixColumn(e,0).length(),r=1/Kr.setFromMatrixColumn(e,1).length(),o=1/Kr.setFromMatrixColumn(e,2).length();return t[0]=i[0]*s,t[1]=i[1]*s,t[2]=i[2]*s,t[3]=0,t[4]=i[4]*r,t[5]=i[5]*r,t[6]=i[6]*r,t[7]=0,t[8]=i[8]*o,t[9]=i[9]*o,t[10]=i[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,i=e.x,s=e.y,r=e.z,o=Math.cos(i),a=Math.sin(i),l=Math.cos(s),c=Math.sin(s),u=Math.cos(r),h=Math.sin(r);if(e.order==="XYZ"){let f=o*u,d=o*h,p=a*u,y=a*h;t[0]=l*u,t[4]=-l*h,t[8]=c,t[1]=d+p*c,t[5]=f-y*c,t[9]=-a*l,t[2]=y-f*c,t[6]=p+d*c,t[10]=o*l}else if(e.order==="YXZ"){let f=l*u,d=l*h,p=c*u,y=c*h;t[0]=f+y*a,t[4]=p*a-d,t[8]=o*c,t[1]=o*h,t[5]=o*u,t[9]=-a,t[2]=d*a-p,t[6]=y+f*a,t[10]=o*l}else if(e.order==="ZXY"){let f=l*u,d=l*h,p=c*u,y=c*h;t[0]=f-y*a,t[4]=-o*h,t[8]=p+d*a,t[1]=d+p*a,t[5]=o*u,t[9]=y-f*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let f=o*u,d=o*h,p=a*u,y=a*h;t[0]=l*u,t[4]=p*c-d,t[8]=f*c+y,t[1]=l*h,t[5]=y*c+f,t[9]=d*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let f=o*l,d=o*c,p=a*l,y=a*c;t[0]=l*u,t[4]=y-f*h,t[8]=p*h+d,t[1]=h,t[5]=o*u,t[9]=-a*u,t[2]=-c*u,t[6]=d*h+p,t[10]=f-y*h}else if(e.order==="XZY"){let f=o*l,d=o*c,p=a*l,y=a*c;t[0]=l*u,t[4]=-h,t[8]=c*u,t[1]=f*h+y,t[5]=o*u,t[9]=d*h-p,t[2]=p*h-d,t[6]=a*u,t[10]=y*h+f}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(Sb,e,Mb)}lookAt(e,t,i){let s=this.elements;return di.subVectors(e,t),di.lengthSq()===0&&(di.z=1),di.normalize(),Hs.crossVectors(i,di),Hs.lengthSq()===0&&(Math.abs(i.z)===1?di.x+=1e-4:di.z+=1e-4,di.normalize(),Hs.crossVectors(i,di)),Hs.normalize(),Il.crossVectors(di,Hs),s[0]=Hs.x,s[4]=Il.x,s[8]=di.x,s[1]=Hs.y,s[5]=Il.y,s[9]=di.y,s[2]=Hs.z,s[6]=Il.z,s[10]=di.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[4],l=i[8],c=i[12],u=i[1],h=i[5],f=i[9],d=i[13],p=i[2],y=i[6],g=i[10],m=i[14],b=i[3],R=i[7],S=i[11],C=i[15],A=s[0],_=s[4],T=s[8],U=s[12],D=s[1],L=s[5],k=s[9],z=s[13],N=s[2],G=s[6],$=s[10],H=s[14],le=s[3],Z=s[7],Q=s[11],ie=s[15];return r[0]=o*A+a*D+l*N+c*le,r[4]=o*_+a*L+l*G+c*Z,r[8]=o*T+a*k+l*$+c*Q,r[12]=o*U+a*z+l*H+c*ie,r[1]=u*A+h*D+f*N+d*le,r[5]=u*_+h*L+f*G+d*Z,r[9]=u*T+h*k+f*$+d*Q,r[13]=u*U+h*z+f*H+d*ie,r[2]=p*A+y*D+g*N+m*le,r[6]=p*_+y*L+g*G+m*Z,r[10]=p*T+y*k+g*$+m*Q,r[14]=p*U+y*z+g*H+m*ie,r[3]=b*A+R*D+S*N+C*le,r[7]=b*_+R*L+S*G+C*Z,r[11]=b*T+R*k+S*$+C*Q,r[15]=b*U+R*z+S*H+C*ie,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],u=e[2],h=e[6],f=e[10],d=e[14],p=e[3],y=e[7],g=e[11],m=e[15],b=l*d-c*f,R=a*d-c*h,S=a*f-l*h,C=o*d-c*u,A=o*f-l*u,_=o*h-a*u;return t*(y*b-g*R+m*S)-i*(p*b-g*C+m*A)+s*(p*R-y*C+m*_)-r*(p*S-y*A+g*_)}determinantAffine(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[1],o=e[5],a=e[9],l=e[2],c=e[6],u=e[10];return t*(o*u-a*c)-i*(r*u-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,i){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=i),this}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],h=e[9],f=e[10],d=e[11],p=e[12],y=e[13],g=e[14],m=e[15],b=t*a-i*o,R=t*l-s*o,S=t*c-r*o,C=i*l-s*a,A=i*c-r*a,_=s*c-r*l,T=u*y-h*p,U=u*g-f*p,D=u*m-d*p,L=h*g-f*y,k=h*m-d*y,z=f*m-d*g,N=b*z-R*k+S*L+C*D-A*U+_*T;if(N===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/N;return e[0]=(a*z-l*k+c*L)*G,e[1]=(s*k-i*z-r*L)*G,e[2]=(y*_-g*A+m*C)*G,e[3]=(f*A-h*_-d*C)*G,e[4]=(l*D-o*z-c*U)*G,e[5]=(t*z-s*D+r*U)*G,e[6]=(g*S-p*_-m*R)*G,e[7]=(u*_-f*S+d*R)*G,e[8]=(o*k-a*D+c*T)*G,e[9]=(i*D-t*k-r*T)*G,e[10]=(p*A-y*S+m*b)*G,e[11]=(h*S-u*A-d*b)*G,e[12]=(a*U-o*L-l*T)*G,e[13]=(t*L-i*U+s*T)*G,e[14]=(y*R-p*C-g*b)*G,e[15]=(u*C-h*R+f*b)*G,this}scale(e){let t=this.elements,i=e.x,s=e.y,r=e.z;return t[0]*=i,t[4]*=s,t[8]*=r,t[1]*=i,t[5]*=s,t[9]*=r,t[2]*=i,t[6]*=s,t[10]*=r,t[3]*=i,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],i=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,i,s))}makeTranslation(e,t,i){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,i,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),i=Math.sin(e);return this.set(1,0,0,0,0,t,-i,0,0,i,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,0,i,0,0,1,0,0,-i,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,0,i,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let i=Math.cos(t),s=Math.sin(t),r=1-i,o=e.x,a=e.y,l=e.z,c=r*o,u=r*a;return this.set(c*o+i,c*a-s*l,c*l+s*a,0,c*a+s*l,u*a+i,u*l-s*o,0,c*l-s*a,u*l+s*o,r*l*l+i,0,0,0,0,1),this}makeScale(e,t,i){return this.set(e,0,0,0,0,t,0,0,0,0,i,0,0,0,0,1),this}makeShear(e,t,i,s,r,o){return this.set(1,i,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,i){let s=this.elements,r=t._x,o=t._y,a=t._z,l=t._w,c=r+r,u=o+o,h=a+a,f=r*c,d=r*u,p=r*h,y=o*u,g=o*h,m=a*h,b=l*c,R=l*u,S=l*h,C=i.x,A=i.y,_=i.z;return s[0]=(1-(y+m))*C,s[1]=(d+S)*C,s[2]=(p-R)*C,s[3]=0,s[4]=(d-S)*A,s[5]=(1-(f+m))*A,s[6]=(g+b)*A,s[7]=0,s[8]=(p+R)*_,s[9]=(g-b)*_,s[10]=(1-(f+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,i){let s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return i.set(1,1,1),t.identity(),this;let o=Kr.set(s[0],s[1],s[2]).length(),a=Kr.set(s[4],s[5],s[6]).length(),l=Kr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),Ui.copy(this);let c=1/o,u=1/a,h=1/l;return Ui.elements[0]*=c,Ui.elements[1]*=c,Ui.elements[2]*=c,Ui.elements[4]*=u,Ui.elements[5]*=u,Ui.elements[6]*=u,Ui.elements[8]*=h,Ui.elements[9]*=h,Ui.elements[10]*=h,t.setFromRotationMatrix(Ui),i.x=o,i.y=a,i.z=l,this}makePerspective(e,t,i,s,r,o,a=wi,l=!1){let c=this.elements,u=2*r/(t-e),h=2*r/(i-s),f=(t+e)/(t-e),d=(i+s)/(i-s),p,y;if(l)p=r/(o-r),y=o*r/(o-r);else if(a===wi)p=-(o+r)/(o-r),y=-2*o*r/(o-r);else if(a===ha)p=-o/(o-r),y=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=f,c[12]=0,c[1]=0,c[5]=h,c[9]=d,c[13]=0,c[2]=0,c[6]=0,c[10]=p,c[14]=y,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,i,s,r,o,a=wi,l=!1){let c=this.elements,u=2/(t-e),h=2/(i-s),f=-(t+e)/(t-e),d=-(i+s)/(i-s),p,y;if(l)p=1/(o-r),y=o/(o-r);else if(a===wi)p=-2/(o-r),y=-(o+r)/(o-r);else if(a===ha)p=-1/(o-r),y=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=0,c[12]=f,c[1]=0,c[5]=h,c[9]=0,c[13]=d,c[2]=0,c[6]=0,c[10]=p,c[14]=y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<16;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<16;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e[t+9]=i[9],e[t+10]=i[10],e[t+11]=i[11],e[t+12]=i[12],e[t+13]=i[13],e[t+14]=i[14],e[t+15]=i[15],e}},Kr=new X,Ui=new vt,Sb=new X(0,0,0),Mb=new X(1,1,1),Hs=new X,Il=new X,di=new X,Eg=new vt,Tg=new Ei,Ys=class n{constructor(e=0,t=0,i=0,s=n.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=i,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,i,s=this._order){return this._x=e,this._y=t,this._z=i,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,i=!0){let s=e.elements,r=s[0],o=s[4],a=s[8],l=s[1],c=s[5],u=s[9],h=s[2],f=s[6],d=s[10];switch(t){case"XYZ":this._y=Math.asin(gt(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-u,d),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(f,c),this._z=0);break;case"YXZ":this._x=Math.asin(-gt(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(a,d),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-h,r),this._z=0);break;case"ZXY":this._x=Math.asin(gt(f,-1,1)),Math.abs(f)<.9999999?(this._y=Math.atan2(-h,d),this._z=Math.atan2(-o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-gt(h,-1,1)),Math.abs(h)<.9999999?(this._x=Math.atan2(f,d),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(gt(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-u,c),this._y=Math.atan2(-h,r)):(this._x=0,this._y=Math.atan2(a,d));break;case"XZY":this._z=Math.asin(-gt(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(f,c),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-u,d),this._y=0);break;default:$e("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,i===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,i){return Eg.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Eg,t,i)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return Tg.setFromEuler(this),this.setFromQuaternion(Tg,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};Ys.DEFAULT_ORDER="XYZ";var pa=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},wb=0,Ag=new X,jr=new Ei,xs=new vt,Ll=new X,na=new X,Eb=new X,Tb=new Ei,Rg=new X(1,0,0),Cg=new X(0,1,0),Pg=new X(0,0,1),Ig={type:"added"},Ab={type:"removed"},Qr={type:"childadded",child:null},od={type:"childremoved",child:null},mi=class n extends is{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:wb++}),this.uuid=Oa(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=n.DEFAULT_UP.clone();let e=new X,t=new Ys,i=new Ei,s=new X(1,1,1);function r(){i.setFromEuler(t,!1)}function o(){t.setFromQuaternion(i,void 0,!1)}t._onChange(r),i._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new vt},normalMatrix:{value:new et}}),this.matrix=new vt,this.matrixWorld=new vt,this.matrixAutoUpdate=n.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=n.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new pa,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return jr.setFromAxisAngle(e,t),this.quaternion.multiply(jr),this}rotateOnWorldAxis(e,t){return jr.setFromAxisAngle(e,t),this.quaternion.premultiply(jr),this}rotateX(e){return this.rotateOnAxis(Rg,e)}rotateY(e){return this.rotateOnAxis(Cg,e)}rotateZ(e){return this.rotateOnAxis(Pg,e)}translateOnAxis(e,t){return Ag.copy(e).applyQuaternion(this.quaternion),this.position.add(Ag.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Rg,e)}translateY(e){return this.translateOnAxis(Cg,e)}translateZ(e){return this.translateOnAxis(Pg,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(xs.copy(this.matrixWorld).invert())}lookAt(e,t,i){e.isVector3?Ll.copy(e):Ll.set(e,t,i);let s=this.parent;this.updateWorldMatrix(!0,!1),na.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?xs.lookAt(na,Ll,this.up):xs.lookAt(Ll,na,this.up),this.quaternion.setFromRotationMatrix(xs),s&&(xs.extractRotation(s.matrixWorld),jr.setFromRotationMatrix(xs),this.quaternion.premultiply(jr.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(Qe("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(Ig),Qr.child=e,this.dispatchEvent(Qr),Qr.child=null):Qe("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(Ab),od.child=e,this.dispatchEvent(od),od.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),xs.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),xs.multiply(e.parent.matrixWorld)),e.applyMatrix4(xs),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(Ig),Qr.child=e,this.dispatchEvent(Qr),Qr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let i=0,s=this.children.length;i<s;i++){let o=this.children[i].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,i=[]){this[e]===t&&i.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(e,t,i);return i}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(na,e,Eb),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(na,Tb,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,i=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*i-r[8]*s,r[13]+=i-r[1]*t-r[5]*i-r[9]*s,r[14]+=s-r[2]*t-r[6]*i-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].updateMatrixWorld(e)}updateWorldMatrix(e,t,i=!1){let s=this.parent;if(e===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||i)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,i=!0),t===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,i)}}toJSON(e){let t=e===void 0||typeof e=="string",i={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let l=a.shapes;if(Array.isArray(l))for(let c=0,u=l.length;c<u;c++){let h=l[c];r(e.shapes,h)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));s.material=a}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),c=o(e.textures),u=o(e.images),h=o(e.shapes),f=o(e.skeletons),d=o(e.animations),p=o(e.nodes);a.length>0&&(i.geometries=a),l.length>0&&(i.materials=l),c.length>0&&(i.textures=c),u.length>0&&(i.images=u),h.length>0&&(i.shapes=h),f.length>0&&(i.skeletons=f),d.length>0&&(i.animations=d),p.length>0&&(i.nodes=p)}return i.object=s,i;function o(a){let l=[];for(let c in a){let u=a[c];delete u.metadata,l.push(u)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let i=0;i<e.children.length;i++){let s=e.children[i];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};mi.DEFAULT_UP=new X(0,1,0);mi.DEFAULT_MATRIX_AUTO_UPDATE=!0;mi.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var rn=class extends mi{constructor(){super(),this.isGroup=!0,this.type="Group"}},Rb={type:"move"},mo=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new rn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new rn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new X,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new X),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new rn,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new X,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new X,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let i of e.hand.values())this._getHandJoint(t,i)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,i){let s=null,r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){let g=t.getJointPose(y,i),m=this._getHandJoint(c,y);g!==null&&(m.matrix.fromArray(g.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=!0,m.jointRadius=g.radius),m.visible=g!==null}let u=c.joints["index-finger-tip"],h=c.joints["thumb-tip"],f=u.position.distanceTo(h.position),d=.02,p=.005;c.inputState.pinching&&f>d+p?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&f<=d-p&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,i),r!==null&&(l.matrix.fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,i),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(Rb)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let i=new rn;i.matrixAutoUpdate=!1,i.visible=!1,e.joints[t.jointName]=i,e.add(i)}return e.joints[t.jointName]}},C0={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Gs={h:0,s:0,l:0},Dl={h:0,s:0,l:0};function ad(n,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?n+(e-n)*6*t:t<1/2?e:t<2/3?n+(e-n)*6*(2/3-t):n}var rt=class{constructor(e,t,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,i)}set(e,t,i){if(t===void 0&&i===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,i);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Qn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,mt.colorSpaceToWorking(this,t),this}setRGB(e,t,i,s=mt.workingColorSpace){return this.r=e,this.g=t,this.b=i,mt.colorSpaceToWorking(this,s),this}setHSL(e,t,i,s=mt.workingColorSpace){if(e=gb(e,1),t=gt(t,0,1),i=gt(i,0,1),t===0)this.r=this.g=this.b=i;else{let r=i<=.5?i*(1+t):i+t-i*t,o=2*i-r;this.r=ad(o,r,e+1/3),this.g=ad(o,r,e),this.b=ad(o,r,e-1/3)}return mt.colorSpaceToWorking(this,s),this}setStyle(e,t=Qn){function i(r){r!==void 0&&parseFloat(r)<1&&$e("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:$e("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);$e("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Qn){let i=C0[e.toLowerCase()];return i!==void 0?this.setHex(i,t):$e("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=Ms(e.r),this.g=Ms(e.g),this.b=Ms(e.b),this}copyLinearToSRGB(e){return this.r=co(e.r),this.g=co(e.g),this.b=co(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Qn){return mt.workingToColorSpace(Xn.copy(this),e),Math.round(gt(Xn.r*255,0,255))*65536+Math.round(gt(Xn.g*255,0,255))*256+Math.round(gt(Xn.b*255,0,255))}getHexString(e=Qn){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=mt.workingColorSpace){mt.workingToColorSpace(Xn.copy(this),t);let i=Xn.r,s=Xn.g,r=Xn.b,o=Math.max(i,s,r),a=Math.min(i,s,r),l,c,u=(a+o)/2;if(a===o)l=0,c=0;else{let h=o-a;switch(c=u<=.5?h/(o+a):h/(2-o-a),o){case i:l=(s-r)/h+(s<r?6:0);break;case s:l=(r-i)/h+2;break;case r:l=(i-s)/h+4;break}l/=6}return e.h=l,e.s=c,e.l=u,e}getRGB(e,t=mt.workingColorSpace){return mt.workingToColorSpace(Xn.copy(this),t),e.r=Xn.r,e.g=Xn.g,e.b=Xn.b,e}getStyle(e=Qn){mt.workingToColorSpace(Xn.copy(this),e);let t=Xn.r,i=Xn.g,s=Xn.b;return e!==Qn?`color(${e} ${t.toFixed(3)} ${i.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(i*255)},${Math.round(s*255)})`}offsetHSL(e,t,i){return this.getHSL(Gs),this.setHSL(Gs.h+e,Gs.s+t,Gs.l+i)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,i){return this.r=e.r+(t.r-e.r)*i,this.g=e.g+(t.g-e.g)*i,this.b=e.b+(t.b-e.b)*i,this}lerpHSL(e,t){this.getHSL(Gs),e.getHSL(Dl);let i=td(Gs.h,Dl.h,t),s=td(Gs.s,Dl.s,t),r=td(Gs.l,Dl.l,t);return this.setHSL(i,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,i=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*i+r[6]*s,this.g=r[1]*t+r[4]*i+r[7]*s,this.b=r[2]*t+r[5]*i+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},Xn=new rt;rt.NAMES=C0;var ma=class extends mi{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new Ys,this.environmentIntensity=1,this.environmentRotation=new Ys,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}},Oi=new X,vs=new X,ld=new X,ys=new X,eo=new X,to=new X,Lg=new X,cd=new X,ud=new X,hd=new X,dd=new Wt,fd=new Wt,pd=new Wt,$s=class n{constructor(e=new X,t=new X,i=new X){this.a=e,this.b=t,this.c=i}static getNormal(e,t,i,s){s.subVectors(i,t),Oi.subVectors(e,t),s.cross(Oi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,i,s,r){Oi.subVectors(s,t),vs.subVectors(i,t),ld.subVectors(e,t);let o=Oi.dot(Oi),a=Oi.dot(vs),l=Oi.dot(ld),c=vs.dot(vs),u=vs.dot(ld),h=o*c-a*a;if(h===0)return r.set(0,0,0),null;let f=1/h,d=(c*l-a*u)*f,p=(o*u-a*l)*f;return r.set(1-d-p,p,d)}static containsPoint(e,t,i,s){return this.getBarycoord(e,t,i,s,ys)===null?!1:ys.x>=0&&ys.y>=0&&ys.x+ys.y<=1}static getInterpolation(e,t,i,s,r,o,a,l){return this.getBarycoord(e,t,i,s,ys)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,ys.x),l.addScaledVector(o,ys.y),l.addScaledVector(a,ys.z),l)}static getInterpolatedAttribute(e,t,i,s,r,o){return dd.setScalar(0),fd.setScalar(0),pd.setScalar(0),dd.fromBufferAttribute(e,t),fd.fromBufferAttribute(e,i),pd.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(dd,r.x),o.addScaledVector(fd,r.y),o.addScaledVector(pd,r.z),o}static isFrontFacing(e,t,i,s){return Oi.subVectors(i,t),vs.subVectors(e,t),Oi.cross(vs).dot(s)<0}set(e,t,i){return this.a.copy(e),this.b.copy(t),this.c.copy(i),this}setFromPointsAndIndices(e,t,i,s){return this.a.copy(e[t]),this.b.copy(e[i]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,i,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,i),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return Oi.subVectors(this.c,this.b),vs.subVectors(this.a,this.b),Oi.cross(vs).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return n.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return n.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,i,s,r){return n.getInterpolation(e,this.a,this.b,this.c,t,i,s,r)}containsPoint(e){return n.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return n.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let i=this.a,s=this.b,r=this.c,o,a;eo.subVectors(s,i),to.subVectors(r,i),cd.subVectors(e,i);let l=eo.dot(cd),c=to.dot(cd);if(l<=0&&c<=0)return t.copy(i);ud.subVectors(e,s);let u=eo.dot(ud),h=to.dot(ud);if(u>=0&&h<=u)return t.copy(s);let f=l*h-u*c;if(f<=0&&l>=0&&u<=0&&l-u>0)return o=l/(l-u),t.copy(i).addScaledVector(eo,o);hd.subVectors(e,r);let d=eo.dot(hd),p=to.dot(hd);if(p>=0&&d<=p)return t.copy(r);let y=d*c-l*p;if(y<=0&&c>=0&&p<=0)return a=c/(c-p),t.copy(i).addScaledVector(to,a);let g=u*p-d*h;if(g<=0&&h-u>=0&&d-p>=0)return Lg.subVectors(r,s),a=(h-u)/(h-u+(d-p)),t.copy(s).addScaledVector(Lg,a);let m=1/(g+y+f);return o=y*m,a=f*m,t.copy(i).addScaledVector(eo,o).addScaledVector(to,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},ii=class{constructor(e=new X(1/0,1/0,1/0),t=new X(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t+=3)this.expandByPoint(Bi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,i=e.count;t<i;t++)this.expandByPoint(Bi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let i=Bi.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(i),this.max.copy(e).add(i),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let i=e.geometry;if(i!==void 0){let r=i.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,Bi):Bi.fromBufferAttribute(r,o),Bi.applyMatrix4(e.matrixWorld),this.expandByPoint(Bi);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Nl.copy(e.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),Nl.copy(i.boundingBox)),Nl.applyMatrix4(e.matrixWorld),this.union(Nl)}let s=e.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,Bi),Bi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,i;return e.normal.x>0?(t=e.normal.x*this.min.x,i=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,i=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,i+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,i+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,i+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,i+=e.normal.z*this.min.z),t<=-e.constant&&i>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(ia),Fl.subVectors(this.max,ia),no.subVectors(e.a,ia),io.subVectors(e.b,ia),so.subVectors(e.c,ia),Ws.subVectors(io,no),Xs.subVectors(so,io),fr.subVectors(no,so);let t=[0,-Ws.z,Ws.y,0,-Xs.z,Xs.y,0,-fr.z,fr.y,Ws.z,0,-Ws.x,Xs.z,0,-Xs.x,fr.z,0,-fr.x,-Ws.y,Ws.x,0,-Xs.y,Xs.x,0,-fr.y,fr.x,0];return!md(t,no,io,so,Fl)||(t=[1,0,0,0,1,0,0,0,1],!md(t,no,io,so,Fl))?!1:(Ul.crossVectors(Ws,Xs),t=[Ul.x,Ul.y,Ul.z],md(t,no,io,so,Fl))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,Bi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(Bi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(bs[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),bs[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),bs[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),bs[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),bs[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),bs[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),bs[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),bs[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(bs),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},bs=[new X,new X,new X,new X,new X,new X,new X,new X],Bi=new X,Nl=new ii,no=new X,io=new X,so=new X,Ws=new X,Xs=new X,fr=new X,ia=new X,Fl=new X,Ul=new X,pr=new X;function md(n,e,t,i,s){for(let r=0,o=n.length-3;r<=o;r+=3){pr.fromArray(n,r);let a=s.x*Math.abs(pr.x)+s.y*Math.abs(pr.y)+s.z*Math.abs(pr.z),l=e.dot(pr),c=t.dot(pr),u=i.dot(pr);if(Math.max(-Math.max(l,c,u),Math.min(l,c,u))>a)return!1}return!0}var gn=new X,Ol=new _t,Cb=0,on=class extends is{constructor(e,t,i=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:Cb++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=i,this.usage=M0,this.updateRanges=[],this.gpuType=Vi,this.version=0,this._normalizationScale=e!==void 0?af(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,i){e*=this.itemSize,i*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[i+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,i=this.count;t<i;t++)Ol.fromBufferAttribute(this,t),Ol.applyMatrix3(e),this.setXY(t,Ol.x,Ol.y);else if(this.itemSize===3)for(let t=0,i=this.count;t<i;t++)gn.fromBufferAttribute(this,t),gn.applyMatrix3(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}applyMatrix4(e){for(let t=0,i=this.count;t<i;t++)gn.fromBufferAttribute(this,t),gn.applyMatrix4(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)gn.fromBufferAttribute(this,t),gn.applyNormalMatrix(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)gn.fromBufferAttribute(this,t),gn.transformDirection(e),this.setXYZ(t,gn.x,gn.y,gn.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let i=this.array[e*this.itemSize+t];return this.normalized&&(i=this._denormalize(i)),i}setComponent(e,t,i){return this.normalized&&(i=this._normalize(i)),this.array[e*this.itemSize+t]=i,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,i){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i)),this.array[e+0]=t,this.array[e+1]=i,this}setXYZ(e,t,i,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):_b(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):xb(e,this.array)}};var ga=class extends on{constructor(e,t,i){super(new Uint16Array(e),t,i)}};var _a=class extends on{constructor(e,t,i){super(new Uint32Array(e),t,i)}};var en=class extends on{constructor(e,t,i){super(new Float32Array(e),t,i)}},Pb=new ii,sa=new X,gd=new X,ti=class{constructor(e=new X,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let i=this.center;t!==void 0?i.copy(t):Pb.setFromPoints(e).getCenter(i);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,i.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let i=this.center.distanceToSquared(e);return t.copy(e),i>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;sa.subVectors(e,this.center);let t=sa.lengthSq();if(t>this.radius*this.radius){let i=Math.sqrt(t),s=(i-this.radius)*.5;this.center.addScaledVector(sa,s/i),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(gd.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(sa.copy(e.center).add(gd)),this.expandByPoint(sa.copy(e.center).sub(gd))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},Ib=0,Mi=new vt,_d=new mi,ro=new X,fi=new ii,ra=new ii,Ln=new X,Dn=class n extends is{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:Ib++}),this.uuid=Oa(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(pb(e)?_a:ga)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,i=0){this.groups.push({start:e,count:t,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let i=this.attributes.normal;if(i!==void 0){let r=new et().getNormalMatrix(e);i.applyNormalMatrix(r),i.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return Mi.makeRotationFromQuaternion(e),this.applyMatrix4(Mi),this}rotateX(e){return Mi.makeRotationX(e),this.applyMatrix4(Mi),this}rotateY(e){return Mi.makeRotationY(e),this.applyMatrix4(Mi),this}rotateZ(e){return Mi.makeRotationZ(e),this.applyMatrix4(Mi),this}translate(e,t,i){return Mi.makeTranslation(e,t,i),this.applyMatrix4(Mi),this}scale(e,t,i){return Mi.makeScale(e,t,i),this.applyMatrix4(Mi),this}lookAt(e){return _d.lookAt(e),_d.updateMatrix(),this.applyMatrix4(_d.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(ro).negate(),this.translate(ro.x,ro.y,ro.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let i=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];i.push(o.x,o.y,o.z||0)}this.setAttribute("position",new en(i,3))}else{let i=Math.min(e.length,t.count);for(let s=0;s<i;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&$e("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new ii);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Qe("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new X(-1/0,-1/0,-1/0),new X(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let i=0,s=t.length;i<s;i++){let r=t[i];fi.setFromBufferAttribute(r),this.morphTargetsRelative?(Ln.addVectors(this.boundingBox.min,fi.min),this.boundingBox.expandByPoint(Ln),Ln.addVectors(this.boundingBox.max,fi.max),this.boundingBox.expandByPoint(Ln)):(this.boundingBox.expandByPoint(fi.min),this.boundingBox.expandByPoint(fi.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&Qe('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new ti);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){Qe("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new X,1/0);return}if(e){let i=this.boundingSphere.center;if(fi.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];ra.setFromBufferAttribute(a),this.morphTargetsRelative?(Ln.addVectors(fi.min,ra.min),fi.expandByPoint(Ln),Ln.addVectors(fi.max,ra.max),fi.expandByPoint(Ln)):(fi.expandByPoint(ra.min),fi.expandByPoint(ra.max))}fi.getCenter(i);let s=0;for(let r=0,o=e.count;r<o;r++)Ln.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(Ln));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,u=a.count;c<u;c++)Ln.fromBufferAttribute(a,c),l&&(ro.fromBufferAttribute(e,c),Ln.add(ro)),s=Math.max(s,i.distanceToSquared(Ln))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&Qe('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Qe("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let i=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==i.count)&&(o=new on(new Float32Array(4*i.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(i.count);for(let U=0;U<i.count;U++)a[U]=new X,l[U]=new X;let u=new X,h=new X,f=new X,d=new _t,p=new _t,y=new _t,g=new X,m=new X;function b(U,D,L){c[U]=c[D]=c[L]=1,u.fromBufferAttribute(i,U),h.fromBufferAttribute(i,D),f.fromBufferAttribute(i,L),d.fromBufferAttribute(r,U),p.fromBufferAttribute(r,D),y.fromBufferAttribute(r,L),h.sub(u),f.sub(u),p.sub(d),y.sub(d);let k=1/(p.x*y.y-y.x*p.y);isFinite(k)&&(g.copy(h).multiplyScalar(y.y).addScaledVector(f,-p.y).multiplyScalar(k),m.copy(f).multiplyScalar(p.x).addScaledVector(h,-y.x).multiplyScalar(k),a[U].add(g),a[D].add(g),a[L].add(g),l[U].add(m),l[D].add(m),l[L].add(m))}let R=this.groups;R.length===0&&(R=[{start:0,count:e.count}]);for(let U=0,D=R.length;U<D;++U){let L=R[U],k=L.start,z=L.count;for(let N=k,G=k+z;N<G;N+=3)b(e.getX(N+0),e.getX(N+1),e.getX(N+2))}let S=new X,C=new X,A=new X,_=new X;function T(U){A.fromBufferAttribute(s,U),_.copy(A);let D=a[U];S.copy(D),S.sub(A.multiplyScalar(A.dot(D))).normalize(),C.crossVectors(_,D);let k=C.dot(l[U])<0?-1:1;o.setXYZW(U,S.x,S.y,S.z,k)}for(let U=0,D=i.count;U<D;++U)c[U]&&T(U);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let i=this.getAttribute("normal");if(i===void 0||i.count!==t.count)i=new on(new Float32Array(t.count*3),3),this.setAttribute("normal",i);else for(let f=0,d=i.count;f<d;f++)i.setXYZ(f,0,0,0);let s=new X,r=new X,o=new X,a=new X,l=new X,c=new X,u=new X,h=new X;if(e)for(let f=0,d=e.count;f<d;f+=3){let p=e.getX(f+0),y=e.getX(f+1),g=e.getX(f+2);s.fromBufferAttribute(t,p),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,g),u.subVectors(o,r),h.subVectors(s,r),u.cross(h),a.fromBufferAttribute(i,p),l.fromBufferAttribute(i,y),c.fromBufferAttribute(i,g),a.add(u),l.add(u),c.add(u),i.setXYZ(p,a.x,a.y,a.z),i.setXYZ(y,l.x,l.y,l.z),i.setXYZ(g,c.x,c.y,c.z)}else for(let f=0,d=t.count;f<d;f+=3)s.fromBufferAttribute(t,f+0),r.fromBufferAttribute(t,f+1),o.fromBufferAttribute(t,f+2),u.subVectors(o,r),h.subVectors(s,r),u.cross(h),i.setXYZ(f+0,u.x,u.y,u.z),i.setXYZ(f+1,u.x,u.y,u.z),i.setXYZ(f+2,u.x,u.y,u.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,i=e.count;t<i;t++)Ln.fromBufferAttribute(e,t),Ln.normalize(),e.setXYZ(t,Ln.x,Ln.y,Ln.z)}toNonIndexed(){function e(a,l){let c=a.array,u=a.itemSize,h=a.normalized,f=new c.constructor(l.length*u),d=0,p=0;for(let y=0,g=l.length;y<g;y++){a.isInterleavedBufferAttribute?d=l[y]*a.data.stride+a.offset:d=l[y]*u;for(let m=0;m<u;m++)f[p++]=c[d++]}return new on(f,u,h)}if(this.index===null)return $e("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new n,i=this.index.array,s=this.attributes;for(let a in s){let l=s[a],c=e(l,i);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let u=0,h=c.length;u<h;u++){let f=c[u],d=e(f,i);l.push(d)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let i=this.attributes;for(let l in i){let c=i[l];e.data.attributes[l]=c.toJSON(e.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],u=[];for(let h=0,f=c.length;h<f;h++){let d=c[h];u.push(d.toJSON(e.data))}u.length>0&&(s[l]=u,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let i=e.index;i!==null&&this.setIndex(i.clone());let s=e.attributes;for(let c in s){let u=s[c];this.setAttribute(c,u.clone(t))}let r=e.morphAttributes;for(let c in r){let u=[],h=r[c];for(let f=0,d=h.length;f<d;f++)u.push(h[f].clone(t));this.morphAttributes[c]=u}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,u=o.length;c<u;c++){let h=o[c];this.addGroup(h.start,h.count,h.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var xd=new X,Lb=new X,Db=new et,ki=class{constructor(e=new X(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,i,s){return this.normal.set(e,t,i),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,i){let s=xd.subVectors(i,t).cross(Lb.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,i=!0){let s=e.delta(xd),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return i===!0&&(o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),i=this.distanceToPoint(e.end);return t<0&&i>0||i<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let i=t||Db.getNormalMatrix(e),s=this.coplanarPoint(xd).applyMatrix4(e),r=this.normal.applyMatrix3(i).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}},Nb=0,Js=class extends is{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:Nb++}),this.uuid=Oa(),this.name="",this.type="Material",this.blending=wo,this.side=Ai,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Ld,this.blendDst=Dd,this.blendEquation=yr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=uo,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=gu,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=ec,this.stencilZFail=ec,this.stencilZPass=ec,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let i=e[t];if(i===void 0){$e(`Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){$e(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(i):s&&s.isVector2&&i&&i.isVector2||s&&s.isEuler&&i&&i.isEuler||s&&s.isVector3&&i&&i.isVector3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,i.blending=this.blending,i.side=this.side,i.shadowSide=this.shadowSide,i.vertexColors=this.vertexColors,i.opacity=this.opacity,i.transparent=this.transparent,i.blendSrc=this.blendSrc,i.blendDst=this.blendDst,i.blendEquation=this.blendEquation,i.blendSrcAlpha=this.blendSrcAlpha,i.blendDstAlpha=this.blendDstAlpha,i.blendEquationAlpha=this.blendEquationAlpha,i.blendColor=this.blendColor.getHex(),i.blendAlpha=this.blendAlpha,i.depthFunc=this.depthFunc,i.depthTest=this.depthTest,i.depthWrite=this.depthWrite,i.colorWrite=this.colorWrite,i.clipIntersection=this.clipIntersection,i.clipShadows=this.clipShadows,i.stencilWriteMask=this.stencilWriteMask,i.stencilFunc=this.stencilFunc,i.stencilRef=this.stencilRef,i.stencilFuncMask=this.stencilFuncMask,i.stencilFail=this.stencilFail,i.stencilZFail=this.stencilZFail,i.stencilZPass=this.stencilZPass,i.stencilWrite=this.stencilWrite,i.polygonOffset=this.polygonOffset,i.polygonOffsetFactor=this.polygonOffsetFactor,i.polygonOffsetUnits=this.polygonOffsetUnits,i.dithering=this.dithering,i.alphaTest=this.alphaTest,i.alphaHash=this.alphaHash,i.alphaToCoverage=this.alphaToCoverage,i.premultipliedAlpha=this.premultipliedAlpha,i.forceSinglePass=this.forceSinglePass,i.allowOverride=this.allowOverride,i.visible=this.visible,i.toneMapped=this.toneMapped,i.name=this.name,this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(i.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(i.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(i.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(i.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(i.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(e).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(e).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(e).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(e).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(e).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(i.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(i.rotation=this.rotation),this.depthPacking!==void 0&&(i.depthPacking=this.depthPacking),this.linewidth!==void 0&&(i.linewidth=this.linewidth),this.linecap!==void 0&&(i.linecap=this.linecap),this.linejoin!==void 0&&(i.linejoin=this.linejoin),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.wireframe!==void 0&&(i.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(i.flatShading=this.flatShading),this.fog!==void 0&&(i.fog=this.fog),Object.keys(this.userData).length>0&&(i.userData=this.userData);function s(r){let o=[];for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(i.textures=r),o.length>0&&(i.images=o)}return i}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new rt().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(i=>new ki().fromJSON(i))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let i=e.normalScale;Array.isArray(i)===!1&&(i=[i,i]),this.normalScale=new _t().fromArray(i)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new _t().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,i=null;if(t!==null){let s=t.length;i=new Array(s);for(let r=0;r!==s;++r)i[r]=t[r].clone()}return this.clippingPlanes=i,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}};var Ss=new X,vd=new X,Bl=new X,kl=new X,ss=class{constructor(e=new X,t=new X(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,Ss)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let i=t.dot(this.direction);return i<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=Ss.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(Ss.copy(this.origin).addScaledVector(this.direction,t),Ss.distanceToSquared(e))}distanceSqToSegment(e,t,i,s){vd.copy(e).add(t).multiplyScalar(.5),Bl.copy(t).sub(e).normalize(),kl.copy(this.origin).sub(vd);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Bl),a=kl.dot(this.direction),l=-kl.dot(Bl),c=kl.lengthSq(),u=Math.abs(1-o*o),h,f,d,p;if(u>0)if(h=o*l-a,f=o*a-l,p=r*u,h>=0)if(f>=-p)if(f<=p){let y=1/u;h*=y,f*=y,d=h*(h+o*f+2*a)+f*(o*h+f+2*l)+c}else f=r,h=Math.max(0,-(o*f+a)),d=-h*h+f*(f+2*l)+c;else f=-r,h=Math.max(0,-(o*f+a)),d=-h*h+f*(f+2*l)+c;else f<=-p?(h=Math.max(0,-(-o*r+a)),f=h>0?-r:Math.min(Math.max(-r,-l),r),d=-h*h+f*(f+2*l)+c):f<=p?(h=0,f=Math.min(Math.max(-r,-l),r),d=f*(f+2*l)+c):(h=Math.max(0,-(o*r+a)),f=h>0?r:Math.min(Math.max(-r,-l),r),d=-h*h+f*(f+2*l)+c);else f=o>0?-r:r,h=Math.max(0,-(o*f+a)),d=-h*h+f*(f+2*l)+c;return i&&i.copy(this.origin).addScaledVector(this.direction,h),s&&s.copy(vd).addScaledVector(Bl,f),d}intersectSphere(e,t){if(e.radius<0)return null;Ss.subVectors(e.center,this.origin);let i=Ss.dot(this.direction),s=Ss.dot(Ss)-i*i,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=i-o,l=i+o;return l<0?null:a<0?this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let i=-(this.origin.dot(e.normal)+e.constant)/t;return i>=0?i:null}intersectPlane(e,t){let i=this.distanceToPlane(e);return i===null?null:this.at(i,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let i,s,r,o,a,l,c=1/this.direction.x,u=1/this.direction.y,h=1/this.direction.z,f=this.origin;return c>=0?(i=(e.min.x-f.x)*c,s=(e.max.x-f.x)*c):(i=(e.max.x-f.x)*c,s=(e.min.x-f.x)*c),u>=0?(r=(e.min.y-f.y)*u,o=(e.max.y-f.y)*u):(r=(e.max.y-f.y)*u,o=(e.min.y-f.y)*u),i>o||r>s||((r>i||isNaN(i))&&(i=r),(o<s||isNaN(s))&&(s=o),h>=0?(a=(e.min.z-f.z)*h,l=(e.max.z-f.z)*h):(a=(e.max.z-f.z)*h,l=(e.min.z-f.z)*h),i>l||a>s)||((a>i||i!==i)&&(i=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(i>=0?i:s,t)}intersectsBox(e){return this.intersectBox(e,Ss)!==null}intersectTriangle(e,t,i,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,u=a.z,h=e.x-o.x,f=e.y-o.y,d=e.z-o.z,p=t.x-o.x,y=t.y-o.y,g=t.z-o.z,m=i.x-o.x,b=i.y-o.y,R=i.z-o.z,S=Math.abs(l),C=Math.abs(c),A=Math.abs(u),_,T,U,D,L,k,z,N,G,$,H,le;if(S>=C&&S>=A?(U=l,k=h,G=p,le=m,l>=0?(_=c,T=u,D=f,L=d,z=y,N=g,$=b,H=R):(_=u,T=c,D=d,L=f,z=g,N=y,$=R,H=b)):C>=A?(U=c,k=f,G=y,le=b,c>=0?(_=u,T=l,D=d,L=h,z=g,N=p,$=R,H=m):(_=l,T=u,D=h,L=d,z=p,N=g,$=m,H=R)):(U=u,k=d,G=g,le=R,u>=0?(_=l,T=c,D=h,L=f,z=p,N=y,$=m,H=b):(_=c,T=l,D=f,L=h,z=y,N=p,$=b,H=m)),U===0)return null;let Z=_/U,Q=T/U,ie=1/U,de=D-Z*k,he=L-Q*k,ee=z-Z*G,me=N-Q*G,ge=$-Z*le,Me=H-Q*le,ve=ge*me-Me*ee,He=de*Me-he*ge,Je=ee*he-me*de;if(s){if(ve<0||He<0||Je<0)return null}else if((ve<0||He<0||Je<0)&&(ve>0||He>0||Je>0))return null;let Oe=ve+He+Je;if(Oe===0)return null;let ct=ie*(ve*k+He*G+Je*le);return(Oe>0?ct<0:ct>0)?null:this.at(ct/Oe,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},Zs=class extends Js{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new rt(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ys,this.combine=Nd,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Dg=new vt,mr=new ss,zl=new ti,Ng=new X,Vl=new X,Hl=new X,Gl=new X,yd=new X,Wl=new X,Fg=new X,Xl=new X,Ot=class extends mi{constructor(e=new Dn,t=new Zs){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){let i=this.geometry,s=i.attributes.position,r=i.morphAttributes.position,o=i.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&a){Wl.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let u=a[l],h=r[l];u!==0&&(yd.fromBufferAttribute(h,e),o?Wl.addScaledVector(yd,u):Wl.addScaledVector(yd.sub(t),u))}t.add(Wl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),zl.copy(i.boundingSphere),zl.applyMatrix4(r),mr.copy(e.ray).recast(e.near),!(zl.containsPoint(mr.origin)===!1&&(mr.intersectSphere(zl,Ng)===null||mr.origin.distanceToSquared(Ng)>(e.far-e.near)**2))&&(Dg.copy(r).invert(),mr.copy(e.ray).applyMatrix4(Dg),!(i.boundingBox!==null&&mr.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(e,t,mr)))}_computeIntersections(e,t,i){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,c=r.attributes.uv,u=r.attributes.uv1,h=r.attributes.normal,f=r.groups,d=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,y=f.length;p<y;p++){let g=f[p],m=o[g.materialIndex],b=Math.max(g.start,d.start),R=Math.min(a.count,Math.min(g.start+g.count,d.start+d.count));for(let S=b,C=R;S<C;S+=3){let A=a.getX(S),_=a.getX(S+1),T=a.getX(S+2);s=ql(this,m,e,i,c,u,h,A,_,T),s&&(s.faceIndex=Math.floor(S/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,d.start),y=Math.min(a.count,d.start+d.count);for(let g=p,m=y;g<m;g+=3){let b=a.getX(g),R=a.getX(g+1),S=a.getX(g+2);s=ql(this,o,e,i,c,u,h,b,R,S),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,y=f.length;p<y;p++){let g=f[p],m=o[g.materialIndex],b=Math.max(g.start,d.start),R=Math.min(l.count,Math.min(g.start+g.count,d.start+d.count));for(let S=b,C=R;S<C;S+=3){let A=S,_=S+1,T=S+2;s=ql(this,m,e,i,c,u,h,A,_,T),s&&(s.faceIndex=Math.floor(S/3),s.face.materialIndex=g.materialIndex,t.push(s))}}else{let p=Math.max(0,d.start),y=Math.min(l.count,d.start+d.count);for(let g=p,m=y;g<m;g+=3){let b=g,R=g+1,S=g+2;s=ql(this,o,e,i,c,u,h,b,R,S),s&&(s.faceIndex=Math.floor(g/3),t.push(s))}}}};function Fb(n,e,t,i,s,r,o,a){let l;if(e.side===kn?l=i.intersectTriangle(o,r,s,!0,a):l=i.intersectTriangle(s,r,o,e.side===Ai,a),l===null)return null;Xl.copy(a),Xl.applyMatrix4(n.matrixWorld);let c=t.ray.origin.distanceTo(Xl);return c<t.near||c>t.far?null:{distance:c,point:Xl.clone(),object:n}}function ql(n,e,t,i,s,r,o,a,l,c){n.getVertexPosition(a,Vl),n.getVertexPosition(l,Hl),n.getVertexPosition(c,Gl);let u=Fb(n,e,t,i,Vl,Hl,Gl,Fg);if(u){let h=new X;$s.getBarycoord(Fg,Vl,Hl,Gl,h),s&&(u.uv=$s.getInterpolatedAttribute(s,a,l,c,h,new _t)),r&&(u.uv1=$s.getInterpolatedAttribute(r,a,l,c,h,new _t)),o&&(u.normal=$s.getInterpolatedAttribute(o,a,l,c,h,new X),u.normal.dot(i.direction)>0&&u.normal.multiplyScalar(-1));let f={a,b:l,c,normal:new X,materialIndex:0};$s.getNormal(Vl,Hl,Gl,f.normal),u.face=f,u.barycoord=h}return u}var go=class extends ni{constructor(e=null,t=1,i=1,s,r,o,a,l,c=_n,u=_n,h,f){super(null,o,a,l,c,u,s,r,h,f),this.isDataTexture=!0,this.image={data:e,width:t,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var xa=class extends on{constructor(e,t,i,s=1){super(e,t,i),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}};var gr=new ti,Ub=new _t(.5,.5),$l=new X,Es=class{constructor(e=new ki,t=new ki,i=new ki,s=new ki,r=new ki,o=new ki){this.planes=[e,t,i,s,r,o]}set(e,t,i,s,r,o){let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(i),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let i=0;i<6;i++)t[i].copy(e.planes[i]);return this}setFromProjectionMatrix(e,t=wi,i=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],u=r[4],h=r[5],f=r[6],d=r[7],p=r[8],y=r[9],g=r[10],m=r[11],b=r[12],R=r[13],S=r[14],C=r[15];if(s[0].setComponents(c-o,d-u,m-p,C-b).normalize(),s[1].setComponents(c+o,d+u,m+p,C+b).normalize(),s[2].setComponents(c+a,d+h,m+y,C+R).normalize(),s[3].setComponents(c-a,d-h,m-y,C-R).normalize(),i)s[4].setComponents(l,f,g,S).normalize(),s[5].setComponents(c-l,d-f,m-g,C-S).normalize();else if(s[4].setComponents(c-l,d-f,m-g,C-S).normalize(),t===wi)s[5].setComponents(c+l,d+f,m+g,C+S).normalize();else if(t===ha)s[5].setComponents(l,f,g,S).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),gr.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),gr.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(gr)}intersectsSprite(e){gr.center.set(0,0,0);let t=Ub.distanceTo(e.center);return gr.radius=.7071067811865476+t,gr.applyMatrix4(e.matrixWorld),this.intersectsSphere(gr)}intersectsSphere(e){let t=this.planes,i=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(i)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let i=0;i<6;i++){let s=t[i];if($l.x=s.normal.x>0?e.max.x:e.min.x,$l.y=s.normal.y>0?e.max.y:e.min.y,$l.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint($l)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let i=0;i<6;i++)if(t[i].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Ug=new vt,pc=class n{constructor(){this.coordinateSystem=wi,this._frustums=[],this._count=0}setFromArrayCamera(e){let t=e.cameras,i=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];Ug.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),i[s]===void 0&&(i[s]=new Es),i[s].setFromProjectionMatrix(Ug,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSphere(e))return!0;return!1}intersectsBox(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,i=e._frustums;for(let s=0;s<e._count;s++)t[s]===void 0&&(t[s]=new Es),t[s].copy(i[s]);return this._count=e._count,this}clone(){return new n().copy(this)}};var _o=class extends Js{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},mc=new X,gc=new X,Og=new vt,oa=new ss,Yl=new ti,bd=new X,Bg=new X,va=class extends mi{constructor(e=new Dn,t=new _o){super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[0];for(let s=1,r=t.count;s<r;s++)mc.fromBufferAttribute(t,s-1),gc.fromBufferAttribute(t,s),i[s]=i[s-1],i[s]+=mc.distanceTo(gc);e.setAttribute("lineDistance",new en(i,1))}else $e("Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),Yl.copy(i.boundingSphere),Yl.applyMatrix4(s),Yl.radius+=r,e.ray.intersectsSphere(Yl)===!1)return;Og.copy(s).invert(),oa.copy(e.ray).applyMatrix4(Og);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=this.isLineSegments?2:1,u=i.index,f=i.attributes.position;if(u!==null){let d=Math.max(0,o.start),p=Math.min(u.count,o.start+o.count);for(let y=d,g=p-1;y<g;y+=c){let m=u.getX(y),b=u.getX(y+1),R=Jl(this,e,oa,l,m,b,y);R&&t.push(R)}if(this.isLineLoop){let y=u.getX(p-1),g=u.getX(d),m=Jl(this,e,oa,l,y,g,p-1);m&&t.push(m)}}else{let d=Math.max(0,o.start),p=Math.min(f.count,o.start+o.count);for(let y=d,g=p-1;y<g;y+=c){let m=Jl(this,e,oa,l,y,y+1,y);m&&t.push(m)}if(this.isLineLoop){let y=Jl(this,e,oa,l,p-1,d,p-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function Jl(n,e,t,i,s,r,o){let a=n.geometry.attributes.position;if(mc.fromBufferAttribute(a,s),gc.fromBufferAttribute(a,r),t.distanceSqToSegment(mc,gc,bd,Bg)>i)return;bd.applyMatrix4(n.matrixWorld);let c=e.ray.origin.distanceTo(bd);if(!(c<e.near||c>e.far))return{distance:c,point:Bg.clone().applyMatrix4(n.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:n}}var kg=new X,zg=new X,xo=class extends va{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[];for(let s=0,r=t.count;s<r;s+=2)kg.fromBufferAttribute(t,s),zg.fromBufferAttribute(t,s+1),i[s]=s===0?0:i[s-1],i[s+1]=i[s]+kg.distanceTo(zg);e.setAttribute("lineDistance",new en(i,1))}else $e("LineSegments.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}},ya=class extends va{constructor(e,t){super(e,t),this.isLineLoop=!0,this.type="LineLoop"}};var ba=class extends ni{constructor(e=[],t=br,i,s,r,o,a,l,c,u){super(e,t,i,s,r,o,a,l,c,u),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}};var Ts=class extends ni{constructor(e,t,i=zi,s,r,o,a=_n,l=_n,c,u=ws,h=1){if(u!==ws&&u!==Rs)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let f={width:e,height:t,depth:h};super(f,s,r,o,a,l,u,i,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new po(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}},Sa=class extends Ts{constructor(e,t=zi,i=br,s,r,o=_n,a=_n,l,c=ws){let u={width:e,height:e,depth:1},h=[u,u,u,u,u,u];super(e,e,t,i,s,r,o,a,l,c),this.image=h,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},Ma=class extends ni{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},vo=class n extends Dn{constructor(e=1,t=1,i=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:i,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],u=[],h=[],f=0,d=0;p("z","y","x",-1,-1,i,t,e,o,r,0),p("z","y","x",1,-1,i,t,-e,o,r,1),p("x","z","y",1,1,e,i,t,s,o,2),p("x","z","y",1,-1,e,i,-t,s,o,3),p("x","y","z",1,-1,e,t,i,s,r,4),p("x","y","z",-1,-1,e,t,-i,s,r,5),this.setIndex(l),this.setAttribute("position",new en(c,3)),this.setAttribute("normal",new en(u,3)),this.setAttribute("uv",new en(h,2));function p(y,g,m,b,R,S,C,A,_,T,U){let D=S/_,L=C/T,k=S/2,z=C/2,N=A/2,G=_+1,$=T+1,H=0,le=0,Z=new X;for(let Q=0;Q<$;Q++){let ie=Q*L-z;for(let de=0;de<G;de++){let he=de*D-k;Z[y]=he*b,Z[g]=ie*R,Z[m]=N,c.push(Z.x,Z.y,Z.z),Z[y]=0,Z[g]=0,Z[m]=A>0?1:-1,u.push(Z.x,Z.y,Z.z),h.push(de/_),h.push(1-Q/T),H+=1}}for(let Q=0;Q<T;Q++)for(let ie=0;ie<_;ie++){let de=f+ie+G*Q,he=f+ie+G*(Q+1),ee=f+(ie+1)+G*(Q+1),me=f+(ie+1)+G*Q;l.push(de,he,me),l.push(he,ee,me),le+=6}a.addGroup(d,le,U),d+=le,f+=H}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var yo=class n extends Dn{constructor(e=1,t=1,i=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,height:i,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let u=[],h=[],f=[],d=[],p=0,y=[],g=i/2,m=0;b(),o===!1&&(e>0&&R(!0),t>0&&R(!1)),this.setIndex(u),this.setAttribute("position",new en(h,3)),this.setAttribute("normal",new en(f,3)),this.setAttribute("uv",new en(d,2));function b(){let S=new X,C=new X,A=0,_=(t-e)/i;for(let T=0;T<=r;T++){let U=[],D=T/r,L=D*(t-e)+e;for(let k=0;k<=s;k++){let z=k/s,N=z*l+a,G=Math.sin(N),$=Math.cos(N);C.x=L*G,C.y=-D*i+g,C.z=L*$,h.push(C.x,C.y,C.z),S.set(G,_,$).normalize(),f.push(S.x,S.y,S.z),d.push(z,1-D),U.push(p++)}y.push(U)}for(let T=0;T<s;T++)for(let U=0;U<r;U++){let D=y[U][T],L=y[U+1][T],k=y[U+1][T+1],z=y[U][T+1];(e>0||U!==0)&&(u.push(D,L,z),A+=3),(t>0||U!==r-1)&&(u.push(L,k,z),A+=3)}c.addGroup(m,A,0),m+=A}function R(S){let C=p,A=new _t,_=new X,T=0,U=S===!0?e:t,D=S===!0?1:-1;for(let k=1;k<=s;k++)h.push(0,g*D,0),f.push(0,D,0),d.push(.5,.5),p++;let L=p;for(let k=0;k<=s;k++){let N=k/s*l+a,G=Math.cos(N),$=Math.sin(N);_.x=U*$,_.y=g*D,_.z=U*G,h.push(_.x,_.y,_.z),f.push(0,D,0),A.x=G*.5+.5,A.y=$*.5*D+.5,d.push(A.x,A.y),p++}for(let k=0;k<s;k++){let z=C+k,N=L+k;S===!0?u.push(N,N+1,z):u.push(N+1,N,z),T+=3}c.addGroup(m,T,S===!0?1:2),m+=T}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},_r=class n extends yo{constructor(e=1,t=1,i=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,i,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:i,heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new n(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}};var xr=class n extends Dn{constructor(e=1,t=1,i=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:i,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(i),l=Math.floor(s),c=a+1,u=l+1,h=e/a,f=t/l,d=[],p=[],y=[],g=[];for(let m=0;m<u;m++){let b=m*f-o;for(let R=0;R<c;R++){let S=R*h-r;p.push(S,-b,0),y.push(0,0,1),g.push(R/a),g.push(1-m/l)}}for(let m=0;m<l;m++)for(let b=0;b<a;b++){let R=b+c*m,S=b+c*(m+1),C=b+1+c*(m+1),A=b+1+c*m;d.push(R,S,A),d.push(S,C,A)}this.setIndex(d),this.setAttribute("position",new en(p,3)),this.setAttribute("normal",new en(y,3)),this.setAttribute("uv",new en(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.widthSegments,e.heightSegments)}};var wa=class n extends Dn{constructor(e=1,t=32,i=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,heightSegments:i,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),i=Math.max(2,Math.floor(i));let l=Math.min(o+a,Math.PI),c=0,u=[],h=new X,f=new X,d=[],p=[],y=[],g=[];for(let m=0;m<=i;m++){let b=[],R=m/i,S=o+R*a,C=e*Math.cos(S),A=Math.sqrt(e*e-C*C),_=0;m===0&&o===0?_=.5/t:m===i&&l===Math.PI&&(_=-.5/t);for(let T=0;T<=t;T++){let U=T/t,D=s+U*r;h.x=-A*Math.cos(D),h.y=C,h.z=A*Math.sin(D),p.push(h.x,h.y,h.z),f.copy(h).normalize(),y.push(f.x,f.y,f.z),g.push(U+_,1-R),b.push(c++)}u.push(b)}for(let m=0;m<i;m++)for(let b=0;b<t;b++){let R=u[m][b+1],S=u[m][b],C=u[m+1][b],A=u[m+1][b+1];(m!==0||o>0)&&d.push(R,S,A),(m!==i-1||l<Math.PI)&&d.push(S,C,A)}this.setIndex(d),this.setAttribute("position",new en(p,3)),this.setAttribute("normal",new en(y,3)),this.setAttribute("uv",new en(g,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.phiLength,e.thetaStart,e.thetaLength)}};function Mr(n){let e={};for(let t in n){e[t]={};for(let i in n[t]){let s=n[t][i];if(Vg(s))s.isRenderTargetTexture?($e("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][i]=null):e[t][i]=s.clone();else if(Array.isArray(s))if(Vg(s[0])){let r=[];for(let o=0,a=s.length;o<a;o++)r[o]=s[o].clone();e[t][i]=r}else e[t][i]=s.slice();else e[t][i]=s}}return e}function qn(n){let e={};for(let t=0;t<n.length;t++){let i=Mr(n[t]);for(let s in i)e[s]=i[s]}return e}function Vg(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function Ob(n){let e=[];for(let t=0;t<n.length;t++)e.push(n[t].clone());return e}function lf(n){let e=n.getRenderTarget();return e===null?n.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:mt.workingColorSpace}var P0={clone:Mr,merge:qn},Bb=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,kb=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,Ti=class extends Js{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=Bb,this.fragmentShader=kb,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Mr(e.uniforms),this.uniformsGroups=Ob(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?t.uniforms[s]={type:"t",value:o.toJSON(e).uuid}:o&&o.isColor?t.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?t.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?t.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?t.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?t.uniforms[s]={type:"m4",value:o.toArray()}:t.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let i={};for(let s in this.extensions)this.extensions[s]===!0&&(i[s]=!0);return Object.keys(i).length>0&&(t.extensions=i),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(let i in e.uniforms){let s=e.uniforms[i];switch(this.uniforms[i]={},s.type){case"t":this.uniforms[i].value=t[s.value]||null;break;case"c":this.uniforms[i].value=new rt().setHex(s.value);break;case"v2":this.uniforms[i].value=new _t().fromArray(s.value);break;case"v3":this.uniforms[i].value=new X().fromArray(s.value);break;case"v4":this.uniforms[i].value=new Wt().fromArray(s.value);break;case"m3":this.uniforms[i].value=new et().fromArray(s.value);break;case"m4":this.uniforms[i].value=new vt().fromArray(s.value);break;default:this.uniforms[i].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(let i in e.extensions)this.extensions[i]=e.extensions[i];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}},_c=class extends Ti{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var xc=class extends Js{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=g0,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},vc=class extends Js{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function oo(n,e){return!n||n.constructor===e?n:typeof e.BYTES_PER_ELEMENT=="number"?new e(n):Array.prototype.slice.call(n)}function Zl(n){return n!==void 0&&n.inTangents!==void 0&&n.outTangents!==void 0}var Ks=class{constructor(e,t,i,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(i),this.sampleValues=t,this.valueSize=i,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,i=this._cachedIndex,s=t[i],r=t[i-1];e:{t:{let o;n:{i:if(!(e<s)){for(let a=i+2;;){if(s===void 0){if(e<r)break i;return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}if(i===a)break;if(r=s,s=t[++i],e<s)break t}o=t.length;break n}if(!(e>=r)){let a=t[1];e<a&&(i=2,r=a);for(let l=i-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(i===l)break;if(s=r,r=t[--i-1],e>=r)break t}o=i,i=0;break n}break e}for(;i<o;){let a=i+o>>>1;e<t[a]?o=a:i=a+1}if(s=t[i],r=t[i-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}this._cachedIndex=i,this.intervalChanged_(i,r,s)}return this.interpolate_(i,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,i=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=i[r+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},yc=class extends Ks{constructor(e,t,i,s){super(e,t,i,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Md,endingEnd:Md}}intervalChanged_(e,t,i){let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case wd:r=e,a=2*t-i;break;case Ed:r=s.length-2,a=t+s[r]-s[r+1];break;default:r=e,a=i}if(l===void 0)switch(this.getSettings_().endingEnd){case wd:o=e,l=2*i-t;break;case Ed:o=1,l=i+s[1]-s[0];break;default:o=e-1,l=t}let c=(i-t)*.5,u=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-i),this._offsetPrev=r*u,this._offsetNext=o*u}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this._offsetPrev,h=this._offsetNext,f=this._weightPrev,d=this._weightNext,p=(i-t)/(s-t),y=p*p,g=y*p,m=-f*g+2*f*y-f*p,b=(1+f)*g+(-1.5-2*f)*y+(-.5+f)*p+1,R=(-1-d)*g+(1.5+d)*y+.5*p,S=d*g-d*y;for(let C=0;C!==a;++C)r[C]=m*o[u+C]+b*o[c+C]+R*o[l+C]+S*o[h+C];return r}},bc=class extends Ks{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=(i-t)/(s-t),h=1-u;for(let f=0;f!==a;++f)r[f]=o[c+f]*h+o[l+f]*u;return r}},Sc=class extends Ks{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Mc=class extends Ks{interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this.inTangents,h=this.outTangents;if(!u||!h){let p=(i-t)/(s-t),y=1-p;for(let g=0;g!==a;++g)r[g]=o[c+g]*y+o[l+g]*p;return r}let f=a*2,d=e-1;for(let p=0;p!==a;++p){let y=o[c+p],g=o[l+p],m=d*f+p*2,b=h[m],R=h[m+1],S=e*f+p*2,C=u[S],A=u[S+1],_=Vb(i,t,b,C,s);r[p]=I0(_,y,R,A,g)}return r}};function I0(n,e,t,i,s){let r=1-n;return r*r*r*e+3*r*r*n*t+3*r*n*n*i+n*n*n*s}function zb(n,e,t,i,s){let r=1-n;return 3*r*r*(t-e)+6*r*n*(i-t)+3*n*n*(s-i)}function Vb(n,e,t,i,s){let r=(n-e)/(s-e);for(let o=0;o<8;o++){let a=I0(r,e,t,i,s)-n;if(Math.abs(a)<1e-10)break;let l=zb(r,e,t,i,s);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var gi=class{constructor(e,t,i,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=oo(t,this.TimeBufferType),this.values=oo(i,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,i;if(t.toJSON!==this.toJSON)i=t.toJSON(e);else{i={name:e.name,times:oo(e.times,Array),values:oo(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(i.interpolation=s),Zl(e.settings)&&(i.settings={inTangents:oo(e.settings.inTangents,Array),outTangents:oo(e.settings.outTangents,Array)})}return i.type=e.ValueTypeName,i}InterpolantFactoryMethodDiscrete(e){return new Sc(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new bc(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new yc(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Mc(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case la:t=this.InterpolantFactoryMethodDiscrete;break;case cc:t=this.InterpolantFactoryMethodLinear;break;case Ql:t=this.InterpolantFactoryMethodSmooth;break;case Sd:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let i="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(i);return $e("KeyframeTrack:",i),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return la;case this.InterpolantFactoryMethodLinear:return cc;case this.InterpolantFactoryMethodSmooth:return Ql;case this.InterpolantFactoryMethodBezier:return Sd}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]+=e;Zl(this.settings)&&(Hg(this.settings.inTangents,e),Hg(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]*=e;Zl(this.settings)&&(Gg(this.settings.inTangents,e),Gg(this.settings.outTangents,e))}return this}trim(e,t){let i=this.times,s=i.length,r=0,o=s-1;for(;r!==s&&i[r]<e;)++r;for(;o!==-1&&i[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=i.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Qe("KeyframeTrack: Invalid value size in track.",this),e=!1);let i=this.times,s=this.values,r=i.length;r===0&&(Qe("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=i[a];if(typeof l=="number"&&isNaN(l)){Qe("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Qe("KeyframeTrack: Out of order keys.",this,a,l,o),e=!1;break}o=l}if(s!==void 0&&mb(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Qe("KeyframeTrack: Value is not a valid number.",this,a,c),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),i=this.getValueSize(),s=this.getInterpolation()===Ql,r=e.length-1,o=1;for(let a=1;a<r;++a){let l=!1,c=e[a],u=e[a+1];if(c!==u&&(a!==1||c!==e[0]))if(s)l=!0;else{let h=a*i,f=h-i,d=h+i;for(let p=0;p!==i;++p){let y=t[h+p];if(y!==t[f+p]||y!==t[d+p]){l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let h=a*i,f=o*i;for(let d=0;d!==i;++d)t[f+d]=t[h+d]}++o}}if(r>0){e[o]=e[r];for(let a=r*i,l=o*i,c=0;c!==i;++c)t[l+c]=t[a+c];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*i)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),i=this.constructor,s=new i(this.name,e,t);return s.createInterpolant=this.createInterpolant,Zl(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function Hg(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]+=e}function Gg(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]*=e}gi.prototype.ValueTypeName="";gi.prototype.TimeBufferType=Float32Array;gi.prototype.ValueBufferType=Float32Array;gi.prototype.DefaultInterpolation=cc;var js=class extends gi{constructor(e,t,i){super(e,t,i)}};js.prototype.ValueTypeName="bool";js.prototype.ValueBufferType=Array;js.prototype.DefaultInterpolation=la;js.prototype.InterpolantFactoryMethodLinear=void 0;js.prototype.InterpolantFactoryMethodSmooth=void 0;var wc=class extends gi{constructor(e,t,i,s){super(e,t,i,s)}};wc.prototype.ValueTypeName="color";var Ec=class extends gi{constructor(e,t,i,s){super(e,t,i,s)}};Ec.prototype.ValueTypeName="number";var Tc=class extends Ks{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(i-t)/(s-t),c=e*a;for(let u=c+a;c!==u;c+=4)Ei.slerpFlat(r,0,o,c-a,o,c,l);return r}},Ea=class extends gi{constructor(e,t,i,s){super(e,t,i,s)}InterpolantFactoryMethodLinear(e){return new Tc(this.times,this.values,this.getValueSize(),e)}};Ea.prototype.ValueTypeName="quaternion";Ea.prototype.InterpolantFactoryMethodSmooth=void 0;var Qs=class extends gi{constructor(e,t,i){super(e,t,i)}};Qs.prototype.ValueTypeName="string";Qs.prototype.ValueBufferType=Array;Qs.prototype.DefaultInterpolation=la;Qs.prototype.InterpolantFactoryMethodLinear=void 0;Qs.prototype.InterpolantFactoryMethodSmooth=void 0;var Ac=class extends gi{constructor(e,t,i,s){super(e,t,i,s)}};Ac.prototype.ValueTypeName="vector";var Rc=class{constructor(e,t,i){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=i,this._abortController=null,this.itemStart=function(u){a++,r===!1&&s.onStart!==void 0&&s.onStart(u,o,a),r=!0},this.itemEnd=function(u){o++,s.onProgress!==void 0&&s.onProgress(u,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(u){s.onError!==void 0&&s.onError(u)},this.resolveURL=function(u){return u=u.normalize("NFC"),l?l(u):u},this.setURLModifier=function(u){return l=u,this},this.addHandler=function(u,h){return c.push(u,h),this},this.removeHandler=function(u){let h=c.indexOf(u);return h!==-1&&c.splice(h,2),this},this.getHandler=function(u){for(let h=0,f=c.length;h<f;h+=2){let d=c[h],p=c[h+1];if(d.global&&(d.lastIndex=0),d.test(u))return p}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},L0=new Rc,Cc=class{constructor(e){this.manager=e!==void 0?e:L0,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let i=this;return new Promise(function(s,r){i.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Cc.DEFAULT_MATERIAL_NAME="__DEFAULT";var Kl=new X,jl=new Ei,ts=new X,Ta=class extends mi{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new vt,this.projectionMatrix=new vt,this.projectionMatrixInverse=new vt,this.coordinateSystem=wi,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(Kl,jl,ts),ts.x===1&&ts.y===1&&ts.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Kl,jl,ts.set(1,1,1)).invert()}updateWorldMatrix(e,t,i=!1){super.updateWorldMatrix(e,t,i),this.matrixWorld.decompose(Kl,jl,ts),ts.x===1&&ts.y===1&&ts.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Kl,jl,ts.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},qs=new X,Wg=new _t,Xg=new _t,ei=class extends Ta{constructor(e=50,t=1,i=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=i,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=uc*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(ed*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return uc*2*Math.atan(Math.tan(ed*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,i){qs.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(qs.x,qs.y).multiplyScalar(-e/qs.z),qs.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(qs.x,qs.y).multiplyScalar(-e/qs.z)}getViewSize(e,t){return this.getViewBounds(e,Wg,Xg),t.subVectors(Xg,Wg)}setViewOffset(e,t,i,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(ed*.5*this.fov)/this.zoom,i=2*t,s=this.aspect*i,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=o.offsetX*s/l,t-=o.offsetY*i/c,s*=o.width/l,i*=o.height/c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-i,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var bo=class extends Ta{constructor(e=-1,t=1,i=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=i,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,i,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=i-e,o=i+e,a=s+t,l=s-t;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,u=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=u*this.view.offsetY,l=a-u*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}};var Aa=class extends Dn{constructor(){super(),this.isInstancedBufferGeometry=!0,this.type="InstancedBufferGeometry",this.instanceCount=1/0}copy(e){return super.copy(e),this.instanceCount=e.instanceCount,this}toJSON(){let e=super.toJSON();return e.instanceCount=this.instanceCount,e.isInstancedBufferGeometry=!0,e}};var ao=-90,lo=1,So=class extends mi{constructor(e,t,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new ei(ao,lo,e,t);s.layers=this.layers,this.add(s);let r=new ei(ao,lo,e,t);r.layers=this.layers,this.add(r);let o=new ei(ao,lo,e,t);o.layers=this.layers,this.add(o);let a=new ei(ao,lo,e,t);a.layers=this.layers,this.add(a);let l=new ei(ao,lo,e,t);l.layers=this.layers,this.add(l);let c=new ei(ao,lo,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[i,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===wi)i.up.set(0,1,0),i.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===ha)i.up.set(0,-1,0),i.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:i,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,l,c,u]=this.children,h=e.getRenderTarget(),f=e.getActiveCubeFace(),d=e.getActiveMipmapLevel(),p=e.xr.enabled;e.xr.enabled=!1;let y=i.texture.mipmapsAutoUpdate;i.texture.mipmapsAutoUpdate=!1;let g=!1;e.isWebGLRenderer===!0?g=e.state.buffers.depth.getReversed():g=e.reversedDepthBuffer,e.setRenderTarget(i,0,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(i,1,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(i,2,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(i,3,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(i,4,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),i.texture.mipmapsAutoUpdate=y,e.setRenderTarget(i,5,s),g&&e.autoClear===!1&&e.clearDepth(),e.render(t,u),e.setRenderTarget(h,f,d),e.xr.enabled=p,i.texture.needsPMREMUpdate=!0}},Pc=class extends ei{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}};var cf="\\[\\]\\.:\\/",Hb=new RegExp("["+cf+"]","g"),uf="[^"+cf+"]",Gb="[^"+cf.replace("\\.","")+"]",Wb=/((?:WC+[\/:])*)/.source.replace("WC",uf),Xb=/(WCOD+)?/.source.replace("WCOD",Gb),qb=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",uf),$b=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",uf),Yb=new RegExp("^"+Wb+Xb+qb+$b+"$"),Jb=["material","materials","bones","map"],Td=class{constructor(e,t,i){let s=i||Gt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let i=this._targetGroup.nCachedObjects_,s=this._bindings[i];s!==void 0&&s.getValue(e,t)}setValue(e,t){let i=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=i.length;s!==r;++s)i[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].unbind()}},Gt=class n{constructor(e,t,i){this.path=t,this.parsedPath=i||n.parseTrackName(t),this.node=n.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,i){return e&&e.isAnimationObjectGroup?new n.Composite(e,t,i):new n(e,t,i)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(Hb,"")}static parseTrackName(e){let t=Yb.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let i={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=i.nodeName&&i.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=i.nodeName.substring(s+1);Jb.indexOf(r)!==-1&&(i.nodeName=i.nodeName.substring(0,s),i.objectName=r)}if(i.propertyName===null||i.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return i}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let i=e.skeleton.getBoneByName(t);if(i!==void 0)return i}if(e.children){let i=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=i(a.children);if(l)return l}return null},s=i(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)e[t++]=i[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,i=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=n.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){$e("PropertyBinding: No target node found for track: "+this.path+".");return}if(i){let c=t.objectIndex;switch(i){case"materials":if(!e.material){Qe("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){Qe("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){Qe("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let u=0;u<e.length;u++)if(e[u].name===c){c=u;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){Qe("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){Qe("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[i]===void 0){Qe("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[i]}if(c!==void 0){if(e[c]===void 0){Qe("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let o=e[s];if(o===void 0){let c=t.nodeName;Qe("PropertyBinding: Trying to update property for track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){Qe("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){Qe("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};Gt.Composite=Td;Gt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Gt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Gt.prototype.GetterByBindingType=[Gt.prototype._getValue_direct,Gt.prototype._getValue_array,Gt.prototype._getValue_arrayElement,Gt.prototype._getValue_toArray];Gt.prototype.SetterByBindingTypeAndVersioning=[[Gt.prototype._setValue_direct,Gt.prototype._setValue_direct_setNeedsUpdate,Gt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[Gt.prototype._setValue_array,Gt.prototype._setValue_array_setNeedsUpdate,Gt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Gt.prototype._setValue_arrayElement,Gt.prototype._setValue_arrayElement_setNeedsUpdate,Gt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Gt.prototype._setValue_fromArray,Gt.prototype._setValue_fromArray_setNeedsUpdate,Gt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var uR=new Float32Array(1);var Ad=class{static{this.prototype.isMatrix2=!0}constructor(e,t,i,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,i,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let i=0;i<4;i++)this.elements[i]=e[i+t];return this}set(e,t,i,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=i,r[3]=s,this}};function hf(n,e,t,i){let s=Zb(i);switch(t){case $d:return n*e;case Jd:return n*e/s.components*s.byteLength;case Oc:return n*e/s.components*s.byteLength;case er:return n*e*2/s.components*s.byteLength;case Bc:return n*e*2/s.components*s.byteLength;case Yd:return n*e*3/s.components*s.byteLength;case xi:return n*e*4/s.components*s.byteLength;case kc:return n*e*4/s.components*s.byteLength;case Pa:case Ia:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case La:case Da:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Vc:case Gc:return Math.max(n,16)*Math.max(e,8)/4;case zc:case Hc:return Math.max(n,8)*Math.max(e,8)/2;case Wc:case Xc:case $c:case Yc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case qc:case Na:case Jc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Zc:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Kc:return Math.floor((n+4)/5)*Math.floor((e+3)/4)*16;case jc:return Math.floor((n+4)/5)*Math.floor((e+4)/5)*16;case Qc:return Math.floor((n+5)/6)*Math.floor((e+4)/5)*16;case eu:return Math.floor((n+5)/6)*Math.floor((e+5)/6)*16;case tu:return Math.floor((n+7)/8)*Math.floor((e+4)/5)*16;case nu:return Math.floor((n+7)/8)*Math.floor((e+5)/6)*16;case iu:return Math.floor((n+7)/8)*Math.floor((e+7)/8)*16;case su:return Math.floor((n+9)/10)*Math.floor((e+4)/5)*16;case ru:return Math.floor((n+9)/10)*Math.floor((e+5)/6)*16;case ou:return Math.floor((n+9)/10)*Math.floor((e+7)/8)*16;case au:return Math.floor((n+9)/10)*Math.floor((e+9)/10)*16;case lu:return Math.floor((n+11)/12)*Math.floor((e+9)/10)*16;case cu:return Math.floor((n+11)/12)*Math.floor((e+11)/12)*16;case uu:case hu:case du:return Math.ceil(n/4)*Math.ceil(e/4)*16;case fu:case pu:return Math.ceil(n/4)*Math.ceil(e/4)*8;case Fa:case mu:return Math.ceil(n/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function Zb(n){switch(n){case _i:case Gd:return{byteLength:1,components:1};case To:case Wd:case Hi:return{byteLength:2,components:1};case Fc:case Uc:return{byteLength:2,components:4};case zi:case Nc:case Vi:return{byteLength:4,components:1};case Xd:case qd:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?$e("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function e_(){let n=null,e=!1,t=null,i=null;function s(r,o){i=n.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&n!==null&&(i=n.requestAnimationFrame(s),e=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){n=r}}}function jb(n){let e=new WeakMap;function t(a,l){let c=a.array,u=a.usage,h=c.byteLength,f=n.createBuffer();n.bindBuffer(l,f),n.bufferData(l,c,u),a.onUploadCallback();let d;if(c instanceof Float32Array)d=n.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)d=n.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?d=n.HALF_FLOAT:d=n.UNSIGNED_SHORT;else if(c instanceof Int16Array)d=n.SHORT;else if(c instanceof Uint32Array)d=n.UNSIGNED_INT;else if(c instanceof Int32Array)d=n.INT;else if(c instanceof Int8Array)d=n.BYTE;else if(c instanceof Uint8Array)d=n.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)d=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:f,type:d,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:h}}function i(a,l,c){let u=l.array,h=l.updateRanges;if(n.bindBuffer(c,a),h.length===0)n.bufferSubData(c,0,u);else{h.sort((d,p)=>d.start-p.start);let f=0;for(let d=1;d<h.length;d++){let p=h[f],y=h[d];y.start<=p.start+p.count+1?p.count=Math.max(p.count,y.start+y.count-p.start):(++f,h[f]=y)}h.length=f+1;for(let d=0,p=h.length;d<p;d++){let y=h[d];n.bufferSubData(c,y.start*u.BYTES_PER_ELEMENT,u,y.start,y.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(n.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let u=e.get(a);(!u||u.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(c.buffer,a,l),c.version=a.version}}return{get:s,remove:r,update:o}}var Qb=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,eS=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,tS=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,nS=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,iS=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,sS=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,rS=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,oS=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,aS=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,lS=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,cS=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,uS=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,hS=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,dS=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,fS=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,pS=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,mS=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,gS=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,_S=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,xS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,vS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,yS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,bS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,SS=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,MS=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,wS=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,ES=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,TS=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,AS=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,RS="gl_FragColor = linearToOutputTexel( gl_FragColor );",CS=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,PS=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,IS=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,LS=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,DS=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,NS=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,FS=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,US=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,OS=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,BS=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,kS=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,zS=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,VS=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,HS=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,GS=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,WS=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,XS=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,qS=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,$S=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,YS=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,JS=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,ZS=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,KS=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,jS=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,QS=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,eM=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,tM=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,nM=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,iM=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,sM=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,rM=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,oM=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,aM=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,lM=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,cM=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,uM=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,hM=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,dM=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,fM=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,pM=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,mM=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,gM=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,_M=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,xM=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,vM=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,yM=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,bM=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,SM=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,MM=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,wM=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,EM=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,TM=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,AM=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,RM=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,CM=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,PM=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,IM=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,LM=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,DM=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,NM=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,FM=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,UM=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,OM=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,BM=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,kM=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,zM=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,VM=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,HM=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,GM=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,WM=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,XM=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,qM=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,$M=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,YM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,JM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,ZM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,KM=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,jM=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,QM=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,ew=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,tw=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,nw=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,iw=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,sw=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,rw=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,ow=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,aw=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,lw=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,cw=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,uw=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,hw=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,dw=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,fw=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,pw=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,mw=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,gw=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,_w=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,xw=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,vw=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,yw=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,bw=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Sw=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,Mw=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,ww=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,Ew=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,Tw=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,Aw=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,Rw=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,Cw=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,Pw=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,Iw=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,lt={alphahash_fragment:Qb,alphahash_pars_fragment:eS,alphamap_fragment:tS,alphamap_pars_fragment:nS,alphatest_fragment:iS,alphatest_pars_fragment:sS,aomap_fragment:rS,aomap_pars_fragment:oS,batching_pars_vertex:aS,batching_vertex:lS,begin_vertex:cS,beginnormal_vertex:uS,bsdfs:hS,iridescence_fragment:dS,bumpmap_pars_fragment:fS,clipping_planes_fragment:pS,clipping_planes_pars_fragment:mS,clipping_planes_pars_vertex:gS,clipping_planes_vertex:_S,color_fragment:xS,color_pars_fragment:vS,color_pars_vertex:yS,color_vertex:bS,common:SS,defaultnormal_vertex:MS,displacementmap_pars_vertex:wS,displacementmap_vertex:ES,emissivemap_fragment:TS,emissivemap_pars_fragment:AS,colorspace_fragment:RS,colorspace_pars_fragment:CS,envmap_fragment:PS,envmap_common_pars_fragment:IS,envmap_pars_fragment:LS,envmap_pars_vertex:DS,envmap_physical_pars_fragment:WS,envmap_vertex:NS,fog_vertex:FS,fog_pars_vertex:US,fog_fragment:OS,fog_pars_fragment:BS,gradientmap_pars_fragment:kS,lightmap_pars_fragment:zS,lights_lambert_fragment:VS,lights_lambert_pars_fragment:HS,lights_pars_begin:GS,lights_toon_fragment:XS,lights_toon_pars_fragment:qS,lights_phong_fragment:$S,lights_phong_pars_fragment:YS,lights_physical_fragment:JS,lights_physical_pars_fragment:ZS,lights_fragment_begin:KS,lights_fragment_maps:jS,lights_fragment_end:QS,lightprobes_pars_fragment:eM,logdepthbuf_fragment:tM,logdepthbuf_pars_fragment:nM,logdepthbuf_pars_vertex:iM,logdepthbuf_vertex:sM,map_fragment:rM,map_pars_fragment:oM,map_particle_fragment:aM,map_particle_pars_fragment:lM,metalnessmap_fragment:cM,metalnessmap_pars_fragment:uM,morphinstance_vertex:hM,morphcolor_vertex:dM,morphnormal_vertex:fM,morphtarget_pars_vertex:pM,morphtarget_vertex:mM,normal_fragment_begin:gM,normal_fragment_maps:_M,normal_pars_fragment:xM,normal_pars_vertex:vM,normal_vertex:yM,normalmap_pars_fragment:bM,clearcoat_normal_fragment_begin:SM,clearcoat_normal_fragment_maps:MM,clearcoat_pars_fragment:wM,iridescence_pars_fragment:EM,opaque_fragment:TM,packing:AM,premultiplied_alpha_fragment:RM,project_vertex:CM,dithering_fragment:PM,dithering_pars_fragment:IM,roughnessmap_fragment:LM,roughnessmap_pars_fragment:DM,shadowmap_pars_fragment:NM,shadowmap_pars_vertex:FM,shadowmap_vertex:UM,shadowmask_pars_fragment:OM,skinbase_vertex:BM,skinning_pars_vertex:kM,skinning_vertex:zM,skinnormal_vertex:VM,specularmap_fragment:HM,specularmap_pars_fragment:GM,tonemapping_fragment:WM,tonemapping_pars_fragment:XM,transmission_fragment:qM,transmission_pars_fragment:$M,uv_pars_fragment:YM,uv_pars_vertex:JM,uv_vertex:ZM,worldpos_vertex:KM,background_vert:jM,background_frag:QM,backgroundCube_vert:ew,backgroundCube_frag:tw,cube_vert:nw,cube_frag:iw,depth_vert:sw,depth_frag:rw,distance_vert:ow,distance_frag:aw,equirect_vert:lw,equirect_frag:cw,linedashed_vert:uw,linedashed_frag:hw,meshbasic_vert:dw,meshbasic_frag:fw,meshlambert_vert:pw,meshlambert_frag:mw,meshmatcap_vert:gw,meshmatcap_frag:_w,meshnormal_vert:xw,meshnormal_frag:vw,meshphong_vert:yw,meshphong_frag:bw,meshphysical_vert:Sw,meshphysical_frag:Mw,meshtoon_vert:ww,meshtoon_frag:Ew,points_vert:Tw,points_frag:Aw,shadow_vert:Rw,shadow_frag:Cw,sprite_vert:Pw,sprite_frag:Iw},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new et},alphaMap:{value:null},alphaMapTransform:{value:new et},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new et}},envmap:{envMap:{value:null},envMapRotation:{value:new et},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new et}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new et}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new et},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new et},normalScale:{value:new _t(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new et},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new et}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new et}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new et}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new rt(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new rt(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new et},alphaTest:{value:0},uvTransform:{value:new et}},sprite:{diffuse:{value:new rt(16777215)},opacity:{value:1},center:{value:new _t(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new et},alphaMap:{value:null},alphaMapTransform:{value:new et},alphaTest:{value:0}}},as={basic:{uniforms:qn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.fog]),vertexShader:lt.meshbasic_vert,fragmentShader:lt.meshbasic_frag},lambert:{uniforms:qn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.lights,{emissive:{value:new rt(0)},envMapIntensity:{value:1}}]),vertexShader:lt.meshlambert_vert,fragmentShader:lt.meshlambert_frag},phong:{uniforms:qn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.lights,{emissive:{value:new rt(0)},specular:{value:new rt(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:lt.meshphong_vert,fragmentShader:lt.meshphong_frag},standard:{uniforms:qn([Le.common,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.roughnessmap,Le.metalnessmap,Le.fog,Le.lights,{emissive:{value:new rt(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:lt.meshphysical_vert,fragmentShader:lt.meshphysical_frag},toon:{uniforms:qn([Le.common,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.gradientmap,Le.fog,Le.lights,{emissive:{value:new rt(0)}}]),vertexShader:lt.meshtoon_vert,fragmentShader:lt.meshtoon_frag},matcap:{uniforms:qn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,{matcap:{value:null}}]),vertexShader:lt.meshmatcap_vert,fragmentShader:lt.meshmatcap_frag},points:{uniforms:qn([Le.points,Le.fog]),vertexShader:lt.points_vert,fragmentShader:lt.points_frag},dashed:{uniforms:qn([Le.common,Le.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:lt.linedashed_vert,fragmentShader:lt.linedashed_frag},depth:{uniforms:qn([Le.common,Le.displacementmap]),vertexShader:lt.depth_vert,fragmentShader:lt.depth_frag},normal:{uniforms:qn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,{opacity:{value:1}}]),vertexShader:lt.meshnormal_vert,fragmentShader:lt.meshnormal_frag},sprite:{uniforms:qn([Le.sprite,Le.fog]),vertexShader:lt.sprite_vert,fragmentShader:lt.sprite_frag},background:{uniforms:{uvTransform:{value:new et},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:lt.background_vert,fragmentShader:lt.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new et}},vertexShader:lt.backgroundCube_vert,fragmentShader:lt.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:lt.cube_vert,fragmentShader:lt.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:lt.equirect_vert,fragmentShader:lt.equirect_frag},distance:{uniforms:qn([Le.common,Le.displacementmap,{referencePosition:{value:new X},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:lt.distance_vert,fragmentShader:lt.distance_frag},shadow:{uniforms:qn([Le.lights,Le.fog,{color:{value:new rt(0)},opacity:{value:1}}]),vertexShader:lt.shadow_vert,fragmentShader:lt.shadow_frag}};as.physical={uniforms:qn([as.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new et},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new et},clearcoatNormalScale:{value:new _t(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new et},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new et},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new et},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new et},sheen:{value:0},sheenColor:{value:new rt(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new et},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new et},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new et},transmissionSamplerSize:{value:new _t},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new et},attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new et},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new et},anisotropyVector:{value:new _t},anisotropyMap:{value:null},anisotropyMapTransform:{value:new et}}]),vertexShader:lt.meshphysical_vert,fragmentShader:lt.meshphysical_frag};var _u={r:0,b:0,g:0},Lw=new vt,t_=new et;t_.set(-1,0,0,0,1,0,0,0,1);function Dw(n,e,t,i,s,r){let o=new rt(0),a=s===!0?0:1,l,c,u=null,h=0,f=null;function d(b){let R=b.isScene===!0?b.background:null;if(R&&R.isTexture){let S=b.backgroundBlurriness>0;R=e.get(R,S)}return R}function p(b){let R=!1,S=d(b);S===null?g(o,a):S&&S.isColor&&(g(S,1),R=!0);let C=n.xr.getEnvironmentBlendMode();C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(n.autoClear||R)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function y(b,R){let S=d(R);S&&S.isCubeTexture?(c===void 0&&(c=new Ot(new vo(1,1,1),new Ti({name:"BackgroundCubeMaterial",uniforms:Mr(as.backgroundCube.uniforms),vertexShader:as.backgroundCube.vertexShader,fragmentShader:as.backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(C,A,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(c)),c.material.uniforms.envMap.value=S,c.material.uniforms.backgroundBlurriness.value=R.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=R.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(Lw.makeRotationFromEuler(R.backgroundRotation)).transpose(),S.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(t_),c.material.toneMapped=mt.getTransfer(S.colorSpace)!==Et,(u!==S||h!==S.version||f!==n.toneMapping)&&(c.material.needsUpdate=!0,u=S,h=S.version,f=n.toneMapping),c.layers.enableAll(),b.unshift(c,c.geometry,c.material,0,0,null)):S&&S.isTexture&&(l===void 0&&(l=new Ot(new xr(2,2),new Ti({name:"BackgroundMaterial",uniforms:Mr(as.background.uniforms),vertexShader:as.background.vertexShader,fragmentShader:as.background.fragmentShader,side:Ai,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(l)),l.material.uniforms.t2D.value=S,l.material.uniforms.backgroundIntensity.value=R.backgroundIntensity,l.material.toneMapped=mt.getTransfer(S.colorSpace)!==Et,S.matrixAutoUpdate===!0&&S.updateMatrix(),l.material.uniforms.uvTransform.value.copy(S.matrix),(u!==S||h!==S.version||f!==n.toneMapping)&&(l.material.needsUpdate=!0,u=S,h=S.version,f=n.toneMapping),l.layers.enableAll(),b.unshift(l,l.geometry,l.material,0,0,null))}function g(b,R){b.getRGB(_u,lf(n)),t.buffers.color.setClear(_u.r,_u.g,_u.b,R,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(b,R=1){o.set(b),a=R,g(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(b){a=b,g(o,a)},render:p,addToRenderList:y,dispose:m}}function Nw(n,e){let t=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},s=f(null),r=s,o=!1;function a(L,k,z,N,G){let $=!1,H=h(L,N,z,k);r!==H&&(r=H,c(r.object)),$=d(L,N,z,G),$&&p(L,N,z,G),G!==null&&e.update(G,n.ELEMENT_ARRAY_BUFFER),($||o)&&(o=!1,S(L,k,z,N),G!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return n.createVertexArray()}function c(L){return n.bindVertexArray(L)}function u(L){return n.deleteVertexArray(L)}function h(L,k,z,N){let G=N.wireframe===!0,$=i[k.id];$===void 0&&($={},i[k.id]=$);let H=L.isInstancedMesh===!0?L.id:0,le=$[H];le===void 0&&(le={},$[H]=le);let Z=le[z.id];Z===void 0&&(Z={},le[z.id]=Z);let Q=Z[G];return Q===void 0&&(Q=f(l()),Z[G]=Q),Q}function f(L){let k=[],z=[],N=[];for(let G=0;G<t;G++)k[G]=0,z[G]=0,N[G]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:k,enabledAttributes:z,attributeDivisors:N,object:L,attributes:{},index:null}}function d(L,k,z,N){let G=r.attributes,$=k.attributes,H=0,le=z.getAttributes();for(let Z in le)if(le[Z].location>=0){let ie=G[Z],de=$[Z];if(de===void 0&&(Z==="instanceMatrix"&&L.instanceMatrix&&(de=L.instanceMatrix),Z==="instanceColor"&&L.instanceColor&&(de=L.instanceColor)),ie===void 0||ie.attribute!==de||de&&ie.data!==de.data)return!0;H++}return r.attributesNum!==H||r.index!==N}function p(L,k,z,N){let G={},$=k.attributes,H=0,le=z.getAttributes();for(let Z in le)if(le[Z].location>=0){let ie=$[Z];ie===void 0&&(Z==="instanceMatrix"&&L.instanceMatrix&&(ie=L.instanceMatrix),Z==="instanceColor"&&L.instanceColor&&(ie=L.instanceColor));let de={};de.attribute=ie,ie&&ie.data&&(de.data=ie.data),G[Z]=de,H++}r.attributes=G,r.attributesNum=H,r.index=N}function y(){let L=r.newAttributes;for(let k=0,z=L.length;k<z;k++)L[k]=0}function g(L){m(L,0)}function m(L,k){let z=r.newAttributes,N=r.enabledAttributes,G=r.attributeDivisors;z[L]=1,N[L]===0&&(n.enableVertexAttribArray(L),N[L]=1),G[L]!==k&&(n.vertexAttribDivisor(L,k),G[L]=k)}function b(){let L=r.newAttributes,k=r.enabledAttributes;for(let z=0,N=k.length;z<N;z++)k[z]!==L[z]&&(n.disableVertexAttribArray(z),k[z]=0)}function R(L,k,z,N,G,$,H){H===!0?n.vertexAttribIPointer(L,k,z,G,$):n.vertexAttribPointer(L,k,z,N,G,$)}function S(L,k,z,N){y();let G=N.attributes,$=z.getAttributes(),H=k.defaultAttributeValues;for(let le in $){let Z=$[le];if(Z.location>=0){let Q=G[le];if(Q===void 0&&(le==="instanceMatrix"&&L.instanceMatrix&&(Q=L.instanceMatrix),le==="instanceColor"&&L.instanceColor&&(Q=L.instanceColor)),Q!==void 0){let ie=Q.normalized,de=Q.itemSize,he=e.get(Q);if(he===void 0)continue;let ee=he.buffer,me=he.type,ge=he.bytesPerElement,Me=me===n.INT||me===n.UNSIGNED_INT||Q.gpuType===Nc;if(Q.isInterleavedBufferAttribute){let ve=Q.data,He=ve.isInterleavedBuffer===!0?ve.stride:ve.itemSize,Je=Q.offset;if(ve.isInstancedInterleavedBuffer||ve.isInstancedBufferAttribute){for(let Oe=0;Oe<Z.locationSize;Oe++)m(Z.location+Oe,ve.meshPerAttribute);L.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=ve.meshPerAttribute*ve.count)}else for(let Oe=0;Oe<Z.locationSize;Oe++)g(Z.location+Oe);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let Oe=0;Oe<Z.locationSize;Oe++)R(Z.location+Oe,de/Z.locationSize,me,ie,He*ge,(Je+de/Z.locationSize*Oe)*ge,Me)}else{if(Q.isInstancedBufferAttribute){for(let ve=0;ve<Z.locationSize;ve++)m(Z.location+ve,Q.meshPerAttribute);L.isInstancedMesh!==!0&&N._maxInstanceCount===void 0&&(N._maxInstanceCount=Q.meshPerAttribute*Q.count)}else for(let ve=0;ve<Z.locationSize;ve++)g(Z.location+ve);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let ve=0;ve<Z.locationSize;ve++)R(Z.location+ve,de/Z.locationSize,me,ie,de*ge,de/Z.locationSize*ve*ge,Me)}}else if(H!==void 0){let ie=H[le];if(ie!==void 0)switch(ie.length){case 2:n.vertexAttrib2fv(Z.location,ie);break;case 3:n.vertexAttrib3fv(Z.location,ie);break;case 4:n.vertexAttrib4fv(Z.location,ie);break;default:n.vertexAttrib1fv(Z.location,ie)}}}}b()}function C(){U();for(let L in i){let k=i[L];for(let z in k){let N=k[z];for(let G in N){let $=N[G];for(let H in $)u($[H].object),delete $[H];delete N[G]}}delete i[L]}}function A(L){if(i[L.id]===void 0)return;let k=i[L.id];for(let z in k){let N=k[z];for(let G in N){let $=N[G];for(let H in $)u($[H].object),delete $[H];delete N[G]}}delete i[L.id]}function _(L){for(let k in i){let z=i[k];for(let N in z){let G=z[N];if(G[L.id]===void 0)continue;let $=G[L.id];for(let H in $)u($[H].object),delete $[H];delete G[L.id]}}}function T(L){for(let k in i){let z=i[k],N=L.isInstancedMesh===!0?L.id:0,G=z[N];if(G!==void 0){for(let $ in G){let H=G[$];for(let le in H)u(H[le].object),delete H[le];delete G[$]}delete z[N],Object.keys(z).length===0&&delete i[k]}}}function U(){D(),o=!0,r!==s&&(r=s,c(r.object))}function D(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:U,resetDefaultState:D,dispose:C,releaseStatesOfGeometry:A,releaseStatesOfObject:T,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:g,disableUnusedAttributes:b}}function Fw(n,e,t){let i;function s(l){i=l}function r(l,c){n.drawArrays(i,l,c),t.update(c,i,1)}function o(l,c,u){u!==0&&(n.drawArraysInstanced(i,l,c,u),t.update(c,i,u))}function a(l,c,u){if(u===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,l,0,c,0,u);let f=0;for(let d=0;d<u;d++)f+=c[d];t.update(f,i,1)}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a}function Uw(n,e,t,i){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.get("EXT_texture_filter_anisotropic");s=n.getParameter(_.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(_){return!(_!==xi&&i.convert(_)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(_){let T=_===Hi&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(_!==_i&&_!==Vi&&!T&&i.convert(_)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE))}function l(_){if(_==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";_="mediump"}return _==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"highp",u=l(c);u!==c&&($e("WebGLRenderer:",c,"not supported, using",u,"instead."),c=u);let h=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),f=t.logarithmicDepthBuffer===!0&&h===!1;t.reversedDepthBuffer===!0&&h===!1&&$e("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&h===!0&&$e("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let d=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),p=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=n.getParameter(n.MAX_TEXTURE_SIZE),g=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),m=n.getParameter(n.MAX_VERTEX_ATTRIBS),b=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),R=n.getParameter(n.MAX_VARYING_VECTORS),S=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),C=n.getParameter(n.MAX_SAMPLES),A=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,precision:c,logarithmicDepthBuffer:f,reversedDepthBuffer:h,maxTextures:d,maxVertexTextures:p,maxTextureSize:y,maxCubemapSize:g,maxAttributes:m,maxVertexUniforms:b,maxVaryings:R,maxFragmentUniforms:S,maxSamples:C,samples:A}}function Ow(n){let e=this,t=null,i=0,s=!1,r=!1,o=new ki,a=new et,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(h,f){let d=h.length!==0||f||i!==0||s;return s=f,i=h.length,d},this.beginShadows=function(){r=!0,u(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(h,f){t=u(h,f,0)},this.setState=function(h,f,d){let p=h.clippingPlanes,y=h.clipIntersection,g=h.clipShadows,m=n.get(h);if(!s||p===null||p.length===0||r&&!g)r?u(null):c();else{let b=r?0:i,R=b*4,S=m.clippingState||null;l.value=S,S=u(p,f,R,d);for(let C=0;C!==R;++C)S[C]=t[C];m.clippingState=S,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=b}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=i>0),e.numPlanes=i,e.numIntersection=0}function u(h,f,d,p){let y=h!==null?h.length:0,g=null;if(y!==0){if(g=l.value,p!==!0||g===null){let m=d+y*4,b=f.matrixWorldInverse;a.getNormalMatrix(b),(g===null||g.length<m)&&(g=new Float32Array(m));for(let R=0,S=d;R!==y;++R,S+=4)o.copy(h[R]).applyMatrix4(b,a),o.normal.toArray(g,S),g[S+3]=o.constant}l.value=g,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,g}}var za=class extends pi{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let i={width:e,height:e,depth:1},s=[i,i,i,i,i,i];this.texture=new ba(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new vo(5,5,5),r=new Ti({name:"CubemapFromEquirect",uniforms:Mr(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:kn,blending:vr});r.uniforms.tEquirect.value=t;let o=new Ot(s,r),a=t.minFilter;return t.minFilter===As&&(t.minFilter=Bn),new So(1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,i=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(this,o),e.clear(t,i,s);e.setRenderTarget(r)}},D0=256,Bw=3,kw=20,n_=256,i_=16,zw=3,Vw=new X,Hw=new rt,vu=class n{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new So(1,10,null),this._boxMesh=new Ot(new vo(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,i=.1,s=100,r={}){let{size:o=256,position:a=Vw}=r,l=this._renderer;this._setSize(o);let c=this._allocateTarget(),u=this._getSourceTarget(!0);t>0&&(u.texture.mipmapsAutoUpdate=!1);let h=l.autoClear,f=l.autoClearColor,d=l.autoClearDepth,p=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(Hw));let g=new So(i,s,u);return g.position.copy(a),g.update(l,e),l.autoClear=h,l.autoClearColor=f,l.autoClearDepth=d,l.autoClearStencil=p,e.background=y,t>0&&(u.texture.mipmapsAutoUpdate=!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=U0(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=F0(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(D0,R0(e))}_fromTexture(e,t){e.mapping===br||e.mapping===Eo?this._setSize(e.image.length===0?D0:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let i=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(i),i}_allocateTarget(){let e=this._cubeSize,t=N0(e,!1,!1),i=Math.log2(e)-Bw;for(let s=0;s<=i;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,i=this._sourceTarget;return(i===null||i.width!==t||e&&i.depthBuffer===!1)&&(i!==null&&i.dispose(),this._sourceTarget=N0(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,i){let s=this._boxMesh,r=this._cubeCamera;s.material=i,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===br||e.mapping===Eo?(this._cubemapMaterial===null&&(this._cubemapMaterial=U0()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=F0()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=Gw(),this._integrationMaterial=Ww());let t=this._cubeSize,i=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/i_);for(let o=0;o<=i;o++){let a=n.lodToRoughness(o,i);if(o>i-zw)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(n_*Math.pow(a,4)))+.5:0;s.roughness.value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=Xw());let i=this._blurMaterial,s=i.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,i),s.envMap.value=e.texture,this._renderCube(r,0,i)}};function N0(n,e,t){return new za(n,{minFilter:As,generateMipmaps:e,type:Hi,colorSpace:ca,depthBuffer:t})}function Va(n,e,t){return new Ti({name:n,uniforms:e,vertexShader:lt.cube_vert,fragmentShader:t,side:kn,blending:vr,depthTest:!1,depthWrite:!1})}function Gw(){return Va("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${n_}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function Ww(){return Va("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:i_}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function Xw(){return Va("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${kw}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function F0(){return Va("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function U0(){return Va("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function qw(n){let e=new WeakMap,t=new WeakMap,i=null;function s(f,d=!1){return f==null?null:d?o(f):r(f)}function r(f){if(f&&f.isTexture){let d=f.mapping;if(d===Ic||d===Lc)if(e.has(f)){let p=e.get(f).texture;return a(p,f.mapping)}else{let p=f.image;if(p&&p.height>0){let y=new za(p.height);return y.fromEquirectangularTexture(n,f),e.set(f,y),f.addEventListener("dispose",c),a(y.texture,f.mapping)}else return null}}return f}function o(f){if(f&&f.isTexture&&f.isPMREMTexture!==!0){let d=f.mapping,p=d===Ic||d===Lc,y=d===br||d===Eo;if(p||y){let g=t.get(f),m=g!==void 0?g.texture.pmremVersion:0;if(f.isRenderTargetTexture&&f.pmremVersion!==m)return i===null&&(i=new vu(n)),g=p?i.fromEquirectangular(f,g):i.fromCubemap(f,g),g.texture.pmremVersion=f.pmremVersion,t.set(f,g),g.texture;if(g!==void 0)return g.texture;{let b=f.image;return p&&b&&b.height>0||y&&b&&l(b)?(i===null&&(i=new vu(n)),g=p?i.fromEquirectangular(f):i.fromCubemap(f),g.texture.pmremVersion=f.pmremVersion,t.set(f,g),f.addEventListener("dispose",u),g.texture):null}}}return f}function a(f,d){return d===Ic?f.mapping=br:d===Lc&&(f.mapping=Eo),f}function l(f){let d=0,p=6;for(let y=0;y<p;y++)f[y]!==void 0&&d++;return d===p}function c(f){let d=f.target;d.removeEventListener("dispose",c);let p=e.get(d);p!==void 0&&(e.delete(d),p.dispose())}function u(f){let d=f.target;d.removeEventListener("dispose",u);let p=t.get(d);p!==void 0&&(t.delete(d),p.dispose())}function h(){e=new WeakMap,t=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:s,dispose:h}}function $w(n){let e={};function t(i){if(e[i]!==void 0)return e[i];let s=n.getExtension(i);return e[i]=s,s}return{has:function(i){return t(i)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(i){let s=t(i);return s===null&&aa("WebGLRenderer: "+i+" extension not supported."),s}}}function Yw(n,e,t,i){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){p.index!==null&&e.remove(p.index);for(let g in p.attributes)e.remove(p.attributes[g]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let y=r.get(p);y&&(e.remove(y),r.delete(p)),i.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,y){return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function u(p){let y=p.attributes;for(let g in y)e.update(y[g],n.ARRAY_BUFFER)}function h(p){let y=p.index,g=p.attributes.position,m=0;if(g===void 0)return;let b=y!==null?y.array.length:g.array.length/3-1,R=g.count>=65535?_a:ga,S=new R(Math.ceil(b/3)*6,1),C=S.array;if(y!==null){let _=y.array;m=y.version;for(let T=0,U=0;T<b;T+=3){let D=_[T+0],L=_[T+1],k=_[T+2];C[U++]=D,C[U++]=L,C[U++]=L,C[U++]=k,C[U++]=k,C[U++]=D}}else{m=g.version;for(let _=0,T=0;_<b;_+=3){let U=_+0,D=_+1,L=_+2;C[T++]=U,C[T++]=D,C[T++]=D,C[T++]=L,C[T++]=L,C[T++]=U}}S.version=m;let A=r.get(p);A&&e.remove(A),r.set(p,S)}function f(p){let y=r.get(p);if(y){let g=p.index;g!==null&&y.version<g.version&&h(p)}else h(p);return r.get(p)}function d(){for(let p in s){let y=s[p].deref();y!==void 0&&l(y)}}return{get:c,update:u,getWireframeAttribute:f,dispose:d}}function Jw(n,e,t){let i;function s(h){i=h}let r,o;function a(h){r=h.type,o=h.bytesPerElement}function l(h,f){n.drawElements(i,f,r,h*o),t.update(f,i,1)}function c(h,f,d){d!==0&&(n.drawElementsInstanced(i,f,r,h*o,d),t.update(f,i,d))}function u(h,f,d){if(d===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,f,0,r,h,0,d);let y=0;for(let g=0;g<d;g++)y+=f[g];t.update(y,i,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=u}function Zw(n){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function i(r,o,a){switch(t.calls++,o){case n.TRIANGLES:t.triangles+=a*(r/3);break;case n.LINES:t.lines+=a*(r/2);break;case n.LINE_STRIP:t.lines+=a*(r-1);break;case n.LINE_LOOP:t.lines+=a*r;break;case n.POINTS:t.points+=a*r;break;default:Qe("WebGLInfo: Unknown draw mode:",o);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:i}}function Kw(n,e,t){let i=new WeakMap,s=new Wt;function r(o,a,l){let c=o.morphTargetInfluences,u=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,h=u!==void 0?u.length:0,f=i.get(a);if(f===void 0||f.count!==h){let U=function(){_.dispose(),i.delete(a),a.removeEventListener("dispose",U)};f!==void 0&&f.texture.dispose();let d=a.morphAttributes.position!==void 0,p=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,g=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],b=a.morphAttributes.color||[],R=0;d===!0&&(R=1),p===!0&&(R=2),y===!0&&(R=3);let S=a.attributes.position.count*R,C=1;S>e.maxTextureSize&&(C=Math.ceil(S/e.maxTextureSize),S=e.maxTextureSize);let A=new Float32Array(S*C*4*h),_=new fa(A,S,C,h);_.type=Vi,_.needsUpdate=!0;let T=R*4;for(let D=0;D<h;D++){let L=g[D],k=m[D],z=b[D],N=S*C*4*D;for(let G=0;G<L.count;G++){let $=G*T;d===!0&&(s.fromBufferAttribute(L,G),A[N+$+0]=s.x,A[N+$+1]=s.y,A[N+$+2]=s.z,A[N+$+3]=0),p===!0&&(s.fromBufferAttribute(k,G),A[N+$+4]=s.x,A[N+$+5]=s.y,A[N+$+6]=s.z,A[N+$+7]=0),y===!0&&(s.fromBufferAttribute(z,G),A[N+$+8]=s.x,A[N+$+9]=s.y,A[N+$+10]=s.z,A[N+$+11]=z.itemSize===4?s.w:1)}}f={count:h,texture:_,size:new _t(S,C)},i.set(a,f),a.addEventListener("dispose",U)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(n,"morphTexture",o.morphTexture,t);else{let d=0;for(let y=0;y<c.length;y++)d+=c[y];let p=a.morphTargetsRelative?1:1-d;l.getUniforms().setValue(n,"morphTargetBaseInfluence",p),l.getUniforms().setValue(n,"morphTargetInfluences",c)}l.getUniforms().setValue(n,"morphTargetsTexture",f.texture,t),l.getUniforms().setValue(n,"morphTargetsTextureSize",f.size)}return{update:r}}function jw(n,e,t,i,s){let r=new WeakMap;function o(c){let u=s.render.frame,h=c.geometry,f=e.get(c,h);if(r.get(f)!==u&&(e.update(f),r.set(f,u)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==u&&(t.update(c.instanceMatrix,n.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,n.ARRAY_BUFFER),r.set(c,u))),c.isSkinnedMesh){let d=c.skeleton;r.get(d)!==u&&(d.update(),r.set(d,u))}return f}function a(){r=new WeakMap}function l(c){let u=c.target;u.removeEventListener("dispose",l),i.releaseStatesOfObject(u),t.remove(u.instanceMatrix),u.instanceColor!==null&&t.remove(u.instanceColor)}return{update:o,dispose:a}}var Qw={[Fd]:"LINEAR_TONE_MAPPING",[Ud]:"REINHARD_TONE_MAPPING",[Od]:"CINEON_TONE_MAPPING",[Bd]:"ACES_FILMIC_TONE_MAPPING",[zd]:"AGX_TONE_MAPPING",[Vd]:"NEUTRAL_TONE_MAPPING",[kd]:"CUSTOM_TONE_MAPPING"};function e1(n,e,t,i,s,r){let o=new pi(e,t,{type:n,depthBuffer:s,stencilBuffer:r,samples:i?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,u=new Dn;u.setAttribute("position",new en([-1,3,0,-1,-1,0,3,-1,0],3)),u.setAttribute("uv",new en([0,2,0,0,2,0],2));let h=new _c({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),f=new Ot(u,h),d=new bo(-1,1,1,-1,0,1),p=null,y=null,g=!1,m,b=null,R=[],S=!1;this.setSize=function(C,A){o.setSize(C,A),a!==null&&a.setSize(C,A),l!==null&&l.setSize(C,A);for(let _=0;_<R.length;_++){let T=R[_];T.setSize&&T.setSize(C,A)}},this.setEffects=function(C){R=C,S=R.length>0&&R[0].isRenderPass===!0;let A=o.width,_=o.height;R.length>0&&a===null&&(a=new pi(A,_,{type:Hi,depthBuffer:!1,stencilBuffer:!1}),l=new pi(A,_,{type:Hi,depthBuffer:!1,stencilBuffer:!1}));let T=s===!0&&R.some(U=>U.needsDepthTexture===!0);T!==(o.depthTexture!==null)&&(T===!0&&c===null&&(c=new Ts(A,_),r===!0&&(c.format=Rs,c.type=Sr)),o.dispose(),o.depthTexture=T?c:null,o.resolveDepthBuffer=T,o.storeMultisampledDepthBuffer=T);for(let U=0;U<R.length;U++){let D=R[U];D.setSize&&D.setSize(A,_),T&&D.needsDepthTexture===!0&&D.setDepthTexture&&D.setDepthTexture(c)}},this.begin=function(C,A){if(g||C.toneMapping===rs&&R.length===0)return!1;if(b=A,A!==null){let _=A.width,T=A.height;(o.width!==_||o.height!==T)&&this.setSize(_,T)}return S===!1&&C.setRenderTarget(o),m=C.toneMapping,C.toneMapping=rs,!0},this.hasRenderPass=function(){return S},this.end=function(C,A){C.toneMapping=m,g=!0;let _=o,T=a;for(let U=0;U<R.length;U++){let D=R[U];D.enabled!==!1&&(D.render(C,T,_,A),D.needsSwap!==!1&&(_=T,T=T===a?l:a))}if(p!==C.outputColorSpace||y!==C.toneMapping){p=C.outputColorSpace,y=C.toneMapping,h.defines={},mt.getTransfer(p)===Et&&(h.defines.SRGB_TRANSFER="");let U=Qw[y];U&&(h.defines[U]=""),h.needsUpdate=!0}h.uniforms.tDiffuse.value=_.texture,C.setRenderTarget(b),C.render(f,d),b=null,g=!1},this.isCompositing=function(){return g},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),u.dispose(),h.dispose()}}var s_=new ni,r_=new Ts(1,1),o_=new Sa(1),a_=new fa,l_=new fc,c_=new ba,O0=[],B0=[],k0=new Float32Array(16),z0=new Float32Array(9),V0=new Float32Array(4);function Ro(n,e,t){let i=n[0];if(i<=0||i>0)return n;let s=e*t,r=O0[s];if(r===void 0&&(r=new Float32Array(s),O0[s]=r),e!==0){i.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,n[o].toArray(r,a)}return r}function En(n,e){if(n.length!==e.length)return!1;for(let t=0,i=n.length;t<i;t++)if(n[t]!==e[t])return!1;return!0}function Tn(n,e){for(let t=0,i=e.length;t<i;t++)n[t]=e[t]}function bu(n,e){let t=B0[e];t===void 0&&(t=new Int32Array(e),B0[e]=t);for(let i=0;i!==e;++i)t[i]=n.allocateTextureUnit();return t}function t1(n,e){let t=this.cache;t[0]!==e&&(n.uniform1f(this.addr,e),t[0]=e)}function n1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(En(t,e))return;n.uniform2fv(this.addr,e),Tn(t,e)}}function i1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(n.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(En(t,e))return;n.uniform3fv(this.addr,e),Tn(t,e)}}function s1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(En(t,e))return;n.uniform4fv(this.addr,e),Tn(t,e)}}function r1(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(En(t,e))return;n.uniformMatrix2fv(this.addr,!1,e),Tn(t,e)}else{if(En(t,i))return;V0.set(i),n.uniformMatrix2fv(this.addr,!1,V0),Tn(t,i)}}function o1(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(En(t,e))return;n.uniformMatrix3fv(this.addr,!1,e),Tn(t,e)}else{if(En(t,i))return;z0.set(i),n.uniformMatrix3fv(this.addr,!1,z0),Tn(t,i)}}function a1(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(En(t,e))return;n.uniformMatrix4fv(this.addr,!1,e),Tn(t,e)}else{if(En(t,i))return;k0.set(i),n.uniformMatrix4fv(this.addr,!1,k0),Tn(t,i)}}function l1(n,e){let t=this.cache;t[0]!==e&&(n.uniform1i(this.addr,e),t[0]=e)}function c1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(En(t,e))return;n.uniform2iv(this.addr,e),Tn(t,e)}}function u1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(En(t,e))return;n.uniform3iv(this.addr,e),Tn(t,e)}}function h1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(En(t,e))return;n.uniform4iv(this.addr,e),Tn(t,e)}}function d1(n,e){let t=this.cache;t[0]!==e&&(n.uniform1ui(this.addr,e),t[0]=e)}function f1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(En(t,e))return;n.uniform2uiv(this.addr,e),Tn(t,e)}}function p1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(En(t,e))return;n.uniform3uiv(this.addr,e),Tn(t,e)}}function m1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(En(t,e))return;n.uniform4uiv(this.addr,e),Tn(t,e)}}function Su(n){return n.version===0&&(n.compareFunction=nf,n.needsUpdate=!0),n}function g1(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_2D_SHADOW?r=Su(r_):r=s_,t.setTexture2D(e||r,s)}function _1(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture3D(e||l_,s)}function x1(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_CUBE_SHADOW?r=Su(o_):r=c_,t.setTextureCube(e||r,s)}function v1(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture2DArray(e||a_,s)}function y1(n){switch(n){case 5126:return t1;case 35664:return n1;case 35665:return i1;case 35666:return s1;case 35674:return r1;case 35675:return o1;case 35676:return a1;case 5124:case 35670:return l1;case 35667:case 35671:return c1;case 35668:case 35672:return u1;case 35669:case 35673:return h1;case 5125:return d1;case 36294:return f1;case 36295:return p1;case 36296:return m1;case 35678:case 36198:case 36298:case 36306:case 35682:return g1;case 35679:case 36299:case 36307:return _1;case 35680:case 36300:case 36308:case 36293:return x1;case 36289:case 36303:case 36311:case 36292:return v1}}function b1(n,e){n.uniform1fv(this.addr,e)}function S1(n,e){let t=Ro(e,this.size,2);n.uniform2fv(this.addr,t)}function M1(n,e){let t=Ro(e,this.size,3);n.uniform3fv(this.addr,t)}function w1(n,e){let t=Ro(e,this.size,4);n.uniform4fv(this.addr,t)}function E1(n,e){let t=Ro(e,this.size,4);n.uniformMatrix2fv(this.addr,!1,t)}function T1(n,e){let t=Ro(e,this.size,9);n.uniformMatrix3fv(this.addr,!1,t)}function A1(n,e){let t=Ro(e,this.size,16);n.uniformMatrix4fv(this.addr,!1,t)}function R1(n,e){n.uniform1iv(this.addr,e)}function C1(n,e){n.uniform2iv(this.addr,e)}function P1(n,e){n.uniform3iv(this.addr,e)}function I1(n,e){n.uniform4iv(this.addr,e)}function L1(n,e){n.uniform1uiv(this.addr,e)}function D1(n,e){n.uniform2uiv(this.addr,e)}function N1(n,e){n.uniform3uiv(this.addr,e)}function F1(n,e){n.uniform4uiv(this.addr,e)}function U1(n,e,t){let i=this.cache,s=e.length,r=bu(t,s);En(i,r)||(n.uniform1iv(this.addr,r),Tn(i,r));let o;this.type===n.SAMPLER_2D_SHADOW?o=Su(r_):o=s_;for(let a=0;a!==s;++a)t.setTexture2D(e[a]||o,r[a])}function O1(n,e,t){let i=this.cache,s=e.length,r=bu(t,s);En(i,r)||(n.uniform1iv(this.addr,r),Tn(i,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||l_,r[o])}function B1(n,e,t){let i=this.cache,s=e.length,r=bu(t,s);En(i,r)||(n.uniform1iv(this.addr,r),Tn(i,r));let o;this.type===n.SAMPLER_CUBE_SHADOW?o=Su(o_):o=c_;for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function k1(n,e,t){let i=this.cache,s=e.length,r=bu(t,s);En(i,r)||(n.uniform1iv(this.addr,r),Tn(i,r));for(let o=0;o!==s;++o)t.setTexture2DArray(e[o]||a_,r[o])}function z1(n){switch(n){case 5126:return b1;case 35664:return S1;case 35665:return M1;case 35666:return w1;case 35674:return E1;case 35675:return T1;case 35676:return A1;case 5124:case 35670:return R1;case 35667:case 35671:return C1;case 35668:case 35672:return P1;case 35669:case 35673:return I1;case 5125:return L1;case 36294:return D1;case 36295:return N1;case 36296:return F1;case 35678:case 36198:case 36298:case 36306:case 35682:return U1;case 35679:case 36299:case 36307:return O1;case 35680:case 36300:case 36308:case 36293:return B1;case 36289:case 36303:case 36311:case 36292:return k1}}var pf=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.setValue=y1(t.type)}},mf=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=z1(t.type)}},gf=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,i){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(e,t[a.id],i)}}},df=/(\w+)(\])?(\[|\.)?/g;function H0(n,e){n.seq.push(e),n.map[e.id]=e}function V1(n,e,t){let i=n.name,s=i.length;for(df.lastIndex=0;;){let r=df.exec(i),o=df.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){H0(t,c===void 0?new pf(a,n,e):new mf(a,n,e));break}else{let h=t.map[a];h===void 0&&(h=new gf(a),H0(t,h)),t=h}}}var Ao=class{constructor(e,t){this.seq=[],this.map={};let i=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<i;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);V1(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,i,s){let r=this.map[t];r!==void 0&&r.setValue(e,i,s)}setOptional(e,t,i){let s=t[i];s!==void 0&&this.setValue(e,i,s)}static upload(e,t,i,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=i[a.id];l.needsUpdate!==!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let i=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&i.push(o)}return i}};function G0(n,e,t){let i=n.createShader(e);return n.shaderSource(i,t),n.compileShader(i),i}var H1=37297,G1=0;function W1(n,e){let t=n.split(`
+`),i=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let o=s;o<r;o++){let a=o+1;i.push(`${a===e?">":" "} ${a}: ${t[o]}`)}return i.join(`
+`)}var W0=new et;function X1(n){mt._getMatrix(W0,mt.workingColorSpace,n);let e=`mat3( ${W0.elements.map(t=>t.toFixed(4))} )`;switch(mt.getTransfer(n)){case ua:return[e,"LinearTransferOETF"];case Et:return[e,"sRGBTransferOETF"];default:return $e("WebGLProgram: Unsupported color space: ",n),[e,"LinearTransferOETF"]}}function X0(n,e,t){let i=n.getShaderParameter(e,n.COMPILE_STATUS),r=(n.getShaderInfoLog(e)||"").trim();if(i&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+W1(n.getShaderSource(e),a)}else return r}function q1(n,e){let t=X1(e);return[`vec4 ${n}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var $1={[Fd]:"Linear",[Ud]:"Reinhard",[Od]:"Cineon",[Bd]:"ACESFilmic",[zd]:"AgX",[Vd]:"Neutral",[kd]:"Custom"};function Y1(n,e){let t=$1[e];return t===void 0?($e("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var xu=new X;function J1(){mt.getLuminanceCoefficients(xu);let n=xu.x.toFixed(4),e=xu.y.toFixed(4),t=xu.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function Z1(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(ka).join(`
+`)}function K1(n){let e=[];for(let t in n){let i=n[t];i!==!1&&e.push("#define "+t+" "+i)}return e.join(`
+`)}function j1(n,e){let t={},i=n.getProgramParameter(e,n.ACTIVE_ATTRIBUTES);for(let s=0;s<i;s++){let r=n.getActiveAttrib(e,s),o=r.name,a=1;r.type===n.FLOAT_MAT2&&(a=2),r.type===n.FLOAT_MAT3&&(a=3),r.type===n.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:n.getAttribLocation(e,o),locationSize:a}}return t}function ka(n){return n!==""}function q0(n,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return n.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function $0(n,e){return n.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var Q1=/^[ \t]*#include +<([\w\d./]+)>/gm;function _f(n){return n.replace(Q1,eE)}function eE(n,e){let t=lt[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return _f(t)}var tE=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Y0(n){return n.replace(tE,nE)}function nE(n,e,t,i){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=i.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function J0(n){let e=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?e+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}var iE={[Ra]:"SHADOWMAP_TYPE_PCF",[Mo]:"SHADOWMAP_TYPE_VSM"};function sE(n){return iE[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var rE={[Eo]:"ENVMAP_MODE_REFRACTION"};function oE(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":rE[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}var aE={[Nd]:"ENVMAP_BLENDING_MULTIPLY",[f0]:"ENVMAP_BLENDING_MIX",[p0]:"ENVMAP_BLENDING_ADD"};function lE(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":aE[n.combine]||"ENVMAP_BLENDING_NONE"}function cE(n,e,t,i){let s=n.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=sE(t),c=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",u=oE(t),h=lE(t),f=Z1(t),d=K1(r),p=s.createProgram(),y,g,m=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d].filter(ka).join(`
+`),y.length>0&&(y+=`
+`),g=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d].filter(ka).join(`
+`),g.length>0&&(g+=`
+`)):(y=[J0(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+u:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(ka).join(`
+`),g=[J0(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+u:"",t.envMap?"#define "+h:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==rs?"#define TONE_MAPPING":"",t.toneMapping!==rs?lt.tonemapping_pars_fragment:"",t.toneMapping!==rs?Y1("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",lt.colorspace_pars_fragment,q1("linearToOutputTexel",t.outputColorSpace),J1(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(ka).join(`
+`)),o=_f(o),o=q0(o,t),o=$0(o,t),a=_f(a),a=q0(a,t),a=$0(a,t),o=Y0(o),a=Y0(a),t.isRawShaderMaterial!==!0&&(m=`#version 300 es
+`,y=[f,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+y,g=["#define varying in",t.glslVersion===rf?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===rf?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+g);let b=m+y+o,R=m+g+a,S=G0(s,s.VERTEX_SHADER,b),C=G0(s,s.FRAGMENT_SHADER,R);s.attachShader(p,S),s.attachShader(p,C),t.index0AttributeName!==void 0?s.bindAttribLocation(p,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(p,0,"position"),s.linkProgram(p);function A(D){if(n.debug.checkShaderErrors){let L=s.getProgramInfoLog(p)||"",k=s.getShaderInfoLog(S)||"",z=s.getShaderInfoLog(C)||"",N=L.trim(),G=k.trim(),$=z.trim(),H=!0,le=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(H=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(s,p,S,C);else{let Z=X0(s,S,"vertex"),Q=X0(s,C,"fragment");Qe("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+`
+
+Material Name: `+D.name+`
+Material Type: `+D.type+`
+
+Program Info Log: `+N+`
+`+Z+`
+`+Q)}else N!==""?$e("WebGLProgram: Program Info Log:",N):(G===""||$==="")&&(le=!1);le&&(D.diagnostics={runnable:H,programLog:N,vertexShader:{log:G,prefix:y},fragmentShader:{log:$,prefix:g}})}s.deleteShader(S),s.deleteShader(C),_=new Ao(s,p),T=j1(s,p)}let _;this.getUniforms=function(){return _===void 0&&A(this),_};let T;this.getAttributes=function(){return T===void 0&&A(this),T};let U=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return U===!1&&(U=s.getProgramParameter(p,H1)),U},this.destroy=function(){i.releaseStatesOfProgram(this),s.deleteProgram(p),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=G1++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=S,this.fragmentShader=C,this}var uE=0,xf=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,i){let s=this._getShaderCacheForMaterial(e);return s.has(t)===!1&&(s.add(t),t.usedTimes++),s.has(i)===!1&&(s.add(i),i.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let i of t)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,i=t.get(e);return i===void 0&&(i=new Set,t.set(e,i)),i}_getShaderStage(e){let t=this.shaderCache,i=t.get(e);return i===void 0&&(i=new vf(e),t.set(e,i)),i}},vf=class{constructor(e){this.id=uE++,this.code=e,this.usedTimes=0}};function hE(n){return n===er||n===Na||n===Fa}function dE(n,e,t,i,s,r){let o=new pa,a=new xf,l=new Set,c=[],u=new Map,h=i.logarithmicDepthBuffer,f={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function d(_){return l.add(_),_===0?"uv":`uv${_}`}function p(_,T,U,D,L,k){let z=D.fog,N=L.geometry,G=_.isMeshStandardMaterial||_.isMeshLambertMaterial||_.isMeshPhongMaterial?D.environment:null,$=_.isMeshStandardMaterial||_.isMeshLambertMaterial&&!_.envMap||_.isMeshPhongMaterial&&!_.envMap,H=e.get(_.envMap||G,$),le=f[_.type],Z=i.precision;_.precision!==null&&(Z=i.getMaxPrecision(_.precision),Z!==_.precision&&$e("WebGLProgram.getParameters:",_.precision,"not supported, using",Z,"instead."));let Q=N.morphAttributes.position||N.morphAttributes.normal||N.morphAttributes.color,ie=Q!==void 0?Q.length:0,de=0;N.morphAttributes.position!==void 0&&(de=1),N.morphAttributes.normal!==void 0&&(de=2),N.morphAttributes.color!==void 0&&(de=3);let he,ee,me,ge;if(le){let Re=as[le];he=Re.vertexShader,ee=Re.fragmentShader}else{he=_.vertexShader,ee=_.fragmentShader;let Re=a.getVertexShaderStage(_),st=a.getFragmentShaderStage(_);a.update(_,Re,st),me=Re.id,ge=st.id}let Me=n.getRenderTarget(),ve=n.state.buffers.depth.getReversed(),He=L.isInstancedMesh===!0,Je=L.isBatchedMesh===!0,Oe=!!_.map,ct=!!_.matcap,ot=!!H,tt=ot&&H.isPMREMTexture===!0,Xt=!!_.aoMap,Ft=!!_.lightMap,an=!!_.bumpMap&&_.wireframe===!1,Pt=!!_.normalMap,An=!!_.displacementMap,xt=!!_.emissiveMap,vn=!!_.metalnessMap,Jt=!!_.roughnessMap,ln=_.anisotropy>0,B=_.clearcoat>0,Ce=_.diffuseRoughness>0,qe=_.dispersion>0,it=_.retroreflectivity>0,we=_.iridescence>0,Lt=_.sheen>0,Ve=_.transmission>0,Xe=ln&&!!_.anisotropyMap,P=B&&!!_.clearcoatMap,M=B&&!!_.clearcoatNormalMap,q=B&&!!_.clearcoatRoughnessMap,ue=Ce&&!!_.diffuseRoughnessMap,oe=we&&!!_.iridescenceMap,xe=we&&!!_.iridescenceThicknessMap,ye=Lt&&!!_.sheenColorMap,te=Lt&&!!_.sheenRoughnessMap,se=!!_.specularMap,pe=!!_.specularColorMap,O=!!_.specularIntensityMap,re=Ve&&!!_.transmissionMap,ne=Ve&&!!_.thicknessMap,Ee=!!_.gradientMap,_e=!!_.alphaMap,Se=_.alphaTest>0,Ge=!!_.alphaHash,Ze=!!_.extensions,ce=rs;_.toneMapped&&(Me===null||Me.isXRRenderTarget===!0)&&(ce=n.toneMapping);let Be=tt?H.isCompressedCubeTexture?H.image[0].mipmaps:H.mipmaps:null,Ke={shaderID:le,shaderType:_.type,shaderName:_.name,vertexShader:he,fragmentShader:ee,defines:_.defines,customVertexShaderID:me,customFragmentShaderID:ge,isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precision:Z,batching:Je,batchingColor:Je&&L._colorsTexture!==null,instancing:He,instancingColor:He&&L.instanceColor!==null,instancingMorph:He&&L.morphTexture!==null,outputColorSpace:Me===null?n.outputColorSpace:Me.isXRRenderTarget===!0?Me.texture.colorSpace:mt.workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:Oe,matcap:ct,envMap:ot,envMapMode:ot&&H.mapping,envMapPMREM:tt,envMapMaxLod:tt?Be.length-1:null,envMapSize:tt?Be[0].width:null,aoMap:Xt,lightMap:Ft,bumpMap:an,normalMap:Pt,displacementMap:An,emissiveMap:xt,normalMapObjectSpace:Pt&&_.normalMapType===_0,normalMapTangentSpace:Pt&&_.normalMapType===Zd,packedNormalMap:Pt&&_.normalMapType===Zd&&hE(_.normalMap.format),metalnessMap:vn,roughnessMap:Jt,anisotropy:ln,anisotropyMap:Xe,clearcoat:B,clearcoatMap:P,clearcoatNormalMap:M,clearcoatRoughnessMap:q,diffuseRoughness:Ce,diffuseRoughnessMap:ue,dispersion:qe,retroreflection:it,iridescence:we,iridescenceMap:oe,iridescenceThicknessMap:xe,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:se,specularColorMap:pe,specularIntensityMap:O,transmission:Ve,transmissionMap:re,thicknessMap:ne,gradientMap:Ee,opaque:_.transparent===!1&&_.blending===wo&&_.alphaToCoverage===!1,alphaMap:_e,alphaTest:Se,alphaHash:Ge,combine:_.combine,mapUv:Oe&&d(_.map.channel),aoMapUv:Xt&&d(_.aoMap.channel),lightMapUv:Ft&&d(_.lightMap.channel),bumpMapUv:an&&d(_.bumpMap.channel),normalMapUv:Pt&&d(_.normalMap.channel),displacementMapUv:An&&d(_.displacementMap.channel),emissiveMapUv:xt&&d(_.emissiveMap.channel),metalnessMapUv:vn&&d(_.metalnessMap.channel),roughnessMapUv:Jt&&d(_.roughnessMap.channel),anisotropyMapUv:Xe&&d(_.anisotropyMap.channel),clearcoatMapUv:P&&d(_.clearcoatMap.channel),clearcoatNormalMapUv:M&&d(_.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:q&&d(_.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:ue&&d(_.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&d(_.iridescenceMap.channel),iridescenceThicknessMapUv:xe&&d(_.iridescenceThicknessMap.channel),sheenColorMapUv:ye&&d(_.sheenColorMap.channel),sheenRoughnessMapUv:te&&d(_.sheenRoughnessMap.channel),specularMapUv:se&&d(_.specularMap.channel),specularColorMapUv:pe&&d(_.specularColorMap.channel),specularIntensityMapUv:O&&d(_.specularIntensityMap.channel),transmissionMapUv:re&&d(_.transmissionMap.channel),thicknessMapUv:ne&&d(_.thicknessMap.channel),alphaMapUv:_e&&d(_.alphaMap.channel),vertexTangents:!!N.attributes.tangent&&(Pt||ln),vertexNormals:!!N.attributes.normal,vertexColors:_.vertexColors,vertexAlphas:_.vertexColors===!0&&!!N.attributes.color&&N.attributes.color.itemSize===4,pointsUvs:L.isPoints===!0&&!!N.attributes.uv&&(Oe||_e),fog:!!z,useFog:_.fog===!0,fogExp2:!!z&&z.isFogExp2,flatShading:_.wireframe===!1&&(_.flatShading===!0||N.attributes.normal===void 0&&Pt===!1&&(_.isMeshLambertMaterial||_.isMeshPhongMaterial||_.isMeshStandardMaterial||_.isMeshPhysicalMaterial)),sizeAttenuation:_.sizeAttenuation===!0,logarithmicDepthBuffer:h,reversedDepthBuffer:ve,skinning:L.isSkinnedMesh===!0,hasPositionAttribute:N.attributes.position!==void 0,morphTargets:N.morphAttributes.position!==void 0,morphNormals:N.morphAttributes.normal!==void 0,morphColors:N.morphAttributes.color!==void 0,morphTargetsCount:ie,morphTextureStride:de,numSunLights:T.sun.length,numDirLights:T.directional.length,numPointLights:T.point.length,numSpotLights:T.spot.length,numSpotLightMaps:T.spotLightMap.length,numRectAreaLights:T.rectArea.length,numHemiLights:T.hemi.length,numSunLightShadows:T.sunShadowMap.length,numDirLightShadows:T.directionalShadowMap.length,numPointLightShadows:T.pointShadowMap.length,numSpotLightShadows:T.spotShadowMap.length,numSpotLightShadowsWithMaps:T.numSpotLightShadowsWithMaps,numLightProbes:T.numLightProbes,numLightProbeGrids:k.filter(Re=>Re.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:_.dithering,shadowMapEnabled:n.shadowMap.enabled&&U.length>0,shadowMapType:n.shadowMap.type,toneMapping:ce,decodeVideoTexture:Oe&&_.map.isVideoTexture===!0&&mt.getTransfer(_.map.colorSpace)===Et,decodeVideoTextureEmissive:xt&&_.emissiveMap.isVideoTexture===!0&&mt.getTransfer(_.emissiveMap.colorSpace)===Et,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===zn,flipSided:_.side===kn,useDepthPacking:_.depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0AttributeName,extensionClipCullDistance:Ze&&_.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||Je)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Ke.vertexUv1s=l.has(1),Ke.vertexUv2s=l.has(2),Ke.vertexUv3s=l.has(3),l.clear(),Ke}function y(_){let T=[];if(_.shaderID?T.push(_.shaderID):(T.push(_.customVertexShaderID),T.push(_.customFragmentShaderID)),_.defines!==void 0)for(let U in _.defines)T.push(U),T.push(_.defines[U]);return _.isRawShaderMaterial===!1&&(g(T,_),m(T,_),T.push(n.outputColorSpace)),T.push(_.customProgramCacheKey),T.join()}function g(_,T){_.push(T.precision),_.push(T.outputColorSpace),_.push(T.envMapMode),_.push(T.envMapPMREM),_.push(T.envMapMaxLod),_.push(T.envMapSize),_.push(T.mapUv),_.push(T.alphaMapUv),_.push(T.lightMapUv),_.push(T.aoMapUv),_.push(T.bumpMapUv),_.push(T.normalMapUv),_.push(T.displacementMapUv),_.push(T.emissiveMapUv),_.push(T.metalnessMapUv),_.push(T.roughnessMapUv),_.push(T.anisotropyMapUv),_.push(T.clearcoatMapUv),_.push(T.clearcoatNormalMapUv),_.push(T.clearcoatRoughnessMapUv),_.push(T.diffuseRoughnessMapUv),_.push(T.iridescenceMapUv),_.push(T.iridescenceThicknessMapUv),_.push(T.sheenColorMapUv),_.push(T.sheenRoughnessMapUv),_.push(T.specularMapUv),_.push(T.specularColorMapUv),_.push(T.specularIntensityMapUv),_.push(T.transmissionMapUv),_.push(T.thicknessMapUv),_.push(T.combine),_.push(T.fogExp2),_.push(T.sizeAttenuation),_.push(T.morphTargetsCount),_.push(T.numSunLights),_.push(T.numDirLights),_.push(T.numPointLights),_.push(T.numSpotLights),_.push(T.numSpotLightMaps),_.push(T.numHemiLights),_.push(T.numRectAreaLights),_.push(T.numSunLightShadows),_.push(T.numDirLightShadows),_.push(T.numPointLightShadows),_.push(T.numSpotLightShadows),_.push(T.numSpotLightShadowsWithMaps),_.push(T.numLightProbes),_.push(T.numLightProbeGrids),_.push(T.shadowMapType),_.push(T.toneMapping),_.push(T.numClippingPlanes),_.push(T.numClipIntersection),_.push(T.depthPacking)}function m(_,T){o.disableAll(),T.instancing&&o.enable(0),T.instancingColor&&o.enable(1),T.instancingMorph&&o.enable(2),T.matcap&&o.enable(3),T.envMap&&o.enable(4),T.normalMapObjectSpace&&o.enable(5),T.normalMapTangentSpace&&o.enable(6),T.clearcoat&&o.enable(7),T.iridescence&&o.enable(8),T.alphaTest&&o.enable(9),T.vertexColors&&o.enable(10),T.vertexAlphas&&o.enable(11),T.vertexUv1s&&o.enable(12),T.vertexUv2s&&o.enable(13),T.vertexUv3s&&o.enable(14),T.vertexTangents&&o.enable(15),T.anisotropy&&o.enable(16),T.alphaHash&&o.enable(17),T.batching&&o.enable(18),T.dispersion&&o.enable(19),T.retroreflection&&o.enable(24),T.diffuseRoughness&&o.enable(25),T.batchingColor&&o.enable(20),T.gradientMap&&o.enable(21),T.packedNormalMap&&o.enable(22),T.vertexNormals&&o.enable(23),_.push(o.mask),o.disableAll(),T.fog&&o.enable(0),T.useFog&&o.enable(1),T.flatShading&&o.enable(2),T.logarithmicDepthBuffer&&o.enable(3),T.reversedDepthBuffer&&o.enable(4),T.skinning&&o.enable(5),T.morphTargets&&o.enable(6),T.morphNormals&&o.enable(7),T.morphColors&&o.enable(8),T.premultipliedAlpha&&o.enable(9),T.shadowMapEnabled&&o.enable(10),T.doubleSided&&o.enable(11),T.flipSided&&o.enable(12),T.useDepthPacking&&o.enable(13),T.dithering&&o.enable(14),T.transmission&&o.enable(15),T.sheen&&o.enable(16),T.opaque&&o.enable(17),T.pointsUvs&&o.enable(18),T.decodeVideoTexture&&o.enable(19),T.decodeVideoTextureEmissive&&o.enable(20),T.alphaToCoverage&&o.enable(21),T.numLightProbeGrids>0&&o.enable(22),T.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function b(_){let T=f[_.type],U;if(T){let D=as[T];U=P0.clone(D.uniforms)}else U=_.uniforms;return U}function R(_,T){let U=u.get(T);return U!==void 0?++U.usedTimes:(U=new cE(n,T,_,s),c.push(U),u.set(T,U)),U}function S(_){if(--_.usedTimes===0){let T=c.indexOf(_);c[T]=c[c.length-1],c.pop(),u.delete(_.cacheKey),_.destroy()}}function C(_){a.remove(_)}function A(){a.dispose()}return{getParameters:p,getProgramCacheKey:y,getUniforms:b,acquireProgram:R,releaseProgram:S,releaseShaderCache:C,programs:c,dispose:A}}function fE(){let n=new WeakMap;function e(o){return n.has(o)}function t(o){let a=n.get(o);return a===void 0&&(a={},n.set(o,a)),a}function i(o){n.delete(o)}function s(o,a,l){n.get(o)[a]=l}function r(){n=new WeakMap}return{has:e,get:t,remove:i,update:s,dispose:r}}function pE(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.material.id!==e.material.id?n.material.id-e.material.id:n.materialVariant!==e.materialVariant?n.materialVariant-e.materialVariant:n.z!==e.z?n.z-e.z:n.id-e.id}function Z0(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.z!==e.z?e.z-n.z:n.id-e.id}function K0(){let n=[],e=0,t=[],i=[],s=[];function r(){e=0,t.length=0,i.length=0,s.length=0}function o(f){let d=0;return f.isInstancedMesh&&(d+=2),f.isSkinnedMesh&&(d+=1),d}function a(f,d,p,y,g,m){let b=n[e];return b===void 0?(b={id:f.id,object:f,geometry:d,material:p,materialVariant:o(f),groupOrder:y,renderOrder:f.renderOrder,z:g,group:m},n[e]=b):(b.id=f.id,b.object=f,b.geometry=d,b.material=p,b.materialVariant=o(f),b.groupOrder=y,b.renderOrder=f.renderOrder,b.z=g,b.group=m),e++,b}function l(f,d,p,y,g,m,b){b.reversedDepth===!0&&(g=-g);let R=a(f,d,p,y,g,m);p.transmission>0?i.push(R):p.transparent===!0?s.push(R):t.push(R)}function c(f,d,p,y,g,m){let b=a(f,d,p,y,g,m);p.transmission>0?i.unshift(b):p.transparent===!0?s.unshift(b):t.unshift(b)}function u(f,d){t.length>1&&t.sort(f||pE),i.length>1&&i.sort(d||Z0),s.length>1&&s.sort(d||Z0)}function h(){for(let f=e,d=n.length;f<d;f++){let p=n[f];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:i,transparent:s,init:r,push:l,unshift:c,finish:h,sort:u}}function mE(){let n=new WeakMap;function e(i,s){let r=n.get(i),o;return r===void 0?(o=new K0,n.set(i,[o])):s>=r.length?(o=new K0,r.push(o)):o=r[s],o}function t(){n=new WeakMap}return{get:e,dispose:t}}function gE(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new X,color:new rt};break;case"SpotLight":t={position:new X,direction:new X,color:new rt,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new X,color:new rt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new X,skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new X,halfWidth:new X,halfHeight:new X};break}return n[e.id]=t,t}}}function _E(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new _t};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new _t};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new _t,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[e.id]=t,t}}}var xE=0;function vE(n,e){return(e.castShadow?2:0)-(n.castShadow?2:0)+(e.map?1:0)-(n.map?1:0)}function yE(n){let e=new gE,t=_E(),i={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)i.probe.push(new X);let s=new X,r=new vt,o=new vt;function a(c){let u=0,h=0,f=0;for(let k=0;k<9;k++)i.probe[k].set(0,0,0);let d=0,p=0,y=0,g=0,m=0,b=0,R=0,S=0,C=0,A=0,_=0,T=0,U=0,D=0;c.sort(vE);for(let k=0,z=c.length;k<z;k++){let N=c[k],G=N.color,$=N.intensity,H=N.distance,le=null;if(N.shadow&&N.shadow.map&&(N.shadow.map.texture.format===er?le=N.shadow.map.texture:le=N.shadow.map.depthTexture||N.shadow.map.texture),N.isAmbientLight)u+=G.r*$,h+=G.g*$,f+=G.b*$;else if(N.isLightProbe){for(let Z=0;Z<9;Z++)i.probe[Z].addScaledVector(N.sh.coefficients[Z],$);D++}else if(N.isSunLight){let Z=e.get(N);if(Z.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let Q=N.shadow,ie=t.get(N);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize.copy(Q.mapSize).multiply(Q.getFrameExtents()),i.sunShadow[p]=ie,i.sunShadowMap[p]=le;let de=Q.getViewportCount();for(let he=0;he<de;he++)i.sunShadowMatrix[y+he]=Q.getMatrix(he),i.sunShadowCascade[y+he]=Q._cascadeData[he];y+=de,p++}i.sun[d]=Z,d++}else if(N.isDirectionalLight){let Z=e.get(N);if(Z.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let Q=N.shadow,ie=t.get(N);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize=Q.mapSize,i.directionalShadow[g]=ie,i.directionalShadowMap[g]=le,i.directionalShadowMatrix[g]=N.shadow.matrix,C++}i.directional[g]=Z,g++}else if(N.isSpotLight){let Z=e.get(N);Z.position.setFromMatrixPosition(N.matrixWorld),Z.color.copy(G).multiplyScalar($),Z.distance=H,Z.coneCos=Math.cos(N.angle),Z.penumbraCos=Math.cos(N.angle*(1-N.penumbra)),Z.decay=N.decay,i.spot[b]=Z;let Q=N.shadow;if(N.map&&(i.spotLightMap[T]=N.map,T++,Q.updateMatrices(N),N.castShadow&&U++),i.spotLightMatrix[b]=Q.matrix,N.castShadow){let ie=t.get(N);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize=Q.mapSize,i.spotShadow[b]=ie,i.spotShadowMap[b]=le,_++}b++}else if(N.isRectAreaLight){let Z=e.get(N);Z.color.copy(G).multiplyScalar($),Z.halfWidth.set(N.width*.5,0,0),Z.halfHeight.set(0,N.height*.5,0),i.rectArea[R]=Z,R++}else if(N.isPointLight){let Z=e.get(N);if(Z.color.copy(N.color).multiplyScalar(N.intensity),Z.distance=N.distance,Z.decay=N.decay,N.castShadow){let Q=N.shadow,ie=t.get(N);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize=Q.mapSize,ie.shadowCameraNear=Q.camera.near,ie.shadowCameraFar=Q.camera.far,i.pointShadow[m]=ie,i.pointShadowMap[m]=le,i.pointShadowMatrix[m]=N.shadow.matrix,A++}i.point[m]=Z,m++}else if(N.isHemisphereLight){let Z=e.get(N);Z.skyColor.copy(N.color).multiplyScalar($),Z.groundColor.copy(N.groundColor).multiplyScalar($),i.hemi[S]=Z,S++}}R>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=Le.LTC_FLOAT_1,i.rectAreaLTC2=Le.LTC_FLOAT_2):(i.rectAreaLTC1=Le.LTC_HALF_1,i.rectAreaLTC2=Le.LTC_HALF_2)),i.ambient[0]=u,i.ambient[1]=h,i.ambient[2]=f;let L=i.hash;(L.sunLength!==d||L.directionalLength!==g||L.pointLength!==m||L.spotLength!==b||L.rectAreaLength!==R||L.hemiLength!==S||L.numSunShadows!==p||L.numDirectionalShadows!==C||L.numPointShadows!==A||L.numSpotShadows!==_||L.numSpotMaps!==T||L.numLightProbes!==D)&&(i.sun.length=d,i.directional.length=g,i.spot.length=b,i.rectArea.length=R,i.point.length=m,i.hemi.length=S,i.sunShadow.length=p,i.sunShadowMap.length=p,i.sunShadowMatrix.length=y,i.sunShadowCascade.length=y,i.directionalShadow.length=C,i.directionalShadowMap.length=C,i.directionalShadowMatrix.length=C,i.pointShadow.length=A,i.pointShadowMap.length=A,i.pointShadowMatrix.length=A,i.spotShadow.length=_,i.spotShadowMap.length=_,i.spotLightMatrix.length=_+T-U,i.spotLightMap.length=T,i.numSpotLightShadowsWithMaps=U,i.numLightProbes=D,L.sunLength=d,L.directionalLength=g,L.pointLength=m,L.spotLength=b,L.rectAreaLength=R,L.hemiLength=S,L.numSunShadows=p,L.numDirectionalShadows=C,L.numPointShadows=A,L.numSpotShadows=_,L.numSpotMaps=T,L.numLightProbes=D,i.version=xE++)}function l(c,u){let h=0,f=0,d=0,p=0,y=0,g=0,m=u.matrixWorldInverse;for(let b=0,R=c.length;b<R;b++){let S=c[b];if(S.isSunLight){let C=i.sun[h];C.direction.setFromMatrixPosition(S.matrixWorld),C.direction.transformDirection(m),h++}else if(S.isDirectionalLight){let C=i.directional[f];C.direction.setFromMatrixPosition(S.matrixWorld),s.setFromMatrixPosition(S.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),f++}else if(S.isSpotLight){let C=i.spot[p];C.position.setFromMatrixPosition(S.matrixWorld),C.position.applyMatrix4(m),C.direction.setFromMatrixPosition(S.matrixWorld),s.setFromMatrixPosition(S.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(m),p++}else if(S.isRectAreaLight){let C=i.rectArea[y];C.position.setFromMatrixPosition(S.matrixWorld),C.position.applyMatrix4(m),o.identity(),r.copy(S.matrixWorld),r.premultiply(m),o.extractRotation(r),C.halfWidth.set(S.width*.5,0,0),C.halfHeight.set(0,S.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(S.isPointLight){let C=i.point[d];C.position.setFromMatrixPosition(S.matrixWorld),C.position.applyMatrix4(m),d++}else if(S.isHemisphereLight){let C=i.hemi[g];C.direction.setFromMatrixPosition(S.matrixWorld),C.direction.transformDirection(m),g++}}}return{setup:a,setupView:l,state:i}}function j0(n){let e=new yE(n),t=[],i=[],s=[];function r(h){u.camera=h,t.length=0,i.length=0,s.length=0}function o(h){h.isLightProbeGrid?s.push(h):t.push(h)}function a(h){i.push(h)}function l(){e.setup(t),s.sort((h,f)=>h.priority-f.priority||h.id-f.id)}function c(h){e.setupView(t,h)}let u={lightsArray:t,shadowsArray:i,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:u,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function bE(n){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?(a=new j0(n),e.set(s,[a])):r>=o.length?(a=new j0(n),o.push(a)):a=o[r],a}function i(){e=new WeakMap}return{get:t,dispose:i}}var SE=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,ME=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,wE=[new X(1,0,0),new X(-1,0,0),new X(0,1,0),new X(0,-1,0),new X(0,0,1),new X(0,0,-1)],EE=[new X(0,-1,0),new X(0,-1,0),new X(0,0,1),new X(0,0,-1),new X(0,-1,0),new X(0,-1,0)],Q0=new vt,Ba=new X,ff=new X;function TE(n,e,t){let i=new Es,s=new _t,r=new _t,o=new Wt,a=new xc,l=new vc,c={},u=t.maxTextureSize,h={[Ai]:kn,[kn]:Ai,[zn]:zn},f=new Ti({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new _t},radius:{value:4}},vertexShader:SE,fragmentShader:ME}),d=f.clone();d.defines.HORIZONTAL_PASS=1;let p=new Dn;p.setAttribute("position",new on(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new Ot(p,f),g=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Ra;let m=this.type;this.render=function(A,_,T){if(g.enabled===!1||g.autoUpdate===!1&&g.needsUpdate===!1||A.length===0)return;this.type===Yg&&($e("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=Ra);let U=n.getRenderTarget(),D=n.getActiveCubeFace(),L=n.getActiveMipmapLevel(),k=n.state;k.setBlending(vr),k.buffers.depth.getReversed()===!0?k.buffers.color.setClear(0,0,0,0):k.buffers.color.setClear(1,1,1,1),k.buffers.depth.setTest(!0),k.setScissorTest(!1);let z=m!==this.type;z&&_.traverse(function(N){N.material&&(Array.isArray(N.material)?N.material.forEach(G=>G.needsUpdate=!0):N.material.needsUpdate=!0)});for(let N=0,G=A.length;N<G;N++){let $=A[N],H=$.shadow;if(H===void 0){$e("WebGLShadowMap:",$,"has no shadow.");continue}if(H.autoUpdate===!1&&H.needsUpdate===!1)continue;s.copy(H.mapSize);let le=H.getFrameExtents();s.multiply(le),r.copy(H.mapSize),(s.x>u||s.y>u)&&(s.x>u&&(r.x=Math.floor(u/le.x),s.x=r.x*le.x,H.mapSize.x=r.x),s.y>u&&(r.y=Math.floor(u/le.y),s.y=r.y*le.y,H.mapSize.y=r.y));let Z=n.state.buffers.depth.getReversed();if(H.camera._reversedDepth=Z,H.map===null||z===!0){if(H.map!==null&&(H.map.depthTexture!==null&&(H.map.depthTexture.dispose(),H.map.depthTexture=null),H.map.dispose()),this.type===Mo){if($.isPointLight){$e("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}H.map=new pi(s.x,s.y,{format:er,type:Hi,minFilter:Bn,magFilter:Bn,generateMipmaps:!1}),H.map.texture.name=$.name+".shadowMap",H.map.depthTexture=new Ts(s.x,s.y,Vi),H.map.depthTexture.name=$.name+".shadowMapDepth",H.map.depthTexture.format=ws,H.map.depthTexture.compareFunction=null,H.map.depthTexture.minFilter=_n,H.map.depthTexture.magFilter=_n}else $.isPointLight?(H.map=new za(s.x),H.map.depthTexture=new Sa(s.x,zi)):(H.map=new pi(s.x,s.y),H.map.depthTexture=new Ts(s.x,s.y,zi)),H.map.depthTexture.name=$.name+".shadowMap",H.map.depthTexture.format=ws,this.type===Ra?(H.map.depthTexture.compareFunction=Z?tf:ef,H.map.depthTexture.minFilter=Bn,H.map.depthTexture.magFilter=Bn):(H.map.depthTexture.compareFunction=null,H.map.depthTexture.minFilter=_n,H.map.depthTexture.magFilter=_n);H.camera.updateProjectionMatrix()}H.map.isWebGLCubeRenderTarget!==!0&&(H.map.width!==s.x||H.map.height!==s.y)&&H.map.setSize(s.x,s.y);let Q=H.map.isWebGLCubeRenderTarget?6:H.getViewportCount();$.isPointLight!==!0&&H.updateMatrices($,T);let ie=(H.camera.layers.mask&4294967294)!==0?H.camera.layers:T.layers;for(let de=0;de<Q;de++){let he=H.getCamera(de);if($.isPointLight){let ee=H.camera,me=H.matrix,ge=$.distance||ee.far;ge!==ee.far&&(ee.far=ge,ee.updateProjectionMatrix()),Ba.setFromMatrixPosition($.matrixWorld),ee.position.copy(Ba),ff.copy(ee.position),ff.add(wE[de]),ee.up.copy(EE[de]),ee.lookAt(ff),ee.updateMatrixWorld(),me.makeTranslation(-Ba.x,-Ba.y,-Ba.z),Q0.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),H._frustum.setFromProjectionMatrix(Q0,ee.coordinateSystem,ee.reversedDepth)}if(H.map.isWebGLCubeRenderTarget)n.setRenderTarget(H.map,de),n.clear();else{de===0&&(n.setRenderTarget(H.map),n.clear());let ee=H.getViewport(de);o.set(r.x*ee.x,r.y*ee.y,r.x*ee.z,r.y*ee.w),k.viewport(o)}i=H.getFrustum(de),S(_,T,he,$,ie,this.type)}H.isPointLightShadow!==!0&&this.type===Mo&&b(H,T),H.needsUpdate=!1}m=this.type,g.needsUpdate=!1,n.setRenderTarget(U,D,L)};function b(A,_){let T=e.update(y);f.defines.VSM_SAMPLES!==A.blurSamples&&(f.defines.VSM_SAMPLES=A.blurSamples,d.defines.VSM_SAMPLES=A.blurSamples,f.needsUpdate=!0,d.needsUpdate=!0),A.mapPass===null?A.mapPass=new pi(s.x,s.y,{format:er,type:Hi}):(A.mapPass.width!==A.map.width||A.mapPass.height!==A.map.height)&&A.mapPass.setSize(A.map.width,A.map.height),f.uniforms.shadow_pass.value=A.map.depthTexture,f.uniforms.resolution.value.set(A.map.width,A.map.height),f.uniforms.radius.value=A.radius,n.setRenderTarget(A.mapPass),n.clear(),n.renderBufferDirect(_,null,T,f,y,null),d.uniforms.shadow_pass.value=A.mapPass.texture,d.uniforms.resolution.value.set(A.map.width,A.map.height),d.uniforms.radius.value=A.radius,n.setRenderTarget(A.map),n.clear(),n.renderBufferDirect(_,null,T,d,y,null)}function R(A,_,T,U){let D=null,L=T.isPointLight===!0?A.customDistanceMaterial:A.customDepthMaterial;if(L!==void 0)D=L;else if(D=T.isPointLight===!0?l:a,n.localClippingEnabled&&_.clipShadows===!0&&Array.isArray(_.clippingPlanes)&&_.clippingPlanes.length!==0||_.displacementMap&&_.displacementScale!==0||_.alphaMap&&_.alphaTest>0||_.map&&_.alphaTest>0||_.alphaToCoverage===!0){let k=D.uuid,z=_.uuid,N=c[k];N===void 0&&(N={},c[k]=N);let G=N[z];G===void 0&&(G=D.clone(),N[z]=G,_.addEventListener("dispose",C)),D=G}if(D.visible=_.visible,D.wireframe=_.wireframe,U===Mo?D.side=_.shadowSide!==null?_.shadowSide:_.side:D.side=_.shadowSide!==null?_.shadowSide:h[_.side],D.alphaMap=_.alphaMap,D.alphaTest=_.alphaToCoverage===!0?.5:_.alphaTest,D.map=_.map,D.clipShadows=_.clipShadows,D.clippingPlanes=_.clippingPlanes,D.clipIntersection=_.clipIntersection,D.displacementMap=_.displacementMap,D.displacementScale=_.displacementScale,D.displacementBias=_.displacementBias,D.wireframeLinewidth=_.wireframeLinewidth,D.linewidth=_.linewidth,T.isPointLight===!0&&D.isMeshDistanceMaterial===!0){let k=n.properties.get(D);k.light=T}return D}function S(A,_,T,U,D,L){if(A.visible===!1)return;if(A.layers.test(D)&&(A.isMesh||A.isLine||A.isPoints)&&(A.castShadow||A.receiveShadow&&L===Mo)&&(!A.frustumCulled||A.intersectsFrustum(i))){A.modelViewMatrix.multiplyMatrices(T.matrixWorldInverse,A.matrixWorld);let N=e.update(A),G=A.material;if(Array.isArray(G)){let $=N.groups;for(let H=0,le=$.length;H<le;H++){let Z=$[H],Q=G[Z.materialIndex];if(Q&&Q.visible){let ie=R(A,Q,U,L);A.onBeforeShadow(n,A,_,T,N,ie,Z),n.renderBufferDirect(T,null,N,ie,A,Z),A.onAfterShadow(n,A,_,T,N,ie,Z)}}}else if(G.visible){let $=R(A,G,U,L);A.onBeforeShadow(n,A,_,T,N,$,null),n.renderBufferDirect(T,null,N,$,A,null),A.onAfterShadow(n,A,_,T,N,$,null)}}let z=A.children;for(let N=0,G=z.length;N<G;N++)S(z[N],_,T,U,D,L)}function C(A){A.target.removeEventListener("dispose",C);for(let T in c){let U=c[T],D=A.target.uuid;D in U&&(U[D].dispose(),delete U[D])}}}function AE(n,e){function t(){let O=!1,re=new Wt,ne=null,Ee=new Wt(0,0,0,0);return{setMask:function(_e){ne!==_e&&!O&&(n.colorMask(_e,_e,_e,_e),ne=_e)},setLocked:function(_e){O=_e},setClear:function(_e,Se,Ge,Ze,ce){ce===!0&&(_e*=Ze,Se*=Ze,Ge*=Ze),re.set(_e,Se,Ge,Ze),Ee.equals(re)===!1&&(n.clearColor(_e,Se,Ge,Ze),Ee.copy(re))},reset:function(){O=!1,ne=null,Ee.set(-1,0,0,0)}}}function i(){let O=!1,re=!1,ne=null,Ee=null,_e=null;return{setReversed:function(Se){if(re!==Se){let Ge=e.get("EXT_clip_control");Se?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),re=Se;let Ze=_e;_e=null,this.setClear(Ze)}},getReversed:function(){return re},setTest:function(Se){Se?ve(n.DEPTH_TEST):He(n.DEPTH_TEST)},setMask:function(Se){ne!==Se&&!O&&(n.depthMask(Se),ne=Se)},setFunc:function(Se){if(re&&(Se=A0[Se]),Ee!==Se){switch(Se){case tc:n.depthFunc(n.NEVER);break;case nc:n.depthFunc(n.ALWAYS);break;case ic:n.depthFunc(n.LESS);break;case uo:n.depthFunc(n.LEQUAL);break;case sc:n.depthFunc(n.EQUAL);break;case rc:n.depthFunc(n.GEQUAL);break;case ho:n.depthFunc(n.GREATER);break;case oc:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}Ee=Se}},setLocked:function(Se){O=Se},setClear:function(Se){_e!==Se&&(_e=Se,re&&(Se=1-Se),n.clearDepth(Se))},reset:function(){O=!1,ne=null,Ee=null,_e=null,re=!1}}}function s(){let O=!1,re=null,ne=null,Ee=null,_e=null,Se=null,Ge=null,Ze=null,ce=null;return{setTest:function(Be){O||(Be?ve(n.STENCIL_TEST):He(n.STENCIL_TEST))},setMask:function(Be){re!==Be&&!O&&(n.stencilMask(Be),re=Be)},setFunc:function(Be,Ke,Re){(ne!==Be||Ee!==Ke||_e!==Re)&&(n.stencilFunc(Be,Ke,Re),ne=Be,Ee=Ke,_e=Re)},setOp:function(Be,Ke,Re){(Se!==Be||Ge!==Ke||Ze!==Re)&&(n.stencilOp(Be,Ke,Re),Se=Be,Ge=Ke,Ze=Re)},setLocked:function(Be){O=Be},setClear:function(Be){ce!==Be&&(n.clearStencil(Be),ce=Be)},reset:function(){O=!1,re=null,ne=null,Ee=null,_e=null,Se=null,Ge=null,Ze=null,ce=null}}}let r=new t,o=new i,a=new s,l={},c=new WeakMap,u={},h={},f={},d=new WeakMap,p=[],y=null,g=!1,m=null,b=null,R=null,S=null,C=null,A=null,_=null,T=new rt(0,0,0),U=0,D=!1,L=null,k=null,z=null,N=null,G=null,$=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS),H=!1,le=0,Z=n.getParameter(n.VERSION);Z.indexOf("WebGL")!==-1?(le=parseFloat(/^WebGL (\d)/.exec(Z)[1]),H=le>=1):Z.indexOf("OpenGL ES")!==-1&&(le=parseFloat(/^OpenGL ES (\d)/.exec(Z)[1]),H=le>=2);let Q=null,ie={},de=n.getParameter(n.SCISSOR_BOX),he=n.getParameter(n.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(he);function ge(O,re,ne,Ee){let _e=new Uint8Array(4),Se=n.createTexture();n.bindTexture(O,Se),n.texParameteri(O,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(O,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let Ge=0;Ge<ne;Ge++)O===n.TEXTURE_3D||O===n.TEXTURE_2D_ARRAY?n.texImage3D(re,0,n.RGBA,1,1,Ee,0,n.RGBA,n.UNSIGNED_BYTE,_e):n.texImage2D(re+Ge,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,_e);return Se}let Me={};Me[n.TEXTURE_2D]=ge(n.TEXTURE_2D,n.TEXTURE_2D,1),Me[n.TEXTURE_CUBE_MAP]=ge(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),Me[n.TEXTURE_2D_ARRAY]=ge(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),Me[n.TEXTURE_3D]=ge(n.TEXTURE_3D,n.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),ve(n.DEPTH_TEST),o.setFunc(uo),an(!1),Pt(Rd),ve(n.CULL_FACE),Xt(vr);function ve(O){u[O]!==!0&&(n.enable(O),u[O]=!0)}function He(O){u[O]!==!1&&(n.disable(O),u[O]=!1)}function Je(O,re){return f[O]!==re?(n.bindFramebuffer(O,re),f[O]=re,O===n.DRAW_FRAMEBUFFER&&(f[n.FRAMEBUFFER]=re),O===n.FRAMEBUFFER&&(f[n.DRAW_FRAMEBUFFER]=re),!0):!1}function Oe(O,re){let ne=p,Ee=!1;if(O){ne=d.get(re),ne===void 0&&(ne=[],d.set(re,ne));let _e=O.textures;if(ne.length!==_e.length||ne[0]!==n.COLOR_ATTACHMENT0){for(let Se=0,Ge=_e.length;Se<Ge;Se++)ne[Se]=n.COLOR_ATTACHMENT0+Se;ne.length=_e.length,Ee=!0}}else ne[0]!==n.BACK&&(ne[0]=n.BACK,Ee=!0);Ee&&n.drawBuffers(ne)}function ct(O){return y!==O?(n.useProgram(O),y=O,!0):!1}let ot={[yr]:n.FUNC_ADD,[Zg]:n.FUNC_SUBTRACT,[Kg]:n.FUNC_REVERSE_SUBTRACT};ot[jg]=n.MIN,ot[Qg]=n.MAX;let tt={[e0]:n.ZERO,[t0]:n.ONE,[n0]:n.SRC_COLOR,[Ld]:n.SRC_ALPHA,[l0]:n.SRC_ALPHA_SATURATE,[o0]:n.DST_COLOR,[s0]:n.DST_ALPHA,[i0]:n.ONE_MINUS_SRC_COLOR,[Dd]:n.ONE_MINUS_SRC_ALPHA,[a0]:n.ONE_MINUS_DST_COLOR,[r0]:n.ONE_MINUS_DST_ALPHA,[c0]:n.CONSTANT_COLOR,[u0]:n.ONE_MINUS_CONSTANT_COLOR,[h0]:n.CONSTANT_ALPHA,[d0]:n.ONE_MINUS_CONSTANT_ALPHA};function Xt(O,re,ne,Ee,_e,Se,Ge,Ze,ce,Be){if(O===vr){g===!0&&(He(n.BLEND),g=!1);return}if(g===!1&&(ve(n.BLEND),g=!0),O!==Jg){if(O!==m||Be!==D){if((b!==yr||C!==yr)&&(n.blendEquation(n.FUNC_ADD),b=yr,C=yr),Be)switch(O){case wo:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Cd:n.blendFunc(n.ONE,n.ONE);break;case Pd:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case Id:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:Qe("WebGLState: Invalid blending: ",O);break}else switch(O){case wo:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Cd:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case Pd:Qe("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Id:Qe("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:Qe("WebGLState: Invalid blending: ",O);break}R=null,S=null,A=null,_=null,T.set(0,0,0),U=0,m=O,D=Be}return}_e=_e||re,Se=Se||ne,Ge=Ge||Ee,(re!==b||_e!==C)&&(n.blendEquationSeparate(ot[re],ot[_e]),b=re,C=_e),(ne!==R||Ee!==S||Se!==A||Ge!==_)&&(n.blendFuncSeparate(tt[ne],tt[Ee],tt[Se],tt[Ge]),R=ne,S=Ee,A=Se,_=Ge),(Ze.equals(T)===!1||ce!==U)&&(n.blendColor(Ze.r,Ze.g,Ze.b,ce),T.copy(Ze),U=ce),m=O,D=!1}function Ft(O,re){O.side===zn?He(n.CULL_FACE):ve(n.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),an(ne),O.blending===wo&&O.transparent===!1?Xt(vr):Xt(O.blending,O.blendEquation,O.blendSrc,O.blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(O.depthWrite),r.setMask(O.colorWrite);let Ee=O.stencilWrite;a.setTest(Ee),Ee&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),xt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?ve(n.SAMPLE_ALPHA_TO_COVERAGE):He(n.SAMPLE_ALPHA_TO_COVERAGE)}function an(O){L!==O&&(O?n.frontFace(n.CW):n.frontFace(n.CCW),L=O)}function Pt(O){O!==qg?(ve(n.CULL_FACE),O!==k&&(O===Rd?n.cullFace(n.BACK):O===$g?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):He(n.CULL_FACE),k=O}function An(O){O!==z&&(H&&n.lineWidth(O),z=O)}function xt(O,re,ne){O?(ve(n.POLYGON_OFFSET_FILL),(N!==re||G!==ne)&&(N=re,G=ne,o.getReversed()&&(re=-re,ne=-ne),n.polygonOffset(re,ne))):He(n.POLYGON_OFFSET_FILL)}function vn(O){O?ve(n.SCISSOR_TEST):He(n.SCISSOR_TEST)}function Jt(O){O===void 0&&(O=n.TEXTURE0+$-1),Q!==O&&(n.activeTexture(O),Q=O)}function ln(O,re,ne){ne===void 0&&(Q===null?ne=n.TEXTURE0+$-1:ne=Q);let Ee=ie[ne];Ee===void 0&&(Ee={type:void 0,texture:void 0},ie[ne]=Ee),(Ee.type!==O||Ee.texture!==re)&&(Q!==ne&&(n.activeTexture(ne),Q=ne),n.bindTexture(O,re||Me[O]),Ee.type=O,Ee.texture=re)}function B(){let O=ie[Q];O!==void 0&&O.type!==void 0&&(n.bindTexture(O.type,null),O.type=void 0,O.texture=void 0)}function Ce(){try{n.compressedTexImage2D(...arguments)}catch(O){Qe("WebGLState:",O)}}function qe(){try{n.compressedTexImage3D(...arguments)}catch(O){Qe("WebGLState:",O)}}function it(){try{n.texSubImage2D(...arguments)}catch(O){Qe("WebGLState:",O)}}function we(){try{n.texSubImage3D(...arguments)}catch(O){Qe("WebGLState:",O)}}function Lt(){try{n.compressedTexSubImage2D(...arguments)}catch(O){Qe("WebGLState:",O)}}function Ve(){try{n.compressedTexSubImage3D(...arguments)}catch(O){Qe("WebGLState:",O)}}function Xe(){try{n.texStorage2D(...arguments)}catch(O){Qe("WebGLState:",O)}}function P(){try{n.texStorage3D(...arguments)}catch(O){Qe("WebGLState:",O)}}function M(){try{n.texImage2D(...arguments)}catch(O){Qe("WebGLState:",O)}}function q(){try{n.texImage3D(...arguments)}catch(O){Qe("WebGLState:",O)}}function ue(O){return h[O]!==void 0?h[O]:n.getParameter(O)}function oe(O,re){h[O]!==re&&(n.pixelStorei(O,re),h[O]=re)}function xe(O){ee.equals(O)===!1&&(n.scissor(O.x,O.y,O.z,O.w),ee.copy(O))}function ye(O){me.equals(O)===!1&&(n.viewport(O.x,O.y,O.z,O.w),me.copy(O))}function te(O,re){let ne=c.get(re);ne===void 0&&(ne=new WeakMap,c.set(re,ne));let Ee=ne.get(O);Ee===void 0&&(Ee=n.getUniformBlockIndex(re,O.name),n.uniformBlockBinding(re,Ee,Ee),ne.set(O,Ee))}function se(O,re,ne){let _e=c.get(re).get(O);l[_e]!==ne&&(n.bindBufferBase(n.UNIFORM_BUFFER,_e,ne),l[_e]=ne)}function pe(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),o.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),u={},h={},Q=null,ie={},f={},l={},d=new WeakMap,p=[],y=null,g=!1,m=null,b=null,R=null,S=null,C=null,A=null,_=null,T=new rt(0,0,0),U=0,D=!1,L=null,k=null,z=null,N=null,G=null,ee.set(0,0,n.canvas.width,n.canvas.height),me.set(0,0,n.canvas.width,n.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:ve,disable:He,bindFramebuffer:Je,drawBuffers:Oe,useProgram:ct,setBlending:Xt,setMaterial:Ft,setFlipSided:an,setCullFace:Pt,setLineWidth:An,setPolygonOffset:xt,setScissorTest:vn,activeTexture:Jt,bindTexture:ln,unbindTexture:B,compressedTexImage2D:Ce,compressedTexImage3D:qe,texImage2D:M,texImage3D:q,pixelStorei:oe,getParameter:ue,updateUBOMapping:te,uniformBlockBinding:se,texStorage2D:Xe,texStorage3D:P,texSubImage2D:it,texSubImage3D:we,compressedTexSubImage2D:Lt,compressedTexSubImage3D:Ve,scissor:xe,viewport:ye,reset:pe}}function RE(n,e,t,i,s,r,o){let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new _t,u=new WeakMap,h=new Set,f,d=new WeakMap,p=new Set,y=new FinalizationRegistry(P=>p.delete(P)),g=!1;try{g=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function m(P,M){return g?new OffscreenCanvas(P,M):da("canvas")}function b(P,M,q){let ue=1,oe=Xe(P);if((oe.width>q||oe.height>q)&&(ue=q/Math.max(oe.width,oe.height)),ue<1)if(typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&P instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&P instanceof ImageBitmap||typeof VideoFrame<"u"&&P instanceof VideoFrame){let xe=Math.floor(ue*oe.width),ye=Math.floor(ue*oe.height);f===void 0&&(f=m(xe,ye));let te=M?m(xe,ye):f;return te.width=xe,te.height=ye,te.getContext("2d").drawImage(P,0,0,xe,ye),$e("WebGLRenderer: Texture has been resized from ("+oe.width+"x"+oe.height+") to ("+xe+"x"+ye+")."),te}else return"data"in P&&$e("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+")."),P;return P}function R(P){return P.generateMipmaps}function S(P){n.generateMipmap(P)}function C(P){return P.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:P.isWebGL3DRenderTarget?n.TEXTURE_3D:P.isWebGLArrayRenderTarget||P.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function A(P,M,q,ue,oe,xe=!1){if(P!==null){if(n[P]!==void 0)return n[P];$e("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+P+"'")}let ye;ue&&(ye=e.get("EXT_texture_norm16"),ye||$e("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let te=M;if(M===n.RED&&(q===n.FLOAT&&(te=n.R32F),q===n.HALF_FLOAT&&(te=n.R16F),q===n.UNSIGNED_BYTE&&(te=n.R8),q===n.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),q===n.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),M===n.RED_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.R8UI),q===n.UNSIGNED_SHORT&&(te=n.R16UI),q===n.UNSIGNED_INT&&(te=n.R32UI),q===n.BYTE&&(te=n.R8I),q===n.SHORT&&(te=n.R16I),q===n.INT&&(te=n.R32I)),M===n.RG&&(q===n.FLOAT&&(te=n.RG32F),q===n.HALF_FLOAT&&(te=n.RG16F),q===n.UNSIGNED_BYTE&&(te=n.RG8),q===n.UNSIGNED_SHORT&&ye&&(te=ye.RG16_EXT),q===n.SHORT&&ye&&(te=ye.RG16_SNORM_EXT)),M===n.RG_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.RG8UI),q===n.UNSIGNED_SHORT&&(te=n.RG16UI),q===n.UNSIGNED_INT&&(te=n.RG32UI),q===n.BYTE&&(te=n.RG8I),q===n.SHORT&&(te=n.RG16I),q===n.INT&&(te=n.RG32I)),M===n.RGB_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.RGB8UI),q===n.UNSIGNED_SHORT&&(te=n.RGB16UI),q===n.UNSIGNED_INT&&(te=n.RGB32UI),q===n.BYTE&&(te=n.RGB8I),q===n.SHORT&&(te=n.RGB16I),q===n.INT&&(te=n.RGB32I)),M===n.RGBA_INTEGER&&(q===n.UNSIGNED_BYTE&&(te=n.RGBA8UI),q===n.UNSIGNED_SHORT&&(te=n.RGBA16UI),q===n.UNSIGNED_INT&&(te=n.RGBA32UI),q===n.BYTE&&(te=n.RGBA8I),q===n.SHORT&&(te=n.RGBA16I),q===n.INT&&(te=n.RGBA32I)),M===n.RGB&&(q===n.UNSIGNED_SHORT&&ye&&(te=ye.RGB16_EXT),q===n.SHORT&&ye&&(te=ye.RGB16_SNORM_EXT),q===n.UNSIGNED_INT_5_9_9_9_REV&&(te=n.RGB9_E5),q===n.UNSIGNED_INT_10F_11F_11F_REV&&(te=n.R11F_G11F_B10F)),M===n.RGBA){let se=xe?ua:mt.getTransfer(oe);q===n.FLOAT&&(te=n.RGBA32F),q===n.HALF_FLOAT&&(te=n.RGBA16F),q===n.UNSIGNED_BYTE&&(te=se===Et?n.SRGB8_ALPHA8:n.RGBA8),q===n.UNSIGNED_SHORT&&ye&&(te=ye.RGBA16_EXT),q===n.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),q===n.UNSIGNED_SHORT_4_4_4_4&&(te=n.RGBA4),q===n.UNSIGNED_SHORT_5_5_5_1&&(te=n.RGB5_A1)}return(te===n.R16F||te===n.R32F||te===n.RG16F||te===n.RG32F||te===n.RGBA16F||te===n.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function _(P,M){let q;return P?M===null||M===zi||M===Sr?q=n.DEPTH24_STENCIL8:M===Vi?q=n.DEPTH32F_STENCIL8:M===To&&(q=n.DEPTH24_STENCIL8,$e("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):M===null||M===zi||M===Sr?q=n.DEPTH_COMPONENT24:M===Vi?q=n.DEPTH_COMPONENT32F:M===To&&(q=n.DEPTH_COMPONENT16),q}function T(P,M){return R(P)===!0||P.isFramebufferTexture&&P.minFilter!==_n&&P.minFilter!==Bn?Math.log2(Math.max(M.width,M.height))+1:P.mipmaps.length>0?P.mipmaps.length:P.isCompressedTexture&&Array.isArray(P.image)?M.mipmaps.length:1}function U(P){let M=new WeakRef(P);i.get(P).__ref=M,p.add(M),y.register(P,M,M)}function D(P){let M=i.get(P).__ref;M!==void 0&&(p.delete(M),y.unregister(M))}function L(P){z(P.target)}function k(P){N(P.target)}function z(P){P.removeEventListener("dispose",L),D(P),$(P),P.isVideoTexture&&u.delete(P),P.isHTMLTexture&&h.delete(P)}function N(P){P.removeEventListener("dispose",k),D(P),le(P)}function G(){for(let P of p){let M=P.deref();M!==void 0&&(M.isRenderTarget===!0?N(M):z(M))}p.clear(),h.clear()}function $(P){let M=i.get(P);if(M.__webglInit===void 0)return;let q=P.source,ue=d.get(q);if(ue){let oe=ue[M.__cacheKey];oe.usedTimes--,oe.usedTimes===0&&H(P),Object.keys(ue).length===0&&d.delete(q)}i.remove(P)}function H(P){let M=i.get(P);n.deleteTexture(M.__webglTexture);let q=P.source,ue=d.get(q);delete ue[M.__cacheKey],o.memory.textures--}function le(P){let M=i.get(P);M.__depthDisposeCallback&&M.__depthDisposeCallback();let q=P.depthTexture;if(q&&q.renderTarget===P&&z(q),P.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(M.__webglFramebuffer[oe]))for(let xe=0;xe<M.__webglFramebuffer[oe].length;xe++)n.deleteFramebuffer(M.__webglFramebuffer[oe][xe]);else n.deleteFramebuffer(M.__webglFramebuffer[oe]);M.__webglDepthbuffer&&n.deleteRenderbuffer(M.__webglDepthbuffer[oe])}else{if(Array.isArray(M.__webglFramebuffer))for(let oe=0;oe<M.__webglFramebuffer.length;oe++)n.deleteFramebuffer(M.__webglFramebuffer[oe]);else n.deleteFramebuffer(M.__webglFramebuffer);if(M.__webglDepthbuffer&&n.deleteRenderbuffer(M.__webglDepthbuffer),M.__webglMultisampledFramebuffer&&n.deleteFramebuffer(M.__webglMultisampledFramebuffer),M.__webglColorRenderbuffer)for(let oe=0;oe<M.__webglColorRenderbuffer.length;oe++)M.__webglColorRenderbuffer[oe]&&n.deleteRenderbuffer(M.__webglColorRenderbuffer[oe]);M.__webglDepthRenderbuffer&&n.deleteRenderbuffer(M.__webglDepthRenderbuffer)}let ue=P.textures;for(let oe=0,xe=ue.length;oe<xe;oe++){let ye=i.get(ue[oe]);ye.__webglTexture&&(n.deleteTexture(ye.__webglTexture),o.memory.textures--),i.remove(ue[oe])}i.remove(P)}let Z=0;function Q(){Z=0}function ie(){return Z}function de(P){Z=P}function he(){let P=Z;return P>=s.maxTextures&&$e("WebGLTextures: Trying to use "+(P+1)+" texture units while this GPU supports only "+s.maxTextures),Z+=1,P}function ee(P){let M=[];return M.push(P.wrapS),M.push(P.wrapT),M.push(P.wrapR||0),M.push(P.magFilter),M.push(P.minFilter),M.push(P.anisotropy),M.push(P.internalFormat),M.push(P.format),M.push(P.type),M.push(P.generateMipmaps),M.push(P.mipmapsAutoUpdate),M.push(P.premultiplyAlpha),M.push(P.flipY),M.push(P.unpackAlignment),M.push(P.colorSpace),M.join()}function me(P,M){let q=i.get(P);if(P.isVideoTexture&&Lt(P),P.isRenderTargetTexture===!1&&P.isExternalTexture!==!0&&P.version>0&&q.__version!==P.version){let ue=P.image;if(ue===null)$e("WebGLRenderer: Texture marked for update but no image data found.");else if(ue.complete===!1)$e("WebGLRenderer: Texture marked for update but image is incomplete");else{Ft(q,P,M);return}}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(n.TEXTURE_2D,q.__webglTexture,n.TEXTURE0+M)}function ge(P,M){let q=i.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){Ft(q,P,M);return}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(n.TEXTURE_2D_ARRAY,q.__webglTexture,n.TEXTURE0+M)}function Me(P,M){let q=i.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){Ft(q,P,M);return}t.bindTexture(n.TEXTURE_3D,q.__webglTexture,n.TEXTURE0+M)}function ve(P,M){let q=i.get(P);if(P.version>0&&q.__version!==P.version){an(q,P,M);return}t.bindTexture(n.TEXTURE_CUBE_MAP,q.__webglTexture,n.TEXTURE0+M)}let He={[ac]:n.REPEAT,[ns]:n.CLAMP_TO_EDGE,[lc]:n.MIRRORED_REPEAT},Je={[_n]:n.NEAREST,[m0]:n.NEAREST_MIPMAP_NEAREST,[Ca]:n.NEAREST_MIPMAP_LINEAR,[Bn]:n.LINEAR,[Dc]:n.LINEAR_MIPMAP_NEAREST,[As]:n.LINEAR_MIPMAP_LINEAR},Oe={[x0]:n.NEVER,[nf]:n.ALWAYS,[v0]:n.LESS,[ef]:n.LEQUAL,[y0]:n.EQUAL,[tf]:n.GEQUAL,[b0]:n.GREATER,[S0]:n.NOTEQUAL};function ct(P,M){if(M.type===Vi&&e.has("OES_texture_float_linear")===!1&&(M.magFilter===Bn||M.magFilter===Dc||M.magFilter===Ca||M.magFilter===As||M.minFilter===Bn||M.minFilter===Dc||M.minFilter===Ca||M.minFilter===As)&&$e("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(P,n.TEXTURE_WRAP_S,He[M.wrapS]),n.texParameteri(P,n.TEXTURE_WRAP_T,He[M.wrapT]),(P===n.TEXTURE_3D||P===n.TEXTURE_2D_ARRAY)&&n.texParameteri(P,n.TEXTURE_WRAP_R,He[M.wrapR]),n.texParameteri(P,n.TEXTURE_MAG_FILTER,Je[M.magFilter]),n.texParameteri(P,n.TEXTURE_MIN_FILTER,Je[M.minFilter]),M.compareFunction&&(n.texParameteri(P,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(P,n.TEXTURE_COMPARE_FUNC,Oe[M.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(M.magFilter===_n||M.minFilter!==Ca&&M.minFilter!==As||M.type===Vi&&e.has("OES_texture_float_linear")===!1)return;if(M.anisotropy>1||i.get(M).__currentAnisotropy){let q=e.get("EXT_texture_filter_anisotropic");n.texParameterf(P,q.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(M.anisotropy,s.getMaxAnisotropy())),i.get(M).__currentAnisotropy=M.anisotropy}}}function ot(P,M){let q=!1;P.__webglInit===void 0&&(P.__webglInit=!0,M.addEventListener("dispose",L),U(M));let ue=M.source,oe=d.get(ue);oe===void 0&&(oe={},d.set(ue,oe));let xe=ee(M);if(xe!==P.__cacheKey){oe[xe]===void 0&&(oe[xe]={texture:n.createTexture(),usedTimes:0},o.memory.textures++,q=!0),oe[xe].usedTimes++;let ye=oe[P.__cacheKey];ye!==void 0&&(oe[P.__cacheKey].usedTimes--,ye.usedTimes===0&&H(M)),P.__cacheKey=xe,P.__webglTexture=oe[xe].texture}return q}function tt(P,M,q){return Math.floor(Math.floor(P/q)/M)}function Xt(P,M,q,ue){let xe=P.updateRanges;if(xe.length===0)t.texSubImage2D(n.TEXTURE_2D,0,0,0,M.width,M.height,q,ue,M.data);else{xe.sort((O,re)=>O.start-re.start);let ye=0;for(let O=1;O<xe.length;O++){let re=xe[ye],ne=xe[O],Ee=re.start+re.count,_e=tt(ne.start,M.width,4),Se=tt(re.start,M.width,4);ne.start<=Ee+1&&_e===Se&&tt(ne.start+ne.count-1,M.width,4)===_e?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++ye,xe[ye]=ne)}xe.length=ye+1;let te=t.getParameter(n.UNPACK_ROW_LENGTH),se=t.getParameter(n.UNPACK_SKIP_PIXELS),pe=t.getParameter(n.UNPACK_SKIP_ROWS);t.pixelStorei(n.UNPACK_ROW_LENGTH,M.width);for(let O=0,re=xe.length;O<re;O++){let ne=xe[O],Ee=Math.floor(ne.start/4),_e=Math.ceil(ne.count/4),Se=Ee%M.width,Ge=Math.floor(Ee/M.width),Ze=_e,ce=1;t.pixelStorei(n.UNPACK_SKIP_PIXELS,Se),t.pixelStorei(n.UNPACK_SKIP_ROWS,Ge),t.texSubImage2D(n.TEXTURE_2D,0,Se,Ge,Ze,ce,q,ue,M.data)}P.clearUpdateRanges(),t.pixelStorei(n.UNPACK_ROW_LENGTH,te),t.pixelStorei(n.UNPACK_SKIP_PIXELS,se),t.pixelStorei(n.UNPACK_SKIP_ROWS,pe)}}function Ft(P,M,q){let ue=n.TEXTURE_2D;(M.isDataArrayTexture||M.isCompressedArrayTexture)&&(ue=n.TEXTURE_2D_ARRAY),M.isData3DTexture&&(ue=n.TEXTURE_3D);let oe=ot(P,M),xe=M.source;t.bindTexture(ue,P.__webglTexture,n.TEXTURE0+q);let ye=i.get(xe);if(xe.version!==ye.__version||oe===!0){if(t.activeTexture(n.TEXTURE0+q),(typeof ImageBitmap<"u"&&M.image instanceof ImageBitmap)===!1){let ce=mt.getPrimaries(mt.workingColorSpace),Be=M.colorSpace===Cs?null:mt.getPrimaries(M.colorSpace),Ke=M.colorSpace===Cs||ce===Be?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,M.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,M.premultiplyAlpha),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,Ke)}t.pixelStorei(n.UNPACK_ALIGNMENT,M.unpackAlignment);let se=b(M.image,!1,s.maxTextureSize);se=Ve(M,se);let pe=r.convert(M.format,M.colorSpace),O=r.convert(M.type),re=A(M.internalFormat,pe,O,M.normalized,M.colorSpace,M.isVideoTexture);ct(ue,M);let ne,Ee=M.mipmaps,_e=M.isVideoTexture!==!0,Se=ye.__version===void 0||oe===!0,Ge=xe.dataReady,Ze=T(M,se);if(M.isDepthTexture)re=_(M.format===Rs,M.type),Se&&(_e?t.texStorage2D(n.TEXTURE_2D,1,re,se.width,se.height):t.texImage2D(n.TEXTURE_2D,0,re,se.width,se.height,0,pe,O,null));else if(M.isDataTexture)if(Ee.length>0){_e&&Se&&t.texStorage2D(n.TEXTURE_2D,Ze,re,Ee[0].width,Ee[0].height);for(let ce=0,Be=Ee.length;ce<Be;ce++)ne=Ee[ce],_e?Ge&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,O,ne.data):t.texImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,pe,O,ne.data);M.generateMipmaps=!1}else _e?(Se&&t.texStorage2D(n.TEXTURE_2D,Ze,re,se.width,se.height),Ge&&Xt(M,se,pe,O)):t.texImage2D(n.TEXTURE_2D,0,re,se.width,se.height,0,pe,O,se.data);else if(M.isCompressedTexture)if(M.isCompressedArrayTexture){_e&&Se&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Ze,re,Ee[0].width,Ee[0].height,se.depth);for(let ce=0,Be=Ee.length;ce<Be;ce++)if(ne=Ee[ce],M.format!==xi)if(pe!==null)if(_e){if(Ge)if(M.layerUpdates.size>0){let Ke=hf(ne.width,ne.height,M.format,M.type);for(let Re of M.layerUpdates){let st=ne.data.subarray(Re*Ke/ne.data.BYTES_PER_ELEMENT,(Re+1)*Ke/ne.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,Re,ne.width,ne.height,1,pe,st)}}else t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,se.depth,pe,ne.data)}else t.compressedTexImage3D(n.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,se.depth,0,ne.data,0,0);else $e("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else _e?Ge&&t.texSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ne.width,ne.height,se.depth,pe,O,ne.data):t.texImage3D(n.TEXTURE_2D_ARRAY,ce,re,ne.width,ne.height,se.depth,0,pe,O,ne.data);M.layerUpdates.size>0&&M.clearLayerUpdates()}else{_e&&Se&&t.texStorage2D(n.TEXTURE_2D,Ze,re,Ee[0].width,Ee[0].height);for(let ce=0,Be=Ee.length;ce<Be;ce++)ne=Ee[ce],M.format!==xi?pe!==null?_e?Ge&&t.compressedTexSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,ne.data):t.compressedTexImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,ne.data):$e("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):_e?Ge&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ne.width,ne.height,pe,O,ne.data):t.texImage2D(n.TEXTURE_2D,ce,re,ne.width,ne.height,0,pe,O,ne.data)}else if(M.isDataArrayTexture)if(_e){if(Se&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Ze,re,se.width,se.height,se.depth),Ge)if(M.layerUpdates.size>0){let ce=hf(se.width,se.height,M.format,M.type);for(let Be of M.layerUpdates){let Ke=se.data.subarray(Be*ce/se.data.BYTES_PER_ELEMENT,(Be+1)*ce/se.data.BYTES_PER_ELEMENT);t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,Be,se.width,se.height,1,pe,O,Ke)}M.clearLayerUpdates()}else t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,se.width,se.height,se.depth,pe,O,se.data)}else t.texImage3D(n.TEXTURE_2D_ARRAY,0,re,se.width,se.height,se.depth,0,pe,O,se.data);else if(M.isData3DTexture)_e?(Se&&t.texStorage3D(n.TEXTURE_3D,Ze,re,se.width,se.height,se.depth),Ge&&t.texSubImage3D(n.TEXTURE_3D,0,0,0,0,se.width,se.height,se.depth,pe,O,se.data)):t.texImage3D(n.TEXTURE_3D,0,re,se.width,se.height,se.depth,0,pe,O,se.data);else if(M.isFramebufferTexture){if(Se)if(_e)t.texStorage2D(n.TEXTURE_2D,Ze,re,se.width,se.height);else{let ce=se.width,Be=se.height;for(let Ke=0;Ke<Ze;Ke++)t.texImage2D(n.TEXTURE_2D,Ke,re,ce,Be,0,pe,O,null),ce>>=1,Be>>=1}}else if(M.isHTMLTexture){if("texElementImage2D"in n){let ce=n.canvas;if(ce.hasAttribute("layoutsubtree")||ce.setAttribute("layoutsubtree","true"),se.parentNode!==ce){ce.appendChild(se),h.add(M),ce.onpaint=Be=>{let Ke=Be.changedElements;for(let Re of h)Ke.includes(Re.image)&&(Re.needsUpdate=!0)},ce.requestPaint();return}if(n.texElementImage2D.length===3)n.texElementImage2D(n.TEXTURE_2D,n.RGBA8,se);else{let Ke=n.RGBA,Re=n.RGBA,st=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,0,Ke,Re,st,se)}n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(Ee.length>0){if(_e&&Se){let ce=Xe(Ee[0]);t.texStorage2D(n.TEXTURE_2D,Ze,re,ce.width,ce.height)}for(let ce=0,Be=Ee.length;ce<Be;ce++)ne=Ee[ce],_e?Ge&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,pe,O,ne):t.texImage2D(n.TEXTURE_2D,ce,re,pe,O,ne);M.generateMipmaps=!1}else if(_e){if(Se){let ce=Xe(se);t.texStorage2D(n.TEXTURE_2D,Ze,re,ce.width,ce.height)}Ge&&t.texSubImage2D(n.TEXTURE_2D,0,0,0,pe,O,se)}else t.texImage2D(n.TEXTURE_2D,0,re,pe,O,se);R(M)&&M.mipmapsAutoUpdate===!0&&S(ue),ye.__version=xe.version,M.onUpdate&&M.onUpdate(M)}P.__version=M.version}function an(P,M,q){if(M.image.length!==6)return;let ue=ot(P,M),oe=M.source;t.bindTexture(n.TEXTURE_CUBE_MAP,P.__webglTexture,n.TEXTURE0+q);let xe=i.get(oe);if(oe.version!==xe.__version||ue===!0){t.activeTexture(n.TEXTURE0+q);let ye=mt.getPrimaries(mt.workingColorSpace),te=M.colorSpace===Cs?null:mt.getPrimaries(M.colorSpace),se=M.colorSpace===Cs||ye===te?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,M.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,M.premultiplyAlpha),t.pixelStorei(n.UNPACK_ALIGNMENT,M.unpackAlignment),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,se);let pe=M.isCompressedTexture||M.image[0].isCompressedTexture,O=M.image[0]&&M.image[0].isDataTexture,re=[];for(let Re=0;Re<6;Re++)!pe&&!O?re[Re]=b(M.image[Re],!0,s.maxCubemapSize):re[Re]=O?M.image[Re].image:M.image[Re],re[Re]=Ve(M,re[Re]);let ne=re[0],Ee=r.convert(M.format,M.colorSpace),_e=r.convert(M.type),Se=A(M.internalFormat,Ee,_e,M.normalized,M.colorSpace),Ge=M.isVideoTexture!==!0,Ze=xe.__version===void 0||ue===!0,ce=oe.dataReady,Be=T(M,ne);ct(n.TEXTURE_CUBE_MAP,M);let Ke;if(M.isDepthTexture){if(Se=_(M.format===Rs,M.type),Ze)if(Ge)t.texStorage2D(n.TEXTURE_CUBE_MAP,1,Se,ne.width,ne.height);else for(let Re=0;Re<6;Re++)t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,Se,ne.width,ne.height,0,Ee,_e,null)}else if(pe){Ge&&Ze&&t.texStorage2D(n.TEXTURE_CUBE_MAP,Be,Se,ne.width,ne.height);for(let Re=0;Re<6;Re++){Ke=re[Re].mipmaps;for(let st=0;st<Ke.length;st++){let Bt=Ke[st];M.format!==xi?Ee!==null?Ge?ce&&t.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st,0,0,Bt.width,Bt.height,Ee,Bt.data):t.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st,Se,Bt.width,Bt.height,0,Bt.data):$e("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):Ge?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st,0,0,Bt.width,Bt.height,Ee,_e,Bt.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st,Se,Bt.width,Bt.height,0,Ee,_e,Bt.data)}}}else{if(Ke=M.mipmaps,Ge&&Ze){Ke.length>0&&Be++;let Re=Xe(re[0]);t.texStorage2D(n.TEXTURE_CUBE_MAP,Be,Se,Re.width,Re.height)}for(let Re=0;Re<6;Re++)if(O){Ge?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,0,0,re[Re].width,re[Re].height,Ee,_e,re[Re].data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,Se,re[Re].width,re[Re].height,0,Ee,_e,re[Re].data);for(let st=0;st<Ke.length;st++){let $n=Ke[st].image[Re].image;Ge?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st+1,0,0,$n.width,$n.height,Ee,_e,$n.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st+1,Se,$n.width,$n.height,0,Ee,_e,$n.data)}}else{Ge?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,0,0,Ee,_e,re[Re]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,0,Se,Ee,_e,re[Re]);for(let st=0;st<Ke.length;st++){let Bt=Ke[st];Ge?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st+1,0,0,Ee,_e,Bt.image[Re]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Re,st+1,Se,Ee,_e,Bt.image[Re])}}}R(M)&&M.mipmapsAutoUpdate===!0&&S(n.TEXTURE_CUBE_MAP),xe.__version=oe.version,M.onUpdate&&M.onUpdate(M)}P.__version=M.version}function Pt(P,M,q,ue,oe,xe){let ye=r.convert(q.format,q.colorSpace),te=r.convert(q.type),se=A(q.internalFormat,ye,te,q.normalized,q.colorSpace),pe=i.get(M),O=i.get(q);if(O.__renderTarget=M,!pe.__hasExternalTextures){let re=Math.max(1,M.width>>xe),ne=Math.max(1,M.height>>xe);oe===n.TEXTURE_3D||oe===n.TEXTURE_2D_ARRAY?t.texImage3D(oe,xe,se,re,ne,M.depth,0,ye,te,null):t.texImage2D(oe,xe,se,re,ne,0,ye,te,null)}t.bindFramebuffer(n.FRAMEBUFFER,P),we(M)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,ue,oe,O.__webglTexture,0,it(M)):(oe===n.TEXTURE_2D||oe>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,ue,oe,O.__webglTexture,xe),t.bindFramebuffer(n.FRAMEBUFFER,null)}function An(P,M,q){if(n.bindRenderbuffer(n.RENDERBUFFER,P),M.depthBuffer){let ue=M.depthTexture,oe=ue&&ue.isDepthTexture?ue.type:null,xe=_(M.stencilBuffer,oe),ye=M.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;we(M)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,it(M),xe,M.width,M.height):q?n.renderbufferStorageMultisample(n.RENDERBUFFER,it(M),xe,M.width,M.height):n.renderbufferStorage(n.RENDERBUFFER,xe,M.width,M.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,ye,n.RENDERBUFFER,P)}else{let ue=M.textures;for(let oe=0;oe<ue.length;oe++){let xe=ue[oe],ye=r.convert(xe.format,xe.colorSpace),te=r.convert(xe.type),se=A(xe.internalFormat,ye,te,xe.normalized,xe.colorSpace);we(M)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,it(M),se,M.width,M.height):q?n.renderbufferStorageMultisample(n.RENDERBUFFER,it(M),se,M.width,M.height):n.renderbufferStorage(n.RENDERBUFFER,se,M.width,M.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function xt(P,M,q){let ue=M.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(n.FRAMEBUFFER,P),!(M.depthTexture&&M.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=i.get(M.depthTexture);oe.__renderTarget=M;let xe=ue?M.depthTexture.image[0]:M.depthTexture.image;(!oe.__webglTexture||xe.width!==M.width||xe.height!==M.height)&&(xe.width=M.width,xe.height=M.height,M.depthTexture.needsUpdate=!0),ue?ve(M.depthTexture,0):me(M.depthTexture,0);let ye=oe.__webglTexture,te=it(M),se=ue?n.TEXTURE_CUBE_MAP_POSITIVE_X+q:n.TEXTURE_2D,pe=M.depthTexture.format===Rs?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(M.depthTexture.format===ws)we(M)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,pe,se,ye,0,te):n.framebufferTexture2D(n.FRAMEBUFFER,pe,se,ye,0);else if(M.depthTexture.format===Rs)we(M)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,pe,se,ye,0,te):n.framebufferTexture2D(n.FRAMEBUFFER,pe,se,ye,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function vn(P){let M=i.get(P),q=P.isWebGLCubeRenderTarget===!0;if(M.__boundDepthTexture!==P.depthTexture){let ue=P.depthTexture;if(M.__depthDisposeCallback&&M.__depthDisposeCallback(),ue){let oe=()=>{delete M.__boundDepthTexture,delete M.__depthDisposeCallback,ue.removeEventListener("dispose",oe)};ue.addEventListener("dispose",oe),M.__depthDisposeCallback=oe}M.__boundDepthTexture=ue}if(P.depthTexture&&!M.__autoAllocateDepthBuffer)if(q)for(let ue=0;ue<6;ue++)xt(M.__webglFramebuffer[ue],P,ue);else P.texture.mipmaps.length>0?xt(M.__webglFramebuffer[0],P,0):xt(M.__webglFramebuffer,P,0);else if(q){M.__webglDepthbuffer=[];for(let ue=0;ue<6;ue++)if(t.bindFramebuffer(n.FRAMEBUFFER,M.__webglFramebuffer[ue]),M.__webglDepthbuffer[ue]===void 0)M.__webglDepthbuffer[ue]=n.createRenderbuffer(),An(M.__webglDepthbuffer[ue],P,!1);else{let oe=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,xe=M.__webglDepthbuffer[ue];n.bindRenderbuffer(n.RENDERBUFFER,xe),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,xe)}}else if(P.texture.mipmaps.length>0?t.bindFramebuffer(n.FRAMEBUFFER,M.__webglFramebuffer[0]):t.bindFramebuffer(n.FRAMEBUFFER,M.__webglFramebuffer),M.__webglDepthbuffer===void 0)M.__webglDepthbuffer=n.createRenderbuffer(),An(M.__webglDepthbuffer,P,!1);else{let oe=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,xe=M.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,xe),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,xe)}t.bindFramebuffer(n.FRAMEBUFFER,null)}function Jt(P,M,q){let ue=i.get(P);M!==void 0&&Pt(ue.__webglFramebuffer,P,P.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),q!==void 0&&vn(P)}function ln(P){let M=P.texture,q=i.get(P),ue=i.get(M);P.addEventListener("dispose",k),U(P);let oe=P.textures,xe=P.isWebGLCubeRenderTarget===!0,ye=oe.length>1;if(ye||(ue.__webglTexture===void 0&&(ue.__webglTexture=n.createTexture()),ue.__version=M.version,o.memory.textures++),xe){q.__webglFramebuffer=[];for(let te=0;te<6;te++)if(M.mipmaps.length>0){q.__webglFramebuffer[te]=[];for(let se=0;se<M.mipmaps.length;se++)q.__webglFramebuffer[te][se]=n.createFramebuffer()}else q.__webglFramebuffer[te]=n.createFramebuffer()}else{if(M.mipmaps.length>0){q.__webglFramebuffer=[];for(let te=0;te<M.mipmaps.length;te++)q.__webglFramebuffer[te]=n.createFramebuffer()}else q.__webglFramebuffer=n.createFramebuffer();if(ye)for(let te=0,se=oe.length;te<se;te++){let pe=i.get(oe[te]);pe.__webglTexture===void 0&&(pe.__webglTexture=n.createTexture(),o.memory.textures++)}if(P.samples>0&&we(P)===!1){q.__webglMultisampledFramebuffer=n.createFramebuffer(),q.__webglColorRenderbuffer=[],t.bindFramebuffer(n.FRAMEBUFFER,q.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let se=oe[te];q.__webglColorRenderbuffer[te]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,q.__webglColorRenderbuffer[te]);let pe=r.convert(se.format,se.colorSpace),O=r.convert(se.type),re=A(se.internalFormat,pe,O,se.normalized,se.colorSpace,P.isXRRenderTarget===!0),ne=it(P);n.renderbufferStorageMultisample(n.RENDERBUFFER,ne,re,P.width,P.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+te,n.RENDERBUFFER,q.__webglColorRenderbuffer[te])}n.bindRenderbuffer(n.RENDERBUFFER,null),P.depthBuffer&&(q.__webglDepthRenderbuffer=n.createRenderbuffer(),An(q.__webglDepthRenderbuffer,P,!0)),t.bindFramebuffer(n.FRAMEBUFFER,null)}}if(xe){t.bindTexture(n.TEXTURE_CUBE_MAP,ue.__webglTexture),ct(n.TEXTURE_CUBE_MAP,M);for(let te=0;te<6;te++)if(M.mipmaps.length>0)for(let se=0;se<M.mipmaps.length;se++)Pt(q.__webglFramebuffer[te][se],P,M,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+te,se);else Pt(q.__webglFramebuffer[te],P,M,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);R(M)?S(n.TEXTURE_CUBE_MAP):M.mipmaps.length>0&&n.texParameteri(n.TEXTURE_CUBE_MAP,n.TEXTURE_MAX_LEVEL,M.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,se=oe.length;te<se;te++){let pe=oe[te],O=i.get(pe),re=n.TEXTURE_2D;(P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(re=P.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(re,O.__webglTexture),ct(re,pe),Pt(q.__webglFramebuffer,P,pe,n.COLOR_ATTACHMENT0+te,re,0),R(pe)&&S(re)}t.unbindTexture()}else{let te=n.TEXTURE_2D;if((P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(te=P.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(te,ue.__webglTexture),ct(te,M),M.mipmaps.length>0)for(let se=0;se<M.mipmaps.length;se++)Pt(q.__webglFramebuffer[se],P,M,n.COLOR_ATTACHMENT0,te,se);else Pt(q.__webglFramebuffer,P,M,n.COLOR_ATTACHMENT0,te,0);R(M)?S(te):M.mipmaps.length>0&&n.texParameteri(te,n.TEXTURE_MAX_LEVEL,M.mipmaps.length-1),t.unbindTexture()}P.depthBuffer&&vn(P)}function B(P){let M=P.textures;for(let q=0,ue=M.length;q<ue;q++){let oe=M[q];if(R(oe)&&oe.mipmapsAutoUpdate===!0){let xe=C(P),ye=i.get(oe).__webglTexture;t.bindTexture(xe,ye),S(xe),t.unbindTexture()}}}let Ce=[];function qe(P){if(P.samples>0){if(we(P)===!1){let M=P.textures,q=P.width,ue=P.height,oe=n.COLOR_BUFFER_BIT,xe=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ye=i.get(P),te=M.length>1;if(te)for(let pe=0;pe<M.length;pe++)t.bindFramebuffer(n.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.RENDERBUFFER,null),t.bindFramebuffer(n.FRAMEBUFFER,ye.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.TEXTURE_2D,null,0);t.bindFramebuffer(n.READ_FRAMEBUFFER,ye.__webglMultisampledFramebuffer),P.texture.mipmaps.length>0?t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ye.__webglFramebuffer[0]):t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ye.__webglFramebuffer);for(let pe=0;pe<M.length;pe++){if(P.resolveDepthBuffer&&(P.depthBuffer&&(oe|=n.DEPTH_BUFFER_BIT),P.stencilBuffer&&P.resolveStencilBuffer&&(oe|=n.STENCIL_BUFFER_BIT)),te){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,ye.__webglColorRenderbuffer[pe]);let O=i.get(M[pe]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,O,0)}n.blitFramebuffer(0,0,q,ue,0,0,q,ue,oe,n.NEAREST),l===!0&&(Ce.length=0,Ce.push(n.COLOR_ATTACHMENT0+pe),P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&Ce.push(xe),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,Ce))}if(t.bindFramebuffer(n.READ_FRAMEBUFFER,null),t.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),te)for(let pe=0;pe<M.length;pe++){t.bindFramebuffer(n.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.RENDERBUFFER,ye.__webglColorRenderbuffer[pe]);let O=i.get(M[pe]).__webglTexture;t.bindFramebuffer(n.FRAMEBUFFER,ye.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+pe,n.TEXTURE_2D,O,0)}t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ye.__webglMultisampledFramebuffer)}else if(P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&l){let M=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[M])}}}function it(P){return Math.min(s.maxSamples,P.samples)}function we(P){let M=i.get(P);return P.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&M.__useRenderToTexture!==!1}function Lt(P){let M=o.render.frame;u.get(P)!==M&&(u.set(P,M),P.update())}function Ve(P,M){let q=P.colorSpace,ue=P.format,oe=P.type;return P.isCompressedTexture===!0||P.isVideoTexture===!0||q!==ca&&q!==Cs&&(mt.getTransfer(q)===Et?(ue!==xi||oe!==_i)&&$e("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Qe("WebGLTextures: Unsupported texture color space:",q)),M}function Xe(P){return typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement?(c.width=P.naturalWidth||P.width,c.height=P.naturalHeight||P.height):typeof VideoFrame<"u"&&P instanceof VideoFrame?(c.width=P.displayWidth,c.height=P.displayHeight):(c.width=P.width,c.height=P.height),c}this.allocateTextureUnit=he,this.resetTextureUnits=Q,this.getTextureUnits=ie,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=ge,this.setTexture3D=Me,this.setTextureCube=ve,this.rebindTextures=Jt,this.setupRenderTarget=ln,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=qe,this.setupDepthRenderbuffer=vn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=we,this.dispose=G}function CE(n,e){function t(i,s=Cs){let r,o=mt.getTransfer(s);if(i===_i)return n.UNSIGNED_BYTE;if(i===Fc)return n.UNSIGNED_SHORT_4_4_4_4;if(i===Uc)return n.UNSIGNED_SHORT_5_5_5_1;if(i===Xd)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===qd)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===Gd)return n.BYTE;if(i===Wd)return n.SHORT;if(i===To)return n.UNSIGNED_SHORT;if(i===Nc)return n.INT;if(i===zi)return n.UNSIGNED_INT;if(i===Vi)return n.FLOAT;if(i===Hi)return n.HALF_FLOAT;if(i===$d)return n.ALPHA;if(i===Yd)return n.RGB;if(i===xi)return n.RGBA;if(i===ws)return n.DEPTH_COMPONENT;if(i===Rs)return n.DEPTH_STENCIL;if(i===Jd)return n.RED;if(i===Oc)return n.RED_INTEGER;if(i===er)return n.RG;if(i===Bc)return n.RG_INTEGER;if(i===kc)return n.RGBA_INTEGER;if(i===Pa||i===Ia||i===La||i===Da)if(o===Et)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(i===Pa)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===Ia)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===La)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===Da)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(i===Pa)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===Ia)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===La)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===Da)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===zc||i===Vc||i===Hc||i===Gc)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(i===zc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===Vc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===Hc)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===Gc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===Wc||i===Xc||i===qc||i===$c||i===Yc||i===Na||i===Jc)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(i===Wc||i===Xc)return o===Et?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(i===qc)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(i===$c)return r.COMPRESSED_R11_EAC;if(i===Yc)return r.COMPRESSED_SIGNED_R11_EAC;if(i===Na)return r.COMPRESSED_RG11_EAC;if(i===Jc)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===Zc||i===Kc||i===jc||i===Qc||i===eu||i===tu||i===nu||i===iu||i===su||i===ru||i===ou||i===au||i===lu||i===cu)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(i===Zc)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===Kc)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===jc)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===Qc)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===eu)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===tu)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===nu)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===iu)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===su)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===ru)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===ou)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===au)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===lu)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===cu)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===uu||i===hu||i===du)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(i===uu)return o===Et?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===hu)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===du)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===fu||i===pu||i===Fa||i===mu)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(i===fu)return r.COMPRESSED_RED_RGTC1_EXT;if(i===pu)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===Fa)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===mu)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===Sr?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:t}}var PE=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,IE=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,yf=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let i=new Ma(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=i}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,i=new Ti({vertexShader:PE,fragmentShader:IE,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new Ot(new xr(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},bf=class extends is{constructor(e,t){super();let i=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,u=null,h=null,f=null,d=null,p=null,y=typeof XRWebGLBinding<"u",g=new yf,m={},b=t.getContextAttributes(),R=null,S=null,C=[],A=[],_=new _t,T=null,U=null,D=new ei;D.viewport=new Wt;let L=new ei;L.viewport=new Wt;let k=[D,L],z=new Pc,N=null,G=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new mo,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=function(ee){let me=C[ee];return me===void 0&&(me=new mo,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new mo,C[ee]=me),me.getHandSpace()};function $(ee){let me=A.indexOf(ee.inputSource);if(me===-1)return;let ge=C[me];ge!==void 0&&(ge.update(ee.inputSource,ee.frame,c||o),ge.dispatchEvent({type:ee.type,data:ee.inputSource}))}function H(){s.removeEventListener("select",$),s.removeEventListener("selectstart",$),s.removeEventListener("selectend",$),s.removeEventListener("squeeze",$),s.removeEventListener("squeezestart",$),s.removeEventListener("squeezeend",$),s.removeEventListener("end",H),s.removeEventListener("inputsourceschange",le);for(let ee=0;ee<C.length;ee++){let me=A[ee];me!==null&&(A[ee]=null,C[ee].disconnect(me))}N=null,G=null,g.reset();for(let ee in m)delete m[ee];if(e.setRenderTarget(R),d=null,f=null,h=null,s=null,S=null,he.stop(),i.isPresenting=!1,e.setPixelRatio(T),e.setSize(_.width,_.height,!1),U!==null){let ee=U.camera;ee.fov=U.fov,ee.zoom=U.zoom,ee.updateProjectionMatrix(),U=null}i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,i.isPresenting===!0&&$e("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,i.isPresenting===!0&&$e("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=function(){return f!==null?f:d},this.getBinding=function(){return h===null&&y&&(h=new XRWebGLBinding(s,t)),h},this.getFrame=function(){return p},this.getSession=function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(R=e.getRenderTarget(),s.addEventListener("select",$),s.addEventListener("selectstart",$),s.addEventListener("selectend",$),s.addEventListener("squeeze",$),s.addEventListener("squeezestart",$),s.addEventListener("squeezeend",$),s.addEventListener("end",H),s.addEventListener("inputsourceschange",le),b.xrCompatible!==!0&&await t.makeXRCompatible(),T=e.getPixelRatio(),e.getSize(_),y&&"createProjectionLayer"in XRWebGLBinding.prototype){let ge=null,Me=null,ve=null;b.depth&&(ve=b.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,ge=b.stencil?Rs:ws,Me=b.stencil?Sr:zi);let He={colorFormat:t.RGBA8,depthFormat:ve,scaleFactor:r};h=this.getBinding(),f=h.createProjectionLayer(He),s.updateRenderState({layers:[f]}),e.setPixelRatio(1),e.setSize(f.textureWidth,f.textureHeight,!1),S=new pi(f.textureWidth,f.textureHeight,{format:xi,type:_i,depthTexture:new Ts(f.textureWidth,f.textureHeight,Me,void 0,void 0,void 0,void 0,void 0,void 0,ge),stencilBuffer:b.stencil,colorSpace:e.outputColorSpace,samples:b.antialias?4:0,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}else{let ge={antialias:b.antialias,alpha:!0,depth:b.depth,stencil:b.stencil,framebufferScaleFactor:r};d=new XRWebGLLayer(s,t,ge),s.updateRenderState({baseLayer:d}),e.setPixelRatio(1),e.setSize(d.framebufferWidth,d.framebufferHeight,!1),S=new pi(d.framebufferWidth,d.framebufferHeight,{format:xi,type:_i,colorSpace:e.outputColorSpace,stencilBuffer:b.stencil,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}S.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),he.setContext(s),he.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return g.getDepthTexture()};function le(ee){for(let me=0;me<ee.removed.length;me++){let ge=ee.removed[me],Me=A.indexOf(ge);Me>=0&&(A[Me]=null,C[Me].disconnect(ge))}for(let me=0;me<ee.added.length;me++){let ge=ee.added[me],Me=A.indexOf(ge);if(Me===-1){for(let He=0;He<C.length;He++)if(He>=A.length){A.push(ge),Me=He;break}else if(A[He]===null){A[He]=ge,Me=He;break}if(Me===-1)break}let ve=C[Me];ve&&ve.connect(ge)}}function Z(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,ge=ee.far;g.texture!==null&&(g.depthNear>0&&(me=g.depthNear),g.depthFar>0&&(ge=g.depthFar)),z.near=L.near=D.near=me,z.far=L.far=D.far=ge,(N!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,depthFar:z.far}),N=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,D.layers.mask=z.layers.mask&-5,L.layers.mask=z.layers.mask&-3;let Me=ee.parent,ve=z.cameras;Z(z,Me);for(let He=0;He<ve.length;He++)Z(ve[He],Me);z.projectionMatrix.copy(D.projectionMatrix),z.projectionMatrixInverse.copy(D.projectionMatrixInverse),U===null&&ee.isPerspectiveCamera&&(U={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Me)};function Q(ee,me,ge){ge===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(ge.matrixWorld),ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=uc*2*Math.atan(1/ee.projectionMatrix.elements[5]),ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(f===null&&d===null))return l},this.setFoveation=function(ee){l=ee,f!==null&&(f.fixedFoveation=ee),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=ee)},this.hasDepthSensing=function(){return g.texture!==null},this.getDepthSensingMesh=function(){return g.getMesh(z)},this.getCameraTexture=function(ee){return m[ee]};let ie=null;function de(ee,me){if(u=me.getViewerPose(c||o),p=me,u!==null){let ge=u.views;d!==null&&(e.setRenderTargetFramebuffer(S,d.framebuffer),e.setRenderTarget(S));let Me=!1;ge.length!==z.cameras.length&&(z.cameras.length=0,Me=!0);for(let Oe=0;Oe<ge.length;Oe++){let ct=ge[Oe],ot=null;if(d!==null)ot=d.getViewport(ct);else{let Xt=h.getViewSubImage(f,ct);ot=Xt.viewport,Oe===0&&(e.setRenderTargetTextures(S,Xt.colorTexture,Xt.depthStencilTexture),e.setRenderTarget(S))}let tt=k[Oe];tt===void 0&&(tt=new ei,tt.layers.enable(Oe),tt.viewport=new Wt,k[Oe]=tt),tt.matrix.fromArray(ct.transform.matrix),tt.matrix.decompose(tt.position,tt.quaternion,tt.scale),tt.projectionMatrix.fromArray(ct.projectionMatrix),tt.projectionMatrixInverse.copy(tt.projectionMatrix).invert(),tt.viewport.set(ot.x,ot.y,ot.width,ot.height),Oe===0&&(z.matrix.copy(tt.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),Me===!0&&z.cameras.push(tt)}let ve=s.enabledFeatures;if(ve&&ve.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){h=i.getBinding();let Oe=h.getDepthInformation(ge[0]);Oe&&Oe.isValid&&Oe.texture&&g.init(Oe,s.renderState)}if(ve&&ve.includes("camera-access")&&y){e.state.unbindTexture(),h=i.getBinding();for(let Oe=0;Oe<ge.length;Oe++){let ct=ge[Oe].camera;if(ct){let ot=m[ct];ot||(ot=new Ma,m[ct]=ot);let tt=h.getCameraImage(ct);ot.sourceTexture=tt}}}}for(let ge=0;ge<C.length;ge++){let Me=A[ge],ve=C[ge];Me!==null&&ve!==void 0&&ve.update(Me,me,c||o)}ie&&ie(ee,me),me.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:me}),p=null}let he=new e_;he.setAnimationLoop(de),this.setAnimationLoop=function(ee){ie=ee},this.dispose=function(){}}},LE=new vt,u_=new et;u_.set(-1,0,0,0,1,0,0,0,1);function DE(n,e){function t(g,m){g.matrixAutoUpdate===!0&&g.updateMatrix(),m.value.copy(g.matrix)}function i(g,m){m.color.getRGB(g.fogColor.value,lf(n)),m.isFog?(g.fogNear.value=m.near,g.fogFar.value=m.far):m.isFogExp2&&(g.fogDensity.value=m.density)}function s(g,m,b,R,S){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(g,m):m.isMeshLambertMaterial?(r(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(g,m),h(g,m)):m.isMeshPhongMaterial?(r(g,m),u(g,m),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(g,m),f(g,m),m.isMeshPhysicalMaterial&&d(g,m,S)):m.isMeshMatcapMaterial?(r(g,m),p(g,m)):m.isMeshDepthMaterial?r(g,m):m.isMeshDistanceMaterial?(r(g,m),y(g,m)):m.isMeshNormalMaterial?r(g,m):m.isLineBasicMaterial?(o(g,m),m.isLineDashedMaterial&&a(g,m)):m.isPointsMaterial?l(g,m,b,R):m.isSpriteMaterial?c(g,m):m.isShadowMaterial?(g.color.value.copy(m.color),g.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(g,m){g.opacity.value=m.opacity,m.color&&g.diffuse.value.copy(m.color),m.emissive&&g.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.bumpMap&&(g.bumpMap.value=m.bumpMap,t(m.bumpMap,g.bumpMapTransform),g.bumpScale.value=m.bumpScale,m.side===kn&&(g.bumpScale.value*=-1)),m.normalMap&&(g.normalMap.value=m.normalMap,t(m.normalMap,g.normalMapTransform),g.normalScale.value.copy(m.normalScale),m.side===kn&&g.normalScale.value.negate()),m.displacementMap&&(g.displacementMap.value=m.displacementMap,t(m.displacementMap,g.displacementMapTransform),g.displacementScale.value=m.displacementScale,g.displacementBias.value=m.displacementBias),m.emissiveMap&&(g.emissiveMap.value=m.emissiveMap,t(m.emissiveMap,g.emissiveMapTransform)),m.specularMap&&(g.specularMap.value=m.specularMap,t(m.specularMap,g.specularMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest);let b=e.get(m),R=b.envMap,S=b.envMapRotation;R&&(g.envMap.value=R,g.envMapRotation.value.setFromMatrix4(LE.makeRotationFromEuler(S)).transpose(),R.isCubeTexture&&R.isRenderTargetTexture===!1&&g.envMapRotation.value.premultiply(u_),g.reflectivity.value=m.reflectivity,g.ior.value=m.ior,g.refractionRatio.value=m.refractionRatio),m.lightMap&&(g.lightMap.value=m.lightMap,g.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,g.lightMapTransform)),m.aoMap&&(g.aoMap.value=m.aoMap,g.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,g.aoMapTransform))}function o(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform))}function a(g,m){g.dashSize.value=m.dashSize,g.totalSize.value=m.dashSize+m.gapSize,g.scale.value=m.scale}function l(g,m,b,R){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.size.value=m.size*b,g.scale.value=R*.5,m.map&&(g.map.value=m.map,t(m.map,g.uvTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function c(g,m){g.diffuse.value.copy(m.color),g.opacity.value=m.opacity,g.rotation.value=m.rotation,m.map&&(g.map.value=m.map,t(m.map,g.mapTransform)),m.alphaMap&&(g.alphaMap.value=m.alphaMap,t(m.alphaMap,g.alphaMapTransform)),m.alphaTest>0&&(g.alphaTest.value=m.alphaTest)}function u(g,m){g.specular.value.copy(m.specular),g.shininess.value=Math.max(m.shininess,1e-4)}function h(g,m){m.gradientMap&&(g.gradientMap.value=m.gradientMap)}function f(g,m){g.metalness.value=m.metalness,m.metalnessMap&&(g.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,g.metalnessMapTransform)),g.roughness.value=m.roughness,m.roughnessMap&&(g.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,g.roughnessMapTransform)),m.envMap&&(g.envMapIntensity.value=m.envMapIntensity)}function d(g,m,b){g.ior.value=m.ior,m.diffuseRoughness>0&&(g.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&(g.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,g.diffuseRoughnessMapTransform))),m.sheen>0&&(g.sheenColor.value.copy(m.sheenColor).multiplyScalar(m.sheen),g.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(g.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,g.sheenColorMapTransform)),m.sheenRoughnessMap&&(g.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,g.sheenRoughnessMapTransform))),m.clearcoat>0&&(g.clearcoat.value=m.clearcoat,g.clearcoatRoughness.value=m.clearcoatRoughness,m.clearcoatMap&&(g.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,g.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(g.clearcoatRoughnessMap.value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,g.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(g.clearcoatNormalMap.value=m.clearcoatNormalMap,t(m.clearcoatNormalMap,g.clearcoatNormalMapTransform),g.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===kn&&g.clearcoatNormalScale.value.negate())),m.dispersion>0&&(g.dispersion.value=m.dispersion),m.retroreflectivity>0&&(g.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(g.iridescence.value=m.iridescence,g.iridescenceIOR.value=m.iridescenceIOR,g.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,g.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,m.iridescenceMap&&(g.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,g.iridescenceMapTransform)),m.iridescenceThicknessMap&&(g.iridescenceThicknessMap.value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,g.iridescenceThicknessMapTransform))),m.transmission>0&&(g.transmission.value=m.transmission,g.transmissionSamplerMap.value=b.texture,g.transmissionSamplerSize.value.set(b.width,b.height),m.transmissionMap&&(g.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,g.transmissionMapTransform)),g.thickness.value=m.thickness,m.thicknessMap&&(g.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,g.thicknessMapTransform)),g.attenuationDistance.value=m.attenuationDistance,g.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(g.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(m.anisotropyRotation)),m.anisotropyMap&&(g.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,g.anisotropyMapTransform))),g.specularIntensity.value=m.specularIntensity,g.specularColor.value.copy(m.specularColor),m.specularColorMap&&(g.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,g.specularColorMapTransform)),m.specularIntensityMap&&(g.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,g.specularIntensityMapTransform))}function p(g,m){m.matcap&&(g.matcap.value=m.matcap)}function y(g,m){let b=e.get(m).light;g.referencePosition.value.setFromMatrixPosition(b.matrixWorld),g.nearDistance.value=b.shadow.camera.near,g.farDistance.value=b.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:s}}function NE(n,e,t,i){let s={},r={};function o(b,R){let S=R.program;i.uniformBlockBinding(b,S,s[b.id])}function a(b,R){let S=s[b.id];S===void 0&&(p(b),S=l(b),s[b.id]=S,b.addEventListener("dispose",g));let C=R.program;i.updateUBOMapping(b,C);let A=e.render.frame;r[b.id]!==A&&(c(b),r[b.id]=A)}function l(b){let R=n.createBuffer(),S=b.__size,C=b.usage;return n.bindBuffer(n.UNIFORM_BUFFER,R),n.bufferData(n.UNIFORM_BUFFER,S,C),n.bindBuffer(n.UNIFORM_BUFFER,null),R}function c(b){let R=s[b.id],S=b.uniforms,C=b.__cache;n.bindBuffer(n.UNIFORM_BUFFER,R);for(let A=0,_=S.length;A<_;A++){let T=S[A];if(Array.isArray(T))for(let U=0,D=T.length;U<D;U++)u(T[U],A,U,C);else u(T,A,0,C)}n.bindBuffer(n.UNIFORM_BUFFER,null)}function u(b,R,S,C){if(f(b,R,S,C)===!0){let A=b.__offset,_=b.value;if(Array.isArray(_)){let T=0;for(let U=0;U<_.length;U++){let D=_[U],L=y(D,!0);h(D,b.__data,T),T+=L.storage/Float32Array.BYTES_PER_ELEMENT}}else h(_,b.__data,0);n.bufferSubData(n.UNIFORM_BUFFER,A,b.__data)}}function h(b,R,S){typeof b=="number"||typeof b=="boolean"?R[S]=b:b.isMatrix3?(R[S]=b.elements[0],R[S+1]=b.elements[1],R[S+2]=b.elements[2],R[S+3]=0,R[S+4]=b.elements[3],R[S+5]=b.elements[4],R[S+6]=b.elements[5],R[S+7]=0,R[S+8]=b.elements[6],R[S+9]=b.elements[7],R[S+10]=b.elements[8],R[S+11]=0):ArrayBuffer.isView(b)?R.set(b.subarray(0,R.length-S),S):b.toArray(R,S)}function f(b,R,S,C){let A=b.value,_=R+"_"+S;if(Array.isArray(A)){C[_]===void 0&&(C[_]=[]);let T=C[_],U=!1;for(let D=0;D<A.length;D++)d(A[D],T,D)===!0&&(U=!0);return U}return d(A,C,_)}function d(b,R,S){if(R[S]===void 0)return typeof b=="number"||typeof b=="boolean"?R[S]=b:ArrayBuffer.isView(b)?R[S]=b.slice():R[S]=b.clone(),!0;{let C=R[S];if(typeof b=="number"||typeof b=="boolean"){if(C!==b)return R[S]=b,!0}else{if(ArrayBuffer.isView(b))return!0;if(C.equals(b)===!1)return C.copy(b),!0}}return!1}function p(b){let R=b.uniforms,S=0,C=16;for(let _=0,T=R.length;_<T;_++){let U=Array.isArray(R[_])?R[_]:[R[_]];for(let D=0,L=U.length;D<L;D++){let k=U[D],z=Array.isArray(k.value)?k.value:[k.value],N=Array.isArray(R[_])||Array.isArray(k.value),G=S;for(let H=0,le=z.length;H<le;H++){let Z=z[H],Q=y(Z,N),ie=S%C,de=ie%Q.boundary,he=ie+de;S+=de,he!==0&&C-he<Q.storage&&(S+=C-he),H===0&&(G=S),S+=Q.storage}let $=k.type==="int"?Int32Array:k.type==="uint"?Uint32Array:Float32Array;k.__data=new $((S-G)/Float32Array.BYTES_PER_ELEMENT),k.__offset=G}}let A=S%C;return A>0&&(S+=C-A),b.__size=S,b.__cache={},this}function y(b,R){let S={boundary:0,storage:0};return typeof b=="number"||typeof b=="boolean"?(S.boundary=4,S.storage=4):b.isVector2?(S.boundary=8,S.storage=8):b.isVector3||b.isColor?(S.boundary=16,S.storage=12):b.isVector4?(S.boundary=16,S.storage=16):b.isMatrix3?(S.boundary=16,S.storage=48):b.isMatrix4?(S.boundary=16,S.storage=64):b.isTexture?$e("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(b)?(S.boundary=16,S.storage=b.byteLength):$e("WebGLRenderer: Unsupported uniform value type.",b),R===!0&&(S.boundary=16,S.storage=Math.ceil(S.storage/16)*16),S}function g(b){let R=b.target;R.removeEventListener("dispose",g),n.deleteBuffer(s[R.id]),delete s[R.id],delete r[R.id]}function m(){for(let b in s)n.deleteBuffer(s[b]);s={},r={}}return{bind:o,update:a,dispose:m}}var FE=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),os=null;function UE(){return os===null&&(os=new go(FE,16,16,er,Hi),os.name="DFG_LUT",os.minFilter=Bn,os.magFilter=Bn,os.wrapS=ns,os.wrapT=ns,os.generateMipmaps=!1,os.needsUpdate=!0),os}var yu=class{constructor(e={}){let{canvas:t=w0(),context:i=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:u="default",failIfMajorPerformanceCaveat:h=!1,reversedDepthBuffer:f=!1,outputBufferType:d=_i}=e;this.isWebGLRenderer=!0;let p;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");p=i.getContextAttributes().alpha}else p=o;let y=d,g=new Set([kc,Bc,Oc]),m=new Set([_i,zi,To,Sr,Fc,Uc]),b=new Uint32Array(4),R=new Int32Array(4),S={textures:[],min:[],max:[],resolution:[]},C=null,A=null,_=[],T=[],U=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=rs,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let D=this,L=!1,k=null,z=null,N=null,G=null;this._outputColorSpace=Qn;let $=0,H=0,le=null,Z=-1,Q=null,ie=new Wt,de=new Wt,he=null,ee=new rt(0),me=0,ge=t.width,Me=t.height,ve=1,He=null,Je=null,Oe=new Wt(0,0,ge,Me),ct=new Wt(0,0,ge,Me),ot=!1,tt=new Es,Xt=new pc,Ft=!1,an=!1,Pt=new vt,An=new X,xt=new Wt,vn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},Jt=!1;function ln(){return le===null?ve:1}let B=i;function Ce(E,V){return t.getContext(E,V)}let qe,it,we,Lt,Ve,Xe,P,M,q,ue,oe,xe,ye,te,se,pe,O,re,ne,Ee,_e,Se,Ge;try{let E={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,failIfMajorPerformanceCaveat:h};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",Be,!1),t.addEventListener("webglcontextrestored",Ke,!1),t.addEventListener("webglcontextcreationerror",Re,!1),B===null){let V="webgl2";if(B=Ce(V,E),B===null)throw Ce(V)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener("webglcontextlost",Be,!1),t.removeEventListener("webglcontextrestored",Ke,!1),t.removeEventListener("webglcontextcreationerror",Re,!1),Qe("WebGLRenderer: "+E.message),E}function Ze(){qe=new $w(B),qe.init(),_e=new CE(B,qe),it=new Uw(B,qe,e,_e),we=new AE(B,qe),it.reversedDepthBuffer&&f&&we.buffers.depth.setReversed(!0),z=B.createFramebuffer(),N=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new Zw(B),Ve=new fE,Xe=new RE(B,qe,we,Ve,it,_e,Lt),P=new qw(D),M=new jb(B),Se=new Nw(B,M),q=new Yw(B,M,Lt,Se),ue=new jw(B,q,M,Se,Lt),re=new Kw(B,it,Xe),se=new Ow(Ve),oe=new dE(D,P,qe,it,Se,se),xe=new DE(D,Ve),ye=new mE,te=new bE(qe),O=new Dw(D,P,we,ue,p,l),pe=new TE(D,ue,it),Ge=new NE(B,Lt,it,we),ne=new Fw(B,qe,Lt),Ee=new Jw(B,qe,Lt),Lt.programs=oe.programs,D.capabilities=it,D.extensions=qe,D.properties=Ve,D.renderLists=ye,D.shadowMap=pe,D.state=we,D.info=Lt}y!==_i&&(U=new e1(y,t.width,t.height,a,s,r));let ce=new bf(D,B);this.xr=ce,this.getContext=function(){return B},this.getContextAttributes=function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=qe.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){let E=qe.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return ve},this.setPixelRatio=function(E){E!==void 0&&(ve=E,this.setSize(ge,Me,!1))},this.getSize=function(E){return E.set(ge,Me)},this.setSize=function(E,V,j=!0){if(ce.isPresenting){$e("WebGLRenderer: Can't change size while VR device is presenting.");return}ge=E,Me=V,t.width=Math.floor(E*ve),t.height=Math.floor(V*ve),j===!0&&(t.style.width=E+"px",t.style.height=V+"px"),U!==null&&U.setSize(t.width,t.height),this.setViewport(0,0,E,V)},this.getDrawingBufferSize=function(E){return E.set(ge*ve,Me*ve).floor()},this.setDrawingBufferSize=function(E,V,j){ge=E,Me=V,ve=j,t.width=Math.floor(E*j),t.height=Math.floor(V*j),this.setViewport(0,0,E,V)},this.setEffects=function(E){if(y===_i){Qe("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(E){for(let V=0;V<E.length;V++)if(E[V].isOutputPass===!0){$e("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}U.setEffects(E||[])},this.getCurrentViewport=function(E){return E.copy(ie)},this.getViewport=function(E){return E.copy(Oe)},this.setViewport=function(E,V,j,Y){E.isVector4?Oe.set(E.x,E.y,E.z,E.w):Oe.set(E,V,j,Y),we.viewport(ie.copy(Oe).multiplyScalar(ln()).round())},this.getScissor=function(E){return E.copy(ct)},this.setScissor=function(E,V,j,Y){E.isVector4?ct.set(E.x,E.y,E.z,E.w):ct.set(E,V,j,Y),we.scissor(de.copy(ct).multiplyScalar(ln()).round())},this.getScissorTest=function(){return ot},this.setScissorTest=function(E){we.setScissorTest(ot=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){Je=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.clear=function(E=!0,V=!0,j=!0){let Y=0;if(E){let J=!1;if(le!==null){let Te=le.texture.format;J=g.has(Te)}if(J){let Te=le.texture.type,Pe=m.has(Te),Ae=O.getClearColor(),Ie=O.getClearAlpha(),ze=Ae.r,je=Ae.g,ut=Ae.b;Pe?(b[0]=ze,b[1]=je,b[2]=ut,b[3]=Ie,B.clearBufferuiv(B.COLOR,0,b)):(R[0]=ze,R[1]=je,R[2]=ut,R[3]=Ie,B.clearBufferiv(B.COLOR,0,R))}else Y|=B.COLOR_BUFFER_BIT}V&&(Y|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&(Y|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),Y!==0&&B.clear(Y)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),k=E},this.dispose=function(){t.removeEventListener("webglcontextlost",Be,!1),t.removeEventListener("webglcontextrestored",Ke,!1),t.removeEventListener("webglcontextcreationerror",Re,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),Ve.dispose(),P.dispose(),ue.dispose(),q.dispose(),Se.dispose(),Ge.dispose(),oe.dispose(),ce.dispose(),ce.removeEventListener("sessionstart",Ka),ce.removeEventListener("sessionend",qi),us.stop()};function Be(E){E.preventDefault(),of("WebGLRenderer: Context Lost."),L=!0}function Ke(){of("WebGLRenderer: Context Restored."),L=!1;let E=Lt.autoReset,V=pe.enabled,j=pe.autoUpdate,Y=pe.needsUpdate,J=pe.type;Ze(),Lt.autoReset=E,pe.enabled=V,pe.autoUpdate=j,pe.needsUpdate=Y,pe.type=J}function Re(E){Qe("WebGLRenderer: A WebGL context could not be created. Reason: ",E.statusMessage)}function st(E){let V=E.target;V.removeEventListener("dispose",st),Bt(V)}function Bt(E){$n(E),Ve.remove(E)}function $n(E){let V=Ve.get(E).programs;V!==void 0&&(V.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=function(E,V,j,Y,J,Te){V===null&&(V=vn);let Pe=J.isMesh&&J.matrixWorld.determinantAffine()<0,Ae=Bo(E,V,j,Y,J);we.setMaterial(Y,Pe);let Ie=j.index,ze=1;if(Y.wireframe===!0){if(Ie=q.getWireframeAttribute(j),Ie===void 0)return;ze=2}let je=j.drawRange,ut=j.attributes.position,ke=je.start*ze,ht=(je.start+je.count)*ze;Te!==null&&(ke=Math.max(ke,Te.start*ze),ht=Math.min(ht,(Te.start+Te.count)*ze)),Ie!==null?(ke=Math.max(ke,0),ht=Math.min(ht,Ie.count)):ut!=null&&(ke=Math.max(ke,0),ht=Math.min(ht,ut.count));let $t=ht-ke;if($t<0||$t===1/0)return;Se.setup(J,Y,Ae,j,Ie);let Tt,At=ne;if(Ie!==null&&(Tt=M.get(Ie),At=Ee,At.setIndex(Tt)),J.isMesh)Y.wireframe===!0?(we.setLineWidth(Y.wireframeLinewidth*ln()),At.setMode(B.LINES)):At.setMode(B.TRIANGLES);else if(J.isLine){let yn=Y.linewidth;yn===void 0&&(yn=1),we.setLineWidth(yn*ln()),J.isLineSegments?At.setMode(B.LINES):J.isLineLoop?At.setMode(B.LINE_LOOP):At.setMode(B.LINE_STRIP)}else J.isPoints?At.setMode(B.POINTS):J.isSprite&&At.setMode(B.TRIANGLES);if(J.isBatchedMesh)if(qe.get("WEBGL_multi_draw"))At.renderMultiDraw(J._multiDrawStarts,J._multiDrawCounts,J._multiDrawCount);else{let yn=J._multiDrawStarts,Fe=J._multiDrawCounts,cn=J._multiDrawCount,ft=Ie?M.get(Ie).bytesPerElement:1,ds=Ve.get(Y).currentProgram.getUniforms();for(let un=0;un<cn;un++)ds.setValue(B,"_gl_DrawID",un),At.render(yn[un]/ft,Fe[un])}else if(J.isInstancedMesh)At.renderInstances(ke,$t,J.count);else if(j.isInstancedBufferGeometry){let yn=j._maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Fe=Math.min(j.instanceCount,yn);At.renderInstances(ke,$t,Fe)}else At.render(ke,$t)};function Fo(E,V,j,Y){k!==null&&E.isNodeMaterial&&k.setObject(Y,E),Ft===!0&&se.setState(E,j,!1),E.transparent===!0&&E.side===zn&&E.forceSinglePass===!1?(E.side=kn,E.needsUpdate=!0,$i(E,V,Y),E.side=Ai,E.needsUpdate=!0,$i(E,V,Y),E.side=zn):$i(E,V,Y)}this.compile=function(E,V,j=null){j===null&&(j=E),k!==null&&k.renderStart(E,V,j),A=te.get(j),A.init(V),T.push(A),j.traverseVisible(function(J){J.isLight&&J.layers.test(V.layers)&&(A.pushLight(J),J.castShadow&&A.pushShadow(J))}),E!==j&&E.traverseVisible(function(J){J.isLight&&J.layers.test(V.layers)&&(A.pushLight(J),J.castShadow&&A.pushShadow(J))}),A.setupLights(),k!==null&&k.updateLights(A.state.lightsArray),an=this.localClippingEnabled,Ft=se.init(this.clippingPlanes,an),Ft===!0&&se.setGlobalState(this.clippingPlanes,V),k!==null&&pe.render(A.state.shadowsArray,j,V);let Y=new Set;return E.traverse(function(J){if(!(J.isMesh||J.isPoints||J.isLine||J.isSprite))return;let Te=J.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];Fo(Ae,j,V,J),Y.add(Ae)}else Fo(Te,j,V,J),Y.add(Te)}),A=T.pop(),k!==null&&k.renderEnd(),Y},this.compileAsync=function(E,V,j=null){let Y=this.compile(E,V,j);return new Promise(J=>{function Te(){if(Y.forEach(function(Pe){let Ie=Ve.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&Y.delete(Pe)}),Y.size===0){J(E);return}setTimeout(Te,10)}qe.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let Ar=null;function $u(E){Ar&&Ar(E)}function Ka(){us.stop()}function qi(){us.start()}let us=new e_;us.setAnimationLoop($u),typeof self<"u"&&us.setContext(self),this.setAnimationLoop=function(E){Ar=E,ce.setAnimationLoop(E),E===null?us.stop():us.start()},ce.addEventListener("sessionstart",Ka),ce.addEventListener("sessionend",qi),this.render=function(E,V){if(V!==void 0&&V.isCamera!==!0){Qe("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(L===!0)return;k!==null&&k.renderStart(E,V);let j=ce.enabled===!0&&ce.isPresenting===!0,Y=U!==null&&(le===null||j)&&U.begin(D,le);if(E.matrixWorldAutoUpdate===!0&&E.updateMatrixWorld(),V.parent===null&&V.matrixWorldAutoUpdate===!0&&V.updateMatrixWorld(),ce.enabled===!0&&ce.isPresenting===!0&&(U===null||U.isCompositing()===!1)&&(ce.cameraAutoUpdate===!0&&ce.updateCamera(V),V=ce.getCamera()),E.isScene===!0&&E.onBeforeRender(D,E,V,le),A=te.get(E,T.length),A.init(V),A.state.textureUnits=Xe.getTextureUnits(),T.push(A),Pt.multiplyMatrices(V.projectionMatrix,V.matrixWorldInverse),V.isArrayCamera?Xt.setFromArrayCamera(V):tt.setFromProjectionMatrix(Pt,wi,V.reversedDepth),an=this.localClippingEnabled,Ft=se.init(this.clippingPlanes,an),C=ye.get(E,_.length),C.init(),_.push(C),this.info.render.frame++,ce.enabled===!0&&ce.isPresenting===!0){let Pe=D.xr.getDepthSensingMesh();Pe!==null&&hs(Pe,V,-1/0,D.sortObjects)}hs(E,V,0,D.sortObjects),C.finish(),k!==null&&k.updateLights(A.state.lightsArray),D.sortObjects===!0&&C.sort(He,Je),Jt=ce.enabled===!1||ce.isPresenting===!1||ce.hasDepthSensing()===!1,Jt&&O.addToRenderList(C,E),this.info.autoReset===!0&&this.info.reset(),Ft===!0&&se.beginShadows();let J=A.state.shadowsArray;if(pe.render(J,E,V),Ft===!0&&se.endShadows(),(Y&&U.hasRenderPass())===!1){let Pe=C.opaque,Ae=C.transmissive;if(A.setupLights(),V.isArrayCamera){let Ie=V.cameras;if(Ae.length>0)for(let ze=0,je=Ie.length;ze<je;ze++){let ut=Ie[ze];Ri(Pe,Ae,E,ut)}Jt&&O.render(E);for(let ze=0,je=Ie.length;ze<je;ze++){let ut=Ie[ze];Uo(C,E,ut,ut.viewport)}}else Ae.length>0&&Ri(Pe,Ae,E,V),Jt&&O.render(E),Uo(C,E,V)}le!==null&&H===0&&(Xe.updateMultisampleRenderTarget(le),Xe.updateRenderTargetMipmap(le)),Y&&U.end(D),E.isScene===!0&&E.onAfterRender(D,E,V),Se.resetDefaultState(),Z=-1,Q=null,T.pop(),T.length>0?(A=T[T.length-1],Xe.setTextureUnits(A.state.textureUnits),Ft===!0&&se.setGlobalState(D.clippingPlanes,A.state.camera)):A=null,_.pop(),_.length>0?C=_[_.length-1]:C=null,k!==null&&k.renderEnd()};function hs(E,V,j,Y){if(E.visible===!1)return;if(E.layers.test(V.layers)){if(E.isGroup)j=E.renderOrder;else if(E.isLOD)E.autoUpdate===!0&&E.update(V);else if(E.isLight)A.pushLight(E),E.castShadow&&A.pushShadow(E);else if(E.isSprite){let Pe=V.isArrayCamera?Xt:tt;if(!E.frustumCulled||E.intersectsFrustum(Pe)){Y&&xt.setFromMatrixPosition(E.matrixWorld).applyMatrix4(Pt);let Ae=ue.update(E),Ie=E.material;Ie.visible&&C.push(E,Ae,Ie,j,xt.z,null,V)}}else if(E.isMesh||E.isLine||E.isPoints){let Pe=V.isArrayCamera?Xt:tt;if(!E.frustumCulled||E.intersectsFrustum(Pe)){let Ae=ue.update(E),Ie=E.material;if(Y&&(E.boundingSphere!==void 0?(E.boundingSphere===null&&E.computeBoundingSphere(),xt.copy(E.boundingSphere.center)):(Ae.boundingSphere===null&&Ae.computeBoundingSphere(),xt.copy(Ae.boundingSphere.center)),xt.applyMatrix4(E.matrixWorld).applyMatrix4(Pt)),Array.isArray(Ie)){let ze=Ae.groups;for(let je=0,ut=ze.length;je<ut;je++){let ke=ze[je],ht=Ie[ke.materialIndex];ht&&ht.visible&&C.push(E,Ae,ht,j,xt.z,ke,V)}}else Ie.visible&&C.push(E,Ae,Ie,j,xt.z,null,V)}}}let Te=E.children;for(let Pe=0,Ae=Te.length;Pe<Ae;Pe++)hs(Te[Pe],V,j,Y)}function Uo(E,V,j,Y){let{opaque:J,transmissive:Te,transparent:Pe}=E;A.setupLightsView(j),Ft===!0&&se.setGlobalState(D.clippingPlanes,j),Y&&we.viewport(ie.copy(Y)),J.length>0&&Zt(J,V,j),Te.length>0&&Zt(Te,V,j),Pe.length>0&&Zt(Pe,V,j),we.buffers.depth.setTest(!0),we.buffers.depth.setMask(!0),we.buffers.color.setMask(!0),we.setPolygonOffset(!1)}function Ri(E,V,j,Y){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(A.state.transmissionRenderTarget[Y.id]===void 0){let ke=qe.has("EXT_color_buffer_half_float")||qe.has("EXT_color_buffer_float");A.state.transmissionRenderTarget[Y.id]=new pi(1,1,{generateMipmaps:!0,type:ke?Hi:_i,minFilter:As,samples:Math.max(4,it.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:mt.workingColorSpace})}let Te=A.state.transmissionRenderTarget[Y.id],Pe=Y.viewport||ie;Te.setSize(Pe.z*D.transmissionResolutionScale,Pe.w*D.transmissionResolutionScale);let Ae=D.getRenderTarget(),Ie=D.getActiveCubeFace(),ze=D.getActiveMipmapLevel();D.setRenderTarget(Te),D.getClearColor(ee),me=D.getClearAlpha(),me<1&&D.setClearColor(16777215,.5),D.clear(),Jt&&O.render(j);let je=D.toneMapping;D.toneMapping=rs;let ut=Y.viewport;if(Y.viewport!==void 0&&(Y.viewport=void 0),A.setupLightsView(Y),Ft===!0&&se.setGlobalState(D.clippingPlanes,Y),Zt(E,j,Y),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),qe.has("WEBGL_multisampled_render_to_texture")===!1){let ke=!1;for(let ht=0,$t=V.length;ht<$t;ht++){let Tt=V[ht],{object:At,geometry:yn,material:Fe,group:cn}=Tt;if(Fe.side===zn&&At.layers.test(Y.layers)){let ft=Fe.side;Fe.side=kn,Fe.needsUpdate=!0,tn(At,j,Y,yn,Fe,cn),Fe.side=ft,Fe.needsUpdate=!0,ke=!0}}ke===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te))}D.setRenderTarget(Ae,Ie,ze),D.setClearColor(ee,me),ut!==void 0&&(Y.viewport=ut),D.toneMapping=je}function Zt(E,V,j){let Y=V.isScene===!0?V.overrideMaterial:null;for(let J=0,Te=E.length;J<Te;J++){let Pe=E[J],{object:Ae,geometry:Ie,group:ze}=Pe,je=Pe.material;je.allowOverride===!0&&Y!==null&&(je=Y),Ae.layers.test(j.layers)&&tn(Ae,V,j,Ie,je,ze)}}function tn(E,V,j,Y,J,Te){k!==null&&J.isNodeMaterial&&k.setObject(E,J),E.onBeforeRender(D,V,j,Y,J,Te),E.modelViewMatrix.multiplyMatrices(j.matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),J.onBeforeRender(D,V,j,Y,E,Te),J.transparent===!0&&J.side===zn&&J.forceSinglePass===!1?(J.side=kn,J.needsUpdate=!0,D.renderBufferDirect(j,V,Y,J,E,Te),J.side=Ai,J.needsUpdate=!0,D.renderBufferDirect(j,V,Y,J,E,Te),J.side=zn):D.renderBufferDirect(j,V,Y,J,E,Te),E.onAfterRender(D,V,j,Y,J,Te)}function nn(E){let V=0;for(let j of E)j.texture!==null&&V++;return V}function $i(E,V,j){V.isScene!==!0&&(V=vn);let Y=Ve.get(E),J=A.state.lights,Te=A.state.shadowsArray,Pe=J.state.version,Ae=oe.getParameters(E,J.state,Te,V,j,A.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),ze=Y.programs;Y.environment=E.isMeshStandardMaterial||E.isMeshLambertMaterial||E.isMeshPhongMaterial?V.environment:null,Y.fog=V.fog;let je=E.isMeshStandardMaterial||E.isMeshLambertMaterial&&!E.envMap||E.isMeshPhongMaterial&&!E.envMap;Y.envMap=P.get(E.envMap||Y.environment,je),Y.envMapRotation=Y.environment!==null&&E.envMap===null?V.environmentRotation:E.envMapRotation,ze===void 0&&(E.addEventListener("dispose",st),ze=new Map,Y.programs=ze,Y.programVariants=new Map);let ut=ze.get(Ie);if(ut!==void 0){if(Y.currentProgram===ut&&Y.lightsStateVersion===Pe)return Oo(E,Ae),ut}else Ae.uniforms=oe.getUniforms(E),k!==null&&E.isNodeMaterial&&k.build(E,j,Ae),E.onBeforeCompile(Ae,D),ut=oe.acquireProgram(Ae,Ie),ze.set(Ie,ut),Y.uniforms=Ae.uniforms;let ke=Y.uniforms;return(!E.isShaderMaterial&&!E.isRawShaderMaterial||E.clipping===!0)&&(ke.clippingPlanes=se.uniform),Oo(E,Ae),Y.needsLights=Ls(E),Y.lightsStateVersion=Pe,Y.needsLights&&(ke.ambientLightColor.value=J.state.ambient,ke.lightProbe.value=J.state.probe,ke.sunLights.value=J.state.sun,ke.sunLightShadows.value=J.state.sunShadow,ke.directionalLights.value=J.state.directional,ke.directionalLightShadows.value=J.state.directionalShadow,ke.spotLights.value=J.state.spot,ke.spotLightShadows.value=J.state.spotShadow,ke.rectAreaLights.value=J.state.rectArea,ke.ltc_1.value=J.state.rectAreaLTC1,ke.ltc_2.value=J.state.rectAreaLTC2,ke.pointLights.value=J.state.point,ke.pointLightShadows.value=J.state.pointShadow,ke.hemisphereLights.value=J.state.hemi,ke.sunShadowMatrix.value=J.state.sunShadowMatrix,ke.sunShadowCascade.value=J.state.sunShadowCascade,ke.directionalShadowMatrix.value=J.state.directionalShadowMatrix,ke.spotLightMatrix.value=J.state.spotLightMatrix,ke.spotLightMap.value=J.state.spotLightMap,ke.pointShadowMatrix.value=J.state.pointShadowMatrix),Y.numLightProbeGrids=nn(A.state.lightProbeGridArray),Y.currentProgram=ut,Y.uniformsList=null,ut}function ri(E,V,j,Y,J){let Te=Ve.get(E),Pe=Te.currentProgram.id+","+Y+","+J,Ae=Te.programVariants.get(Pe);return Ae===void 0?(Ae=$i(E,V,j),Te.programVariants.set(Pe,Ae)):(Te.currentProgram=Ae,Te.uniformsList=null,Te.outputColorSpace=Y,Te.toneMapping=J),Ae}function Is(E){if(E.uniformsList===null){let V=E.currentProgram.getUniforms();E.uniformsList=Ao.seqWithValue(V.seq,E.uniforms)}return E.uniformsList}function Oo(E,V){let j=Ve.get(E);j.outputColorSpace=V.outputColorSpace,j.batching=V.batching,j.batchingColor=V.batchingColor,j.instancing=V.instancing,j.instancingColor=V.instancingColor,j.instancingMorph=V.instancingMorph,j.skinning=V.skinning,j.morphTargets=V.morphTargets,j.morphNormals=V.morphNormals,j.morphColors=V.morphColors,j.morphTargetsCount=V.morphTargetsCount,j.numClippingPlanes=V.numClippingPlanes,j.numIntersection=V.numClipIntersection,j.vertexAlphas=V.vertexAlphas,j.vertexTangents=V.vertexTangents,j.toneMapping=V.toneMapping}function Bo(E,V,j,Y,J){V.isScene!==!0&&(V=vn),Xe.resetTextureUnits();let Te=V.fog,Pe=Y.isMeshStandardMaterial||Y.isMeshLambertMaterial||Y.isMeshPhongMaterial?V.environment:null,Ae=le===null?D.outputColorSpace:le.isXRRenderTarget===!0?le.texture.colorSpace:mt.workingColorSpace,Ie=Y.isMeshStandardMaterial||Y.isMeshLambertMaterial&&!Y.envMap||Y.isMeshPhongMaterial&&!Y.envMap,ze=P.get(Y.envMap||Pe,Ie),je=Y.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.itemSize===4,ut=!!j.attributes.tangent&&(!!Y.normalMap||Y.anisotropy>0),ke=!!j.morphAttributes.position,ht=!!j.morphAttributes.normal,$t=!!j.morphAttributes.color,Tt=rs;Y.toneMapped&&(le===null||le.isXRRenderTarget===!0)&&(Tt=D.toneMapping);let At=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,yn=At!==void 0?At.length:0,Fe=Ve.get(Y),cn=A.state.lights;if(Ft===!0&&(an===!0||E!==Q)){let Rt=E===Q&&Y.id===Z;se.setState(Y,E,Rt)}let ft=!1,ds=!1;Y.version===Fe.__version?Fe.needsLights&&Fe.lightsStateVersion!==cn.state.version||J.isBatchedMesh&&Fe.batching===!1||!J.isBatchedMesh&&Fe.batching===!0||J.isBatchedMesh&&Fe.batchingColor===!0&&J._colorsTexture===null||J.isBatchedMesh&&Fe.batchingColor===!1&&J._colorsTexture!==null||J.isInstancedMesh&&Fe.instancing===!1||!J.isInstancedMesh&&Fe.instancing===!0||J.isSkinnedMesh&&Fe.skinning===!1||!J.isSkinnedMesh&&Fe.skinning===!0||J.isInstancedMesh&&Fe.instancingColor===!0&&J.instanceColor===null||J.isInstancedMesh&&Fe.instancingColor===!1&&J.instanceColor!==null||J.isInstancedMesh&&Fe.instancingMorph===!0&&J.morphTexture===null||J.isInstancedMesh&&Fe.instancingMorph===!1&&J.morphTexture!==null||Fe.envMap!==ze||Y.fog===!0&&Fe.fog!==Te||Fe.numClippingPlanes!==void 0&&(Fe.numClippingPlanes!==se.numPlanes||Fe.numIntersection!==se.numIntersection)||Fe.vertexAlphas!==je||Fe.vertexTangents!==ut||Fe.morphTargets!==ke||Fe.morphNormals!==ht||Fe.morphColors!==$t||Fe.morphTargetsCount!==yn||Fe.numLightProbeGrids!==nn(A.state.lightProbeGridArray)?ft=!0:(Fe.outputColorSpace!==Ae||Fe.toneMapping!==Tt)&&(ds=!0):(ft=!0,Fe.__version=Y.version);let un=Fe.currentProgram;(ft===!0||ds===!0)&&(un=ds===!0?ri(Y,V,J,Ae,Tt):$i(Y,V,J),k&&Y.isNodeMaterial&&k.onUpdateProgram(Y,un,Fe));let Pr=!1,Yi=!1,fs=!1,at=un.getUniforms(),Kt=Fe.uniforms;if(we.useProgram(un.program)&&(Pr=!0,Yi=!0,fs=!0),Y.id!==Z&&(Z=Y.id,Yi=!0),Pr||Q!==E){we.buffers.depth.getReversed()&&E.reversedDepth!==!0&&(E._reversedDepth=!0,E.updateProjectionMatrix()),at.setValue(B,"projectionMatrix",E.projectionMatrix),at.setValue(B,"viewMatrix",E.matrixWorldInverse);let hn=at.map.cameraPosition;hn!==void 0&&hn.setValue(B,An.setFromMatrixPosition(E.matrixWorld)),it.logarithmicDepthBuffer&&at.setValue(B,"logDepthBufFC",2/(Math.log(E.far+1)/Math.LN2)),(Y.isMeshPhongMaterial||Y.isMeshToonMaterial||Y.isMeshLambertMaterial||Y.isMeshBasicMaterial||Y.isMeshStandardMaterial||Y.isShaderMaterial)&&at.setValue(B,"isOrthographic",E.isOrthographicCamera===!0),Q!==E&&(Q=E,Yi=!0,fs=!0)}if(Fe.needsLights&&(cn.state.sunShadowMap.length>0&&at.setValue(B,"sunShadowMap",cn.state.sunShadowMap,Xe),cn.state.directionalShadowMap.length>0&&at.setValue(B,"directionalShadowMap",cn.state.directionalShadowMap,Xe),cn.state.spotShadowMap.length>0&&at.setValue(B,"spotShadowMap",cn.state.spotShadowMap,Xe),cn.state.pointShadowMap.length>0&&at.setValue(B,"pointShadowMap",cn.state.pointShadowMap,Xe)),J.isSkinnedMesh){at.setOptional(B,J,"bindMatrix"),at.setOptional(B,J,"bindMatrixInverse");let Rt=J.skeleton;Rt&&(Rt.boneTexture===null&&Rt.computeBoneTexture(),at.setValue(B,"boneTexture",Rt.boneTexture,Xe))}J.isBatchedMesh&&(at.setOptional(B,J,"batchingTexture"),at.setValue(B,"batchingTexture",J._matricesTexture,Xe),at.setOptional(B,J,"batchingIdTexture"),at.setValue(B,"batchingIdTexture",J._indirectTexture,Xe),at.setOptional(B,J,"batchingColorTexture"),J._colorsTexture!==null&&at.setValue(B,"batchingColorTexture",J._colorsTexture,Xe));let Yn=j.morphAttributes;if((Yn.position!==void 0||Yn.normal!==void 0||Yn.color!==void 0)&&re.update(J,j,un),(Yi||Fe.receiveShadow!==J.receiveShadow)&&(Fe.receiveShadow=J.receiveShadow,at.setValue(B,"receiveShadow",J.receiveShadow)),(Y.isMeshStandardMaterial||Y.isMeshLambertMaterial||Y.isMeshPhongMaterial)&&Y.envMap===null&&V.environment!==null&&(Kt.envMapIntensity.value=V.environmentIntensity),Kt.dfgLUT!==void 0&&(Kt.dfgLUT.value=UE()),Yi){if(at.setValue(B,"toneMappingExposure",D.toneMappingExposure),Fe.needsLights&&Rr(Kt,fs),Te&&Y.fog===!0&&xe.refreshFogUniforms(Kt,Te),xe.refreshMaterialUniforms(Kt,Y,ve,Me,A.state.transmissionRenderTarget[E.id]),Fe.needsLights&&Fe.numLightProbeGrids>0){let Rt=S,hn=0;for(let Gn of A.state.lightProbeGridArray)Gn.texture!==null&&(Rt.textures[hn]=Gn.texture,Rt.min[hn]=Gn.boundingBox.min,Rt.max[hn]=Gn.boundingBox.max,Rt.resolution[hn]=Gn.resolution,hn++);for(let Gn in Rt)Rt[Gn].length=hn;Kt.probesSH.value=Rt.textures,Kt.probesMin.value=Rt.min,Kt.probesMax.value=Rt.max,Kt.probesResolution.value=Rt.resolution}Ao.upload(B,Is(Fe),Kt,Xe)}if(Y.isShaderMaterial&&Y.uniformsNeedUpdate===!0&&(Ao.upload(B,Is(Fe),Kt,Xe),Y.uniformsNeedUpdate=!1),Y.isSpriteMaterial&&at.setValue(B,"center",J.center),at.setValue(B,"modelViewMatrix",J.modelViewMatrix),at.setValue(B,"normalMatrix",J.normalMatrix),at.setValue(B,"modelMatrix",J.matrixWorld),Y.uniformsGroups!==void 0){let Rt=Y.uniformsGroups;for(let hn=0,Gn=Rt.length;hn<Gn;hn++){let ja=Rt[hn];Ge.update(ja,un),Ge.bind(ja,un)}}return un}function Rr(E,V){E.ambientLightColor.needsUpdate=V,E.lightProbe.needsUpdate=V,E.sunLights.needsUpdate=V,E.sunLightShadows.needsUpdate=V,E.directionalLights.needsUpdate=V,E.directionalLightShadows.needsUpdate=V,E.pointLights.needsUpdate=V,E.pointLightShadows.needsUpdate=V,E.spotLights.needsUpdate=V,E.spotLightShadows.needsUpdate=V,E.rectAreaLights.needsUpdate=V,E.hemisphereLights.needsUpdate=V}function Ls(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||E.isMeshStandardMaterial||E.isShadowMaterial||E.isShaderMaterial&&E.lights===!0}this.getActiveCubeFace=function(){return $},this.getActiveMipmapLevel=function(){return H},this.getRenderTarget=function(){return le},this.setRenderTargetTextures=function(E,V,j){let Y=Ve.get(E);Y.__autoAllocateDepthBuffer=E.resolveDepthBuffer===!1,Y.__autoAllocateDepthBuffer===!1&&(Y.__useRenderToTexture=!1),Ve.get(E.texture).__webglTexture=V,Ve.get(E.depthTexture).__webglTexture=Y.__autoAllocateDepthBuffer?void 0:j,Y.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(E,V){let j=Ve.get(E);j.__webglFramebuffer=V,j.__useDefaultFramebuffer=V===void 0},this.setRenderTarget=function(E,V=0,j=0){le=E,$=V,H=j;let Y=null,J=!1,Te=!1;if(E){let Ae=Ve.get(E);if(Ae.__useDefaultFramebuffer!==void 0){we.bindFramebuffer(B.FRAMEBUFFER,Ae.__webglFramebuffer),ie.copy(E.viewport),de.copy(E.scissor),he=E.scissorTest,we.viewport(ie),we.scissor(de),we.setScissorTest(he),Z=-1;return}else if(Ae.__webglFramebuffer===void 0)Xe.setupRenderTarget(E);else if(Ae.__hasExternalTextures)Xe.rebindTextures(E,Ve.get(E.texture).__webglTexture,Ve.get(E.depthTexture).__webglTexture);else if(E.depthBuffer){let je=E.depthTexture;if(Ae.__boundDepthTexture!==je){if(je!==null&&Ve.has(je)&&(E.width!==je.image.width||E.height!==je.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");Xe.setupDepthRenderbuffer(E)}}let Ie=E.texture;(Ie.isData3DTexture||Ie.isDataArrayTexture||Ie.isCompressedArrayTexture)&&(Te=!0);let ze=Ve.get(E).__webglFramebuffer;E.isWebGLCubeRenderTarget?(Array.isArray(ze[V])?Y=ze[V][j]:Y=ze[V],J=!0):E.samples>0&&Xe.useMultisampledRTT(E)===!1?Y=Ve.get(E).__webglMultisampledFramebuffer:Array.isArray(ze)?Y=ze[j]:Y=ze,ie.copy(E.viewport),de.copy(E.scissor),he=E.scissorTest}else ie.copy(Oe).multiplyScalar(ve).floor(),de.copy(ct).multiplyScalar(ve).floor(),he=ot;if(j!==0&&(Y=z),we.bindFramebuffer(B.FRAMEBUFFER,Y)&&we.drawBuffers(E,Y),we.viewport(ie),we.scissor(de),we.setScissorTest(he),J){let Ae=Ve.get(E.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_CUBE_MAP_POSITIVE_X+V,Ae.__webglTexture,j)}else if(Te){let Ae=V;for(let Ie=0;Ie<E.textures.length;Ie++){let ze=Ve.get(E.textures[Ie]);B.framebufferTextureLayer(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0+Ie,ze.__webglTexture,j,Ae)}}else if(E!==null&&j!==0){let Ae=Ve.get(E.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,Ae.__webglTexture,j)}Z=-1};function Cr(E){let V=Ve.get(E);return(V.__readFormat!==E.format||V.__readType!==E.type)&&(V.__readFormat=E.format,V.__readType=E.type,V.__formatReadable=it.textureFormatReadable(E.format),V.__typeReadable=it.textureTypeReadable(E.type)),V}this.readRenderTargetPixels=function(E,V,j,Y,J,Te,Pe,Ae=0){if(!(E&&E.isWebGLRenderTarget)){Qe("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Ie=Ve.get(E).__webglFramebuffer;if(E.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie){we.bindFramebuffer(B.FRAMEBUFFER,Ie);try{let ze=E.textures[Ae],je=ze.format,ut=ze.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let ke=Cr(ze);if(ke.__formatReadable===!1){Qe("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(ke.__typeReadable===!1){Qe("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}V>=0&&V<=E.width-Y&&j>=0&&j<=E.height-J&&B.readPixels(V,j,Y,J,_e.convert(je),_e.convert(ut),Te)}finally{let ze=le!==null?Ve.get(le).__webglFramebuffer:null;we.bindFramebuffer(B.FRAMEBUFFER,ze)}}},this.readRenderTargetPixelsAsync=async function(E,V,j,Y,J,Te,Pe,Ae=0){if(!(E&&E.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Ie=Ve.get(E).__webglFramebuffer;if(E.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie)if(V>=0&&V<=E.width-Y&&j>=0&&j<=E.height-J){we.bindFramebuffer(B.FRAMEBUFFER,Ie);let ze=E.textures[Ae],je=ze.format,ut=ze.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let ke=Cr(ze);if(ke.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(ke.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ht=B.createBuffer();B.bindBuffer(B.PIXEL_PACK_BUFFER,ht),B.bufferData(B.PIXEL_PACK_BUFFER,Te.byteLength,B.STREAM_READ),B.readPixels(V,j,Y,J,_e.convert(je),_e.convert(ut),0),B.bindBuffer(B.PIXEL_PACK_BUFFER,null);let $t=le!==null?Ve.get(le).__webglFramebuffer:null;we.bindFramebuffer(B.FRAMEBUFFER,$t);let Tt=B.fenceSync(B.SYNC_GPU_COMMANDS_COMPLETE,0);return B.flush(),await T0(B,Tt,4),B.bindBuffer(B.PIXEL_PACK_BUFFER,ht),B.getBufferSubData(B.PIXEL_PACK_BUFFER,0,Te),B.bindBuffer(B.PIXEL_PACK_BUFFER,null),B.deleteBuffer(ht),B.deleteSync(Tt),Te}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(E,V=null,j=0){let Y=Math.pow(2,-j),J=Math.floor(E.image.width*Y),Te=Math.floor(E.image.height*Y),Pe=V!==null?V.x:0,Ae=V!==null?V.y:0;Xe.setTexture2D(E,0),B.copyTexSubImage2D(B.TEXTURE_2D,j,0,0,Pe,Ae,J,Te),we.unbindTexture()},this.copyTextureToTexture=function(E,V,j=null,Y=null,J=0,Te=0){let Pe,Ae,Ie,ze,je,ut,ke,ht,$t,Tt=E.isCompressedTexture?E.mipmaps[Te]:E.image;if(j!==null)Pe=j.max.x-j.min.x,Ae=j.max.y-j.min.y,Ie=j.isBox3?j.max.z-j.min.z:1,ze=j.min.x,je=j.min.y,ut=j.isBox3?j.min.z:0;else{let at=Math.pow(2,-J);Pe=Math.floor(Tt.width*at),Ae=Math.floor(Tt.height*at),E.isDataArrayTexture?Ie=Tt.depth:E.isData3DTexture?Ie=Math.floor(Tt.depth*at):Ie=1,ze=0,je=0,ut=0}Y!==null?(ke=Y.x,ht=Y.y,$t=Y.z):(ke=0,ht=0,$t=0);let At=_e.convert(V.format),yn=_e.convert(V.type),Fe;V.isData3DTexture?(Xe.setTexture3D(V,0),Fe=B.TEXTURE_3D):V.isDataArrayTexture||V.isCompressedArrayTexture?(Xe.setTexture2DArray(V,0),Fe=B.TEXTURE_2D_ARRAY):(Xe.setTexture2D(V,0),Fe=B.TEXTURE_2D),we.activeTexture(B.TEXTURE0),we.pixelStorei(B.UNPACK_FLIP_Y_WEBGL,V.flipY),we.pixelStorei(B.UNPACK_PREMULTIPLY_ALPHA_WEBGL,V.premultiplyAlpha),we.pixelStorei(B.UNPACK_ALIGNMENT,V.unpackAlignment);let cn=we.getParameter(B.UNPACK_ROW_LENGTH),ft=we.getParameter(B.UNPACK_IMAGE_HEIGHT),ds=we.getParameter(B.UNPACK_SKIP_PIXELS),un=we.getParameter(B.UNPACK_SKIP_ROWS),Pr=we.getParameter(B.UNPACK_SKIP_IMAGES);we.pixelStorei(B.UNPACK_ROW_LENGTH,Tt.width),we.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Tt.height),we.pixelStorei(B.UNPACK_SKIP_PIXELS,ze),we.pixelStorei(B.UNPACK_SKIP_ROWS,je),we.pixelStorei(B.UNPACK_SKIP_IMAGES,ut);let Yi=E.isDataArrayTexture||E.isData3DTexture,fs=V.isDataArrayTexture||V.isData3DTexture;if(E.isDepthTexture){let at=Ve.get(E),Kt=Ve.get(V),Yn=Ve.get(at.__renderTarget),Rt=Ve.get(Kt.__renderTarget);we.bindFramebuffer(B.READ_FRAMEBUFFER,Yn.__webglFramebuffer),we.bindFramebuffer(B.DRAW_FRAMEBUFFER,Rt.__webglFramebuffer);for(let hn=0;hn<Ie;hn++)Yi&&(B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Ve.get(E).__webglTexture,J,ut+hn),B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Ve.get(V).__webglTexture,Te,$t+hn)),B.blitFramebuffer(ze,je,ze+Pe,je+Ae,ke,ht,ke+Pe,ht+Ae,B.DEPTH_BUFFER_BIT,B.NEAREST);we.bindFramebuffer(B.READ_FRAMEBUFFER,null),we.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else if(J!==0||E.isRenderTargetTexture||Ve.has(E)){let at=Ve.get(E),Kt=Ve.get(V);we.bindFramebuffer(B.READ_FRAMEBUFFER,N),we.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let Yn=0;Yn<Ie;Yn++)Yi?B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,at.__webglTexture,J,ut+Yn):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,at.__webglTexture,J),fs?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Kt.__webglTexture,Te,$t+Yn):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,Kt.__webglTexture,Te),J!==0?B.blitFramebuffer(ze,je,ze+Pe,je+Ae,ke,ht,ke+Pe,ht+Ae,B.COLOR_BUFFER_BIT,B.NEAREST):fs?B.copyTexSubImage3D(Fe,Te,ke,ht,$t+Yn,ze,je,Pe,Ae):B.copyTexSubImage2D(Fe,Te,ke,ht,ze,je,Pe,Ae);we.bindFramebuffer(B.READ_FRAMEBUFFER,null),we.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else fs?E.isDataTexture||E.isData3DTexture?B.texSubImage3D(Fe,Te,ke,ht,$t,Pe,Ae,Ie,At,yn,Tt.data):V.isCompressedArrayTexture?B.compressedTexSubImage3D(Fe,Te,ke,ht,$t,Pe,Ae,Ie,At,Tt.data):B.texSubImage3D(Fe,Te,ke,ht,$t,Pe,Ae,Ie,At,yn,Tt):E.isDataTexture?B.texSubImage2D(B.TEXTURE_2D,Te,ke,ht,Pe,Ae,At,yn,Tt.data):E.isCompressedTexture?B.compressedTexSubImage2D(B.TEXTURE_2D,Te,ke,ht,Tt.width,Tt.height,At,Tt.data):B.texSubImage2D(B.TEXTURE_2D,Te,ke,ht,Pe,Ae,At,yn,Tt);we.pixelStorei(B.UNPACK_ROW_LENGTH,cn),we.pixelStorei(B.UNPACK_IMAGE_HEIGHT,ft),we.pixelStorei(B.UNPACK_SKIP_PIXELS,ds),we.pixelStorei(B.UNPACK_SKIP_ROWS,un),we.pixelStorei(B.UNPACK_SKIP_IMAGES,Pr),Te===0&&V.generateMipmaps===!0&&V.mipmapsAutoUpdate===!0&&B.generateMipmap(Fe),we.unbindTexture()},this.initRenderTarget=function(E){Ve.get(E).__webglFramebuffer===void 0&&Xe.setupRenderTarget(E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),we.unbindTexture()},this.resetState=function(){$=0,H=0,le=null,we.reset(),Se.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return wi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=mt._getDrawingBufferColorSpace(e),t.unpackColorSpace=mt._getUnpackColorSpace()}};var Mu=class{constructor(e){this.core=e}core;playing=!1;#e=0;toggle(){this.playing?this.stop():this.start()}start(){let e=this.core.positions?.list.length??0;this.playing||e<2||(this.playing=!0,this.play(++this.#e),this.core.changed(!1))}stop(){this.playing&&(this.playing=!1,this.#e++,this.core.changed(!1))}step(e){this.stop();let t=this.next(e,!0);t!==null&&this.core.goTo(t)}next(e,t){let i=this.core.positions?.list.length??0;if(i===0)return null;let s=this.core.state.position+e;return s>=0&&s<i?s:t?(s+i)%i:null}async play(e){let{core:t}=this,i=t.positions?.list.length??0;for(!t.state.animation.loop&&t.state.position===i-1&&await t.goTo(0);e===this.#e;){let s=performance.now()+1e3/Math.max(.1,t.state.animation.speed),r=this.next(1,t.state.animation.loop);if(r===null)break;if(await t.positions?.load(r).catch(()=>null),await new Promise(o=>setTimeout(o,Math.max(0,s-performance.now()))),e!==this.#e)return;await t.goTo(r),await new Promise(requestAnimationFrame)}e===this.#e&&this.stop()}};var h_="CALYXARR";var xn=class extends Error{constructor(t,i){super(`${t}: ${i}`);this.file=t;this.reason=i;this.name="FileError"}file;reason},Ha=class n{constructor(e,t,i,s){this.name=e;this.header=t;this.buffer=i;this.start=s}name;header;buffer;start;static parse(e,t){if(t.byteLength<16)throw new xn(e,`the file is truncated: it has ${t.byteLength} bytes, the header needs 16`);let i=new DataView(t);if(new TextDecoder("latin1").decode(new Uint8Array(t,0,8))!==h_)throw new xn(e,`not an array file: it does not begin with ${h_}`);let r=i.getUint32(8,!0);if(r!==1)throw new xn(e,`version ${r} of the format is not supported; this viewer reads version 1`);let o=i.getUint32(12,!0),a=16+o;if(a>t.byteLength)throw new xn(e,`the file is truncated: it has ${t.byteLength} bytes, the header ends at ${a}`);let l;try{l=JSON.parse(new TextDecoder("utf-8",{fatal:!0}).decode(new Uint8Array(t,16,o)))}catch{throw new xn(e,"the header is not valid JSON")}if(typeof l!="object"||l===null||Array.isArray(l))throw new xn(e,"the header is not a JSON object");return new n(e,l,t,a)}f32(e,t,i){let{offset:s,length:r}=this.locate(e,"f32",t,i);return new Float32Array(this.buffer,s,r)}f64(e,t,i){let{offset:s,length:r}=this.locate(e,"f64",t,i);return s%8===0?new Float64Array(this.buffer,s,r):new Float64Array(this.buffer.slice(s,s+8*r))}u32(e,t,i){let{offset:s,length:r}=this.locate(e,"u32",t,i);return new Uint32Array(this.buffer,s,r)}locate(e,t,i,s){let r=p=>{throw new xn(this.name,`${s}: ${p}`)};if(typeof e!="object"||e===null)return r("the array is missing");let o=e;if(o.type!==t)return r(`the array has type ${String(o.type)}, expected ${t}`);if(o.components!==i)return r(`the array has ${String(o.components)} components, expected ${i}`);let{count:a,offset:l}=o,c=p=>Number.isSafeInteger(p)&&p>=0;if(!c(a)||!c(l))return r("the size or the offset of the array is not a whole number");let u=t==="f64"?8:4;if(l%u!==0)return r(`the offset ${l} is not aligned`);let h=a*i,f=this.start+l+h*u;if(f>this.buffer.byteLength)return r(`the file is truncated: it has ${this.buffer.byteLength} bytes, the array ends at ${f}`);let d=this.start+l;return d%u!==0?r("the header's length is not a multiple of 8"):{offset:d,length:h}}};var wu=256,Sf={viridis:{label:"Viridis",colours:["#440154","#482475","#414487","#355f8d","#2a788e","#21918c","#22a884","#44bf70","#7ad151","#bddf26","#fde725"]},cividis:{label:"Cividis",colours:["#00224e","#123570","#3b496c","#575d6d","#707173","#8a8678","#a59c74","#c3b369","#e1cc55","#fee838"]},turbo:{label:"Turbo",colours:["#30123b","#4145ab","#4675ed","#39a2fc","#1bcfd4","#24eca6","#61fc6c","#a4fc3b","#d1e834","#f3c63a","#fe9b2d","#f36315","#d93806","#b11901","#7a0402"]},grey:{label:"Grey",colours:["#1a1a1a","#f2f2f2"]}},f_=Object.entries(Sf).map(([n,{label:e}])=>({name:n,label:e}));function d_(n){let e=parseInt(n.slice(1),16);return[e>>16&255,e>>8&255,e&255]}function Co(n,e){let{colours:t}=Sf[n]??Sf.viridis,i=Math.min(Math.max(e,0),1)*(t.length-1),s=Math.min(Math.floor(i),t.length-2),r=d_(t[s]),o=d_(t[s+1]),a=i-s;return r.map((l,c)=>Math.round(l+a*(o[c]-l)))}function Ga(n,e){if(e<1)return n;let t=Math.min(Math.max(Math.floor(n*e),0),e-1);return e===1?.5:t/(e-1)}function Wa([n,e,t]){return`rgb(${n} ${e} ${t})`}function p_(n,e,t){let i=n.image.data;for(let r=0;r<wu;r++){let[o,a,l]=Co(e,Ga(r/(wu-1),t));i.set([o,a,l,255],4*r)}let s=t>0?_n:Bn;n.minFilter=s,n.magFilter=s,n.needsUpdate=!0}function m_(){let n=new go(new Uint8Array(4*wu),wu,1,xi);return n.colorSpace=Qn,n}var g_=["#7f9db9","#c9a66b","#8fb09a","#b58a9b","#9a95bd","#b9b08a","#76a9ae","#c08f76"],OE={gear:g_,shaft:["#a9adb3","#b7b2aa","#9ea6ac"],bearing:["#8a8f98","#969089"],body:["#b4bcc4","#c0b9ae","#aab7b0"]};function __(n,e){let t=OE[n]??g_;return t[e%t.length]}var Mf=1e30,BE="1e20",kE=`
+#ifdef COPIES
+attribute vec2 copyRotation;
+#endif
+#ifdef DEFORMED
+attribute vec3 displacement;
+uniform float deformation;
+#endif
+#ifdef FIELD
+attribute float field;
+varying float vField;
+#endif
+#ifdef LIT
+varying vec3 vNormal;
+varying vec3 vEye;
+#endif
+#ifdef CUT
+uniform vec4 cutPlane;
+varying float vCut;
+#endif
+uniform float bias;
+
+void main() {
+  vec3 p = position;
+  #ifdef DEFORMED
+  p += deformation * displacement;
+  #endif
+  #ifdef COPIES
+  p = vec3(copyRotation.x * p.x - copyRotation.y * p.y, copyRotation.y * p.x + copyRotation.x * p.y, p.z);
+  #endif
+  vec4 world = modelMatrix * vec4(p, 1.0);
+  #ifdef CUT
+  vCut = dot(cutPlane.xyz, world.xyz) + cutPlane.w;
+  #endif
+  vec4 eye = viewMatrix * world;
+  #ifdef LIT
+  vec3 n = normal;
+  #ifdef COPIES
+  n = vec3(copyRotation.x * n.x - copyRotation.y * n.y, copyRotation.y * n.x + copyRotation.x * n.y, n.z);
+  #endif
+  vNormal = normalMatrix * n;
+  vEye = isOrthographic ? vec3(0.0, 0.0, 1.0) : -eye.xyz;
+  #endif
+  #ifdef FIELD
+  vField = field;
+  #endif
+  // Moves the point towards the eye, so that it appears in front of the surface below it.
+  eye.xyz += bias * (isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-eye.xyz));
+  gl_Position = projectionMatrix * eye;
+}
+`,zE=`
+uniform vec3 colour;
+uniform float opacity;
+#ifdef FIELD
+uniform bool useField;
+uniform sampler2D scale;
+uniform vec2 limits;
+uniform vec3 noValue;
+varying float vField;
+#endif
+#ifdef LIT
+varying vec3 vNormal;
+varying vec3 vEye;
+#endif
+#ifdef CUT
+varying float vCut;
+#endif
+#ifdef CAP
+uniform float pixelRatio;
+#endif
+
+void main() {
+  #ifdef CUT
+  if (vCut > 0.0) discard;
+  #endif
+  vec3 base = colour;
+  float gloss = 1.0;
+  #ifdef FIELD
+  if (useField) {
+    gloss = 0.0;
+    float fraction = (vField - limits.x) / max(limits.y - limits.x, 1e-30);
+    base = vField > ${BE} ? noValue : texture2D(scale, vec2(clamp(fraction, 0.0, 1.0) * 0.99609375 + 0.001953125, 0.5)).rgb;
+  }
+  #endif
+  #ifdef LIT
+  vec3 n = normalize(vNormal);
+  if (!gl_FrontFacing) n = -n;
+  vec3 toEye = normalize(vEye);
+  // The lights are fixed to the camera: a soft sky, a key light from the upper left, and a fill light.
+  float sky = 0.5 + 0.5 * n.y;
+  float key = max(dot(n, vec3(-0.387, 0.560, 0.733)), 0.0);
+  float fill = max(dot(n, vec3(0.707, -0.141, 0.693)), 0.0);
+  vec3 ambient = mix(vec3(0.36, 0.36, 0.38), vec3(0.58, 0.60, 0.63), sky);
+  vec3 light = ambient + vec3(0.62, 0.61, 0.59) * key + vec3(0.13, 0.14, 0.16) * fill;
+  // Colours of a field must match the legend: less contrast, and no gloss.
+  light = mix(vec3(0.55) + 0.45 * light, light, gloss);
+  vec3 halfway = normalize(toEye + vec3(-0.387, 0.560, 0.733));
+  float gleam = pow(max(dot(n, halfway), 0.0), 38.0);
+  float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
+  base = base * light * (1.0 - 0.22 * rim) + gloss * 0.13 * gleam;
+  #endif
+  #ifdef CAP
+  // Hatching at 45 degrees, as in a sectional drawing.
+  float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * pixelRatio)) - 0.5) * 9.0;
+  base *= mix(0.80, 1.0, smoothstep(0.35, 1.1, stripe));
+  #endif
+  gl_FragColor = vec4(base, opacity);
+  #include <colorspace_fragment>
+}
+`,Gi=class extends Ti{cuttable;constructor(e,t,i={},s){super({vertexShader:kE,fragmentShader:zE,defines:Object.fromEntries(t.map(r=>[r,""])),...i}),this.uniforms={cutPlane:e.cutPlane,deformation:e.deformation,limits:e.limits,scale:e.scale,noValue:e.noValue,pixelRatio:e.pixelRatio,colour:s??{value:new rt},opacity:{value:1},useField:{value:!1},bias:{value:0}},this.cuttable=!t.includes("CAP")}get colour(){return this.uniforms.colour.value}set alpha(e){this.uniforms.opacity.value=e,this.transparent=e<1}set useField(e){this.uniforms.useField.value=e}set bias(e){this.uniforms.bias.value=e}set cut(e){!this.cuttable||e==="CUT"in this.defines||(e?this.defines.CUT="":delete this.defines.CUT,this.needsUpdate=!0)}};function x_(n){return{cutPlane:{value:new Wt(0,0,1,0)},deformation:{value:0},limits:{value:new _t(0,1)},scale:{value:n},noValue:{value:new rt("#9a9a9a")},lineColour:{value:new rt("#1c2733")},edgeColour:{value:new rt("#1c2733")},pixelRatio:{value:1}}}function wf(n,e){let t=e?["DEFORMED"]:["COPIES"],i=(r,o)=>new Gi(n,t,{side:r,colorWrite:!1,depthWrite:!1,depthTest:!1,stencilWrite:!0,stencilFunc:gu,stencilFail:o,stencilZFail:o,stencilZPass:o}),s=(r,o)=>{let a=new Gi(n,t,{depthWrite:!1},r);return a.alpha=o,a};return{surface:new Gi(n,e?["DEFORMED","FIELD","LIT"]:["COPIES","LIT"],{polygonOffset:!0,polygonOffsetFactor:1,polygonOffsetUnits:1}),features:s(n.lineColour,.55),edges:s(n.edgeColour,.3),stencilBack:i(kn,Kd),stencilFront:i(Ai,jd)}}function v_(n){return new Gi(n,["CAP"],{side:zn,stencilWrite:!0,stencilRef:0,stencilFunc:Qd,stencilFail:Ua,stencilZFail:Ua,stencilZPass:Ua})}var Eu=class{group=new rn;materials;#e=new Dn;#t;#n=null;#i;constructor(e){let t=new Gi(e,["FIELD"],{side:zn}),i=new Gi(e,["FIELD"],{side:zn,depthFunc:ho,depthWrite:!1});i.alpha=.5,t.useField=i.useField=!0,this.#i=i,this.materials=[t,i];let s=this.materials.map(r=>new Ot(this.#e,r));for(let r of s)r.frustumCulled=!1,r.matrixAutoUpdate=!1,this.group.add(r);this.#t=s[1],this.#t.renderOrder=99999,s[0].renderOrder=5}setBias(e){for(let t of this.materials)t.bias=e;this.#i.bias=0}setBehind(e){this.#t.visible=e}get contacts(){return this.#n}set(e,t){if(this.#n=e,this.#e.dispose(),this.group.visible=e!==null,!e)return;let i=[];for(let a=0;a<e.count;a++)e.pressures[a]>0&&t(a)&&i.push(a);let s=new Float32Array(12*i.length),r=new Float32Array(4*i.length),o=new Uint32Array(6*i.length);i.forEach((a,l)=>{s.set(e.corners.subarray(12*a,12*a+12),12*l),r.fill(e.pressures[a],4*l,4*l+4);let c=4*l;o.set([c,c+1,c+2,c,c+2,c+3],6*l)}),this.#e.setAttribute("position",new on(s,3)),this.#e.setAttribute("field",new on(r,1)),this.#e.setIndex(new on(o,1))}dispose(){this.#e.dispose();for(let e of this.materials)e.dispose()}};var y_={x:[1,0,0],y:[0,1,0],z:[0,0,1]},Tu=class{group=new rn;capGeometry=new xr(2,2);capMatrix=new vt;normal=new X(0,0,1);range=[-1,1];offset=0;#e;#t=new rn;#n=new X;#i=1;#s=new X;constructor(){let e=[-1,-1,0,1,-1,0,1,1,0,-1,1,0],t=new Dn;t.setAttribute("position",new en(e,3)),this.#e=new ya(t,new _o({color:"#e07b1f",transparent:!0,opacity:.8}));let i=new Zs({color:"#e07b1f",transparent:!0,depthTest:!1}),s=new _r(.022,.05,20).rotateX(Math.PI/2),r=new Ot(s.clone().translate(0,0,.062),i),o=new Ot(s.clone().rotateY(Math.PI).translate(0,0,-.062),i),a=new Ot(new wa(.021,20,14),i);this.#t.add(r,o,a);for(let l of this.#t.children)l.renderOrder=3e5;this.group.add(this.#e,this.#t),this.group.visible=!1}setBounds(e,t){this.#n.copy(e),this.#i=t}apply(e,t){let i=typeof e.normal=="string"?y_[e.normal]??y_.z:e.normal;this.normal.set(i[0],i[1],i[2]),this.normal.lengthSq()>0||this.normal.set(0,0,1),this.normal.normalize();let s=this.normal.dot(this.#n);this.range=[s-this.#i,s+this.#i],this.offset=e.offset??s;let r=e.flipped?-1:1;t.set(r*this.normal.x,r*this.normal.y,r*this.normal.z,-r*this.offset),this.group.visible=e.on;let o=this.#n.clone().addScaledVector(this.normal,this.offset-s),a=new Ei().setFromUnitVectors(new X(0,0,1),this.normal),l=1.02*this.#i;this.capMatrix.compose(o,a,new X(1.5*l,1.5*l,1)),this.#e.position.copy(o),this.#e.quaternion.copy(a),this.#e.scale.set(.86*l,.86*l,1),this.#t.quaternion.copy(a),this.#t.position.set(.86*l,.86*l,0).applyQuaternion(a).add(o),this.#t.scale.setScalar(l)}get handle(){return this.#t.position}setHighlight(e){for(let t of this.#t.children)t.material.color.set(e?"#ffa648":"#e07b1f")}drag(e,t,i,s,r){let o=.01*this.#i,a=this.#s.copy(this.handle).project(i),l=a.x,c=a.y,u=this.#s.copy(this.handle).addScaledVector(this.normal,o).project(i),h=(u.x-l)*s/2,f=-(u.y-c)*r/2,d=h*h+f*f;return d<.02?-t*o/2:(e*h+t*f)/d*o}};function VE(n,e,t,i,s,r){let o=Math.max(Math.abs(n),Math.abs(e),Math.abs(t),Math.abs(i),Math.abs(s),Math.abs(r));if(!Number.isFinite(o))return[NaN,NaN,NaN];if(o===0)return[0,0,0];let a=(n+e+t)/3,l=(n-e)/o,c=(e-t)/o,u=(t-n)/o,h=(l-u)/3,f=(c-l)/3,d=(u-c)/3,p=i/o,y=s/o,g=r/o,m=(l*l+c*c+u*u)/6+p*p+y*y+g*g;if(m===0)return[a,a,a];let b=h*(f*d-p*p)-g*(g*d-p*y)+y*(g*p-f*y),R=2*m/3,S=Math.SQRT2,C=h*h+g*g+y*y-R,A=f*f+g*g+p*p-R,_=d*d+p*p+y*y-R,T=S*(y*g-h*p),U=S*(p*g-f*y),D=S*(p*y-d*g),L=S*p,k=S*y,z=S*g,N=(h*A-f*C)**2+(h*_-d*C)**2+(f*_-d*A)**2+(h*T-L*C)**2+(h*U-k*C)**2+(h*D-z*C)**2+(f*T-L*A)**2+(f*U-k*A)**2+(f*D-z*A)**2+(d*T-L*_)**2+(d*U-k*_)**2+(d*D-z*_)**2+(L*U-k*T)**2+(L*D-z*T)**2+(k*D-z*U)**2,G=Math.atan2(Math.sqrt(3*N),Math.sqrt(27)*b)/3,$=2*Math.sqrt(m/3)*o,H=2*Math.PI/3;return[a+$*Math.cos(G),a+$*Math.cos(G-H),a+$*Math.cos(G+H)]}function HE(n,e,t,i,s,r){let o=n-e,a=e-t,l=t-n;return Math.sqrt(.5*(o*o+a*a+l*l)+3*(i*i+s*s+r*r))}function ls(n){return n!=="plain"&&n!=="contact_pressure"}var Wi={plain:{label:"Plain",quantity:"none"},contact_pressure:{label:"Contact pressure",quantity:"stress"},max_principal:{label:"Maximum principal stress",quantity:"stress"},min_principal:{label:"Minimum principal stress",quantity:"stress"},von_mises:{label:"Von Mises stress",quantity:"stress"},displacement:{label:"Displacement",quantity:"length"}};function GE(n,e,t){if(e==="displacement"){let f=n.displacements;return Math.hypot(f[3*t],f[3*t+1],f[3*t+2])}let i=n.stresses,s=6*t,[r,o,a,l,c,u]=[i[s],i[s+1],i[s+2],i[s+3],i[s+4],i[s+5]];if(e==="von_mises")return HE(r,o,a,l,c,u);let h=VE(r,o,a,l,c,u);return e==="max_principal"?h[0]:h[2]}function b_(n){let e={min:1/0,max:-1/0,minIndex:-1,maxIndex:-1};for(let t=0;t<n.length;t++){let i=n[t];i<e.min&&i!==-1/0&&(e.min=i,e.minIndex=t),i>e.max&&i!==1/0&&(e.max=i,e.maxIndex=t)}return e.minIndex<0||e.maxIndex<0?null:e}function S_(n){let e=new Uint8Array(n.points.length/3);for(let t=0;t<n.triangles.length;t++)e[n.triangles[t]]=1;return e}function M_(n,e){let t=n.points.length/3,i=new Float64Array(t);for(let s=0;s<t;s++)i[s]=GE(n,e,s);return i}var WE={Pa:[[1e6,"MPa",1e-6],[1e3,"kPa",.001],[0,"Pa",1]],m:[[1e-4,"mm",1e3],[1e-7,"µm",1e6],[0,"nm",1e9]],N:[[1e3,"kN",.001],[0,"N",1]],"N m":[[1e3,"kN m",.001],[0,"N m",1]],W:[[1e3,"kW",.001],[0,"W",1]],s:[[1,"s",1],[.001,"ms",1e3],[0,"µs",1e6]],rad:[[.1,"rad",1],[1e-4,"mrad",1e3],[0,"µrad",1e6]]};function Xi(n,e){let t=WE[n.replace("·"," ")];if(!t)return{symbol:n==="1"?"":n,factor:1};let i=Math.abs(e);if(!(i>0))return{symbol:t[0][1],factor:t[0][2]};let s=t.find(([r])=>i>=r)??t[t.length-1];return{symbol:s[1],factor:s[2]}}var Au={symbol:"MPa",factor:1e-6},XE="−";function Vn(n,e=4){if(Number.isNaN(n))return"no value";if(n===0)return"0";let t=Math.abs(n),i;if(t>=1e6||t<1e-4)i=n.toExponential(e-1).replace("e+","e");else{let s=Math.max(0,e-1-Math.floor(Math.log10(t)));i=n.toFixed(Math.min(s,12)),i.includes(".")&&(i=i.replace(/\.?0+$/,""))}return i.replaceAll("-",XE)}function w_(n,e,t=4){if(!Number.isFinite(n))return"no value";let i=Xi(e,n);return`${Vn(n*i.factor,t)} ${i.symbol}`.trim()}function E_(n){if(!(n>0)||!Number.isFinite(n))return n;let e=10**Math.floor(Math.log10(n)),t=n/e,i=t>=5?5:t>=2?2:1;return Number((i*e).toPrecision(3))}var T_={bearing:"#2f6fb5",mesh:"#c2502b"},qE=new X(0,1,0),Ru=class{group=new rn;labels=[];#e=new yo(1,1,1,20).translate(0,.5,0);#t=new _r(1,1,24).translate(0,.5,0);#n;#i=new Ot(new Dn,new Zs({transparent:!0}));constructor(e){let t=i=>{let s=new Gi(e,["LIT"],{transparent:!0});return s.colour.set(i),s};this.#n={bearing:t(T_.bearing),mesh:t(T_.mesh)},this.#i.renderOrder=2e5,this.#i.frustumCulled=!1,this.#i.onBeforeRender=i=>i.clearDepth()}set(e,t){this.group.clear(),this.labels=[];let i=0;for(let{force:s}of e)i=Math.max(i,Math.hypot(...s));if(i>0){this.group.add(this.#i);for(let s of e){if(s.kind==="bearing"?!t.bearings:!t.meshes)continue;let r=Math.hypot(...s.force);if(!(r>0))continue;let o=t.scale*.5*t.radius*r/i,a=this.arrow(s,o,t.radius*.011);this.group.add(a);let l=new X(...s.force).multiplyScalar(o/r).add(new X(...s.point));if(t.labels){let c=`${s.name?`${s.name}: `:""}${w_(r,"N",3)}`;this.labels.push({text:c,point:l,kind:s.kind})}}}}arrow(e,t,i){let s=this.#n[e.kind],r=new rn,o=Math.min(5.2*i,.45*t),a=new Ot(this.#e,s);a.scale.set(.55*i,t-o,.55*i);let l=new Ot(this.#t,s);l.scale.set(.33*o,o,.33*o),l.position.y=t-o,r.add(a,l),r.position.set(...e.point),r.quaternion.setFromUnitVectors(qE,new X(...e.force).normalize());for(let c of[a,l])c.renderOrder=200001;return r}dispose(){this.#e.dispose(),this.#t.dispose(),this.#i.geometry.dispose(),this.#i.material.dispose();for(let e of Object.values(this.#n))e.dispose()}};var Ef=Math.cos(32*Math.PI/180),Po=n=>n===2147483648?0:n;function $E(n){let e=n.length/3,t=new Uint32Array(n.buffer,n.byteOffset,n.length),i=1;for(;i<2*e;)i*=2;let s=new Uint32Array(i),r=new Uint32Array(e);for(let o=0;o<e;o++){let[a,l,c]=[Po(t[3*o]),Po(t[3*o+1]),Po(t[3*o+2])],u=Math.imul(a,2654435761)^Math.imul(l,2246822507)^Math.imul(c,3266489909);for(u=(u^u>>>15)&i-1;;){let h=s[u];if(h===0){s[u]=o+1,r[o]=o;break}let f=3*(h-1);if(Po(t[f])===a&&Po(t[f+1])===l&&Po(t[f+2])===c){r[o]=h-1;break}u=u+1&i-1}}return r}function YE(n,e){let t=new Uint32Array(e+1);for(let r=0;r<n.length;r++)t[n[r]+1]++;for(let r=0;r<e;r++)t[r+1]+=t[r];let i=t.slice(0,e),s=new Uint32Array(n.length);for(let r=0;r<n.length;r++)s[i[n[r]]++]=r;return{starts:t,corners:s}}function JE(n,e){let t=new Float32Array(e.length);for(let i=0;i<e.length;i+=3){let s=3*e[i],r=3*e[i+1],o=3*e[i+2],a=n[r]-n[s],l=n[r+1]-n[s+1],c=n[r+2]-n[s+2],u=n[o]-n[s],h=n[o+1]-n[s+1],f=n[o+2]-n[s+2];t[i]=l*f-c*h,t[i+1]=c*u-a*f,t[i+2]=a*h-l*u}return t}function ZE(n,e,t,i,s){for(let r=e[i];r<e[i+1];r++){let o=t[r],a=o-o%3;if(n[a+(o+1)%3]===s)return a}return-1}function KE(n,e,t){let i=new Map,s=[],r=0;for(let c=0;c<e.length;c++)e[c]&&(s.push(c),r=Math.max(r,Math.abs(n[3*c]),Math.abs(n[3*c+1]),Math.abs(n[3*c+2])));if(s.length===0||!(r>0))return i;let o=r*2e-5,a=(c,u,h)=>`${Math.round(c/o)},${Math.round(u/o)},${Math.round(h/o)}`,l=new Map;for(let c of s)l.set(a(n[3*c],n[3*c+1],n[3*c+2]),c);for(let c of[1,-1]){let u=c*2*Math.PI/t,h=Math.cos(u),f=Math.sin(u);for(let d of s){let p=h*n[3*d]-f*n[3*d+1],y=f*n[3*d]+h*n[3*d+1],g=n[3*d+2],m;for(let b=0;b<27&&m===void 0;b++){let R=(b%3-1)*o*.5,S=(Math.floor(b/3)%3-1)*o*.5,C=(Math.floor(b/9)-1)*o*.5;m=l.get(a(p+R,y+S,g+C))}m!==void 0&&i.set(d,[...i.get(d)??[],[m,-c]])}}return i}function Cu(n,e,t){let i=n.length/3,s=$E(n),r=e.map(p=>s[p]),{starts:o,corners:a}=YE(r,i),l=JE(n,e),c=new Uint8Array(i),u=[];for(let p=0;p<e.length;p++){let y=p-p%3,g=r[p],m=r[y+(p+1)%3];if(g===m)continue;let b=ZE(r,o,a,m,g);b<0?(c[g]=c[m]=1,t===1&&u.push(p)):y<b&&Tf(l,y,l,b)<Ef&&u.push(p)}let h=t>1?KE(n,c,t):new Map,f=jE(e,s,t,o,a,l,h),d=new Uint32Array(2*u.length);return u.forEach((p,y)=>{let g=p-p%3;d[2*y]=f.triangles[p],d[2*y+1]=f.triangles[g+(p+1)%3]}),{...f,features:d}}function Tf(n,e,t,i){let s=n[e]*t[i]+n[e+1]*t[i+1]+n[e+2]*t[i+2],r=Math.hypot(n[e],n[e+1],n[e+2])*Math.hypot(t[i],t[i+1],t[i+2]);return r>0?s/r:1}function jE(n,e,t,i,s,r,o){let a=e.length,l=[],c=[],u=new Uint32Array(a),h=new Uint32Array(n.length),f=2*Math.PI/t;for(let d=0;d<a;d++){let p=l.length;u[d]=p;let y=e[d],g=eT(y,o,i,s,r,f);for(let m=i[y];m<i[y+1];m++){let b=s[m];if(n[b]!==d)continue;let R=b-b%3,S=0,C=0,A=0;for(let U=i[y];U<i[y+1];U++){let D=s[U]-s[U]%3;D!==R&&Tf(r,R,r,D)<Ef||(S+=r[D],C+=r[D+1],A+=r[D+2])}for(let U=0;U<g.length;U+=3)Tf(r,R,g,U)<Ef||(S+=g[U],C+=g[U+1],A+=g[U+2]);let _=Math.hypot(S,C,A)||1;S/=_,C/=_,A/=_;let T=p;for(;T<l.length;){let U=3*T;if(c[U]*S+c[U+1]*C+c[U+2]*A>.99999)break;T++}T===l.length&&(l.push(d),c.push(S,C,A)),h[b]=T}l.length===p&&(l.push(d),c.push(0,0,1))}return{nodes:Uint32Array.from(l),firstVertex:u,normals:Float32Array.from(c),triangles:h}}var QE=[];function eT(n,e,t,i,s,r){let o=e.get(n);if(!o)return QE;let a=[];for(let[l,c]of o){let u=Math.cos(c*r),h=Math.sin(c*r);for(let f=t[l];f<t[l+1];f++){let d=i[f]-i[f]%3;a.push(u*s[d]-h*s[d+1],h*s[d]+u*s[d+1],s[d+2])}}return a}function A_(n,e){let t=new Float32Array(3*e.length);for(let i=0;i<e.length;i++){let s=3*e[i];t[3*i]=n[s],t[3*i+1]=n[s+1],t[3*i+2]=n[s+2]}return t}var Io=class{group=new rn;surface;features;edges;stencils;triangleCount;sphere;box;#e;#t;#n=null;#i=null;#s=1;constructor(e,t,i){let{surface:s,points:r}=e;this.#t=s.nodes,this.triangleCount=s.triangles.length/3;let o=new on(A_(r,s.nodes),3),a={position:o};e.displacements&&(a.displacement=new on(A_(e.displacements,s.nodes),3),this.#n=new on(new Float32Array(s.nodes.length).fill(Mf),1),a.field=this.#n),this.box=new ii().setFromBufferAttribute(o),this.sphere=this.box.getBoundingSphere(new ti),i!==null&&(this.#s=i,this.#i=new xa(new Float32Array(2*i),2),this.#i.setUsage(sf),a.copyRotation=this.#i);let l=(d,p=!1)=>{let y=new Aa;for(let[g,m]of Object.entries(a))y.setAttribute(g,m);return p&&y.setAttribute("normal",new on(s.normals,3)),y.setIndex(new on(d,1)),y.instanceCount=i??1,y},c=Uint32Array.from(e.edges,d=>s.firstVertex[d]),u=l(s.triangles,!0),h=l(s.features),f=l(c);this.#e=[u,h,f],this.surface=new Ot(u,t.surface),this.features=new xo(h,t.features),this.edges=new xo(f,t.edges),this.stencils=[new Ot(u,t.stencilBack),new Ot(u,t.stencilFront)];for(let d of[this.surface,this.features,this.edges,...this.stencils])d.frustumCulled=!1,d.matrixAutoUpdate=!1,this.group.add(d);this.group.matrixAutoUpdate=!1,i!==null&&this.setCopies(Array.from({length:i},(d,p)=>p),i)}setCopies(e,t){let i=this.#i;if(!i)return;let s=i.array;for(let r=0;r<t;r++){let o=2*Math.PI*e[r]/this.#s;s[2*r]=Math.cos(o),s[2*r+1]=Math.sin(o)}i.clearUpdateRanges(),i.addUpdateRange(0,2*t),i.needsUpdate=!0;for(let r of this.#e)r.instanceCount=t;this.group.visible=t>0}setField(e){if(!this.#n)return;let t=this.#n.array;for(let i=0;i<this.#t.length;i++){let s=e?e[this.#t[i]]:NaN;t[i]=Number.isFinite(s)?s:Mf}this.#n.needsUpdate=!0}dispose(){for(let e of this.#e)e.dispose()}};var tT=.28,R_=5,Iu=class{constructor(e,t,i,s){this.part=e;this.#i=new rt(s),this.#s=new rt("#b4b9bf").lerp(this.#i,.4),this.#e=wf(t,!1),this.#t=wf(t,!0),this.#n=v_(t),this.surface=Cu(e.points,e.triangles,e.copies),this.copies=new Io({...e,surface:this.surface},this.#e,e.copies),this.#r=Array.from({length:e.copies},(o,a)=>a),this.#a=new Uint32Array(e.copies);let r=0;for(let o=0;o<e.points.length;o+=3)r=Math.max(r,e.points[o]**2+e.points[o+1]**2+e.points[o+2]**2);this.radius=Math.sqrt(r),this.group.matrixAutoUpdate=!1,this.group.add(this.copies.group),this.cap=new Ot(i,this.#n),this.cap.frustumCulled=!1,this.cap.matrixAutoUpdate=!1,this.cap.onAfterRender=o=>o.clearStencil(),this.#p=e.index,this.refresh()}part;group=new rn;cap;copies;surface;radius;meshes=[];visibility="visible";#e;#t;#n;#i;#s;#r;#a;#o=-1;#u=NaN;#c=!1;#l=!1;#d=!1;#p;get materials(){return[...Object.values(this.#e),...Object.values(this.#t),this.#n]}setMeshes(e,t){for(let i of this.meshes)this.group.remove(i.group);this.meshes=e;for(let i of e)this.group.add(i.group);this.#r=[];for(let i=0;i<this.part.copies;i++)t.has(i)||this.#r.push(i);this.#u=NaN,this.refresh()}get meshMaterials(){return this.#t}get presentCopies(){return this.#r}setVisibility(e){this.visibility=e,this.refresh()}setFieldMode(e){this.#c=e,this.refresh()}setEdges(e){this.#l=e,this.refresh()}setCut(e){this.#d=e;for(let t of this.materials)t.cut=e;this.refresh()}refresh(){let e=this.visibility==="translucent",t=this.visibility!=="hidden";this.group.visible=t,this.cap.visible=t&&this.#d;let i=e?tT:1;for(let r of[this.#e,this.#t]){r.surface.alpha=i,r.surface.depthWrite=!e;let o=this.#d||this.meshes.length>0;r.surface.side=o&&!e?zn:Ai,r.surface.colour.copy(this.#c?this.#s:this.#i),r.features.alpha=e?.25:.5,r.edges.alpha=e?.12:.34,r.stencilBack.transparent=r.stencilFront.transparent=e}this.#t.surface.useField=this.#c,this.#n.alpha=e?.5:1,this.#n.depthWrite=!e,this.#n.colour.copy(this.#c?this.#s:this.#i).multiplyScalar(.86);let s=10+3*this.#p;this.cap.renderOrder=s+2;for(let r of[this.copies,...this.meshes])r.edges.visible=this.#l,r.surface.renderOrder=e?1e5:0,r.features.renderOrder=r.edges.renderOrder=100001,r.stencils.forEach((o,a)=>{o.visible=this.#d,o.renderOrder=s+a})}prepare(e,t){if(this.visibility==="hidden")return 0;let{sphere:i}=this.copies,s=0,r=0,o=0,a=this.group.matrixWorld;Pu.radius=i.radius;for(let c of this.#r){let u=2*Math.PI*c/this.part.copies,h=Math.cos(u),f=Math.sin(u),{x:d,y:p,z:y}=i.center;Pu.center.set(h*d-f*p,f*d+h*p,y).applyMatrix4(a),e.intersectsSphere(Pu)&&(this.#a[s++]=c,r=(r*31+c+1)%4294967291,o=Math.max(o,i.radius*2*t(Pu.center)))}(s!==this.#o||r!==this.#u)&&(this.copies.setCopies(this.#a,s),this.#o=s,this.#u=r),this.copies.features.visible=o>R_,this.copies.edges.visible=this.#l&&o>2*R_;let l=s*this.copies.triangleCount;for(let c of this.meshes)l+=c.triangleCount;return l}dispose(){this.copies.dispose();for(let e of this.materials)e.dispose()}},Pu=new ti;var nT=.05,Lu=class{constructor(e){this.scene=e;this.contacts=new Eu(e.uniforms),this.forces=new Ru(e.uniforms),e.root.add(this.contacts.group,this.forces.group),e.scene.add(this.cut.group)}scene;views=[];position=null;meshes=[];colours=[];factor=0;limits=null;triangles=0;cut=new Tu;contacts;forces;centre=new X;radius=1;#e=new WeakMap;#t=new WeakMap;#n=new WeakMap;#i=null;#s=new vt;#r=!1;setParts(e,t){this.clear();let i=new Map;this.#i=t?.poses??null,this.colours=e.map(({kind:r})=>{let o=i.get(r)??0;return i.set(r,o+1),__(r,o)}),this.views=e.map((r,o)=>{let a=new Iu(r,this.scene.uniforms,this.cut.capGeometry,this.colours[o]);return this.scene.root.add(a.group),this.scene.scene.add(a.cap),a}),this.meshes=e.map(()=>[]);let s=new ii().setFromPoints(this.views.flatMap(r=>this.outline(r))).getBoundingSphere(new ti);this.centre.copy(s.center),this.radius=s.radius>0?s.radius:1,this.contacts.setBias(8e-4*this.radius),this.cut.setBounds(this.centre,this.radius),this.updateBounds()}updateBounds(){let e=this.views.filter(i=>i.visibility!=="hidden"),t=(e.length>0?e:this.views).flatMap(i=>this.outline(i));this.scene.camera.setBounds(this.centre,this.radius*1.1,t)}outline(e){let t=wr(this.#i,e.part.index,new vt),{min:i,max:s}=e.copies.box,r=[];if(e.part.points.length===0)return r;if(e.part.copies>1){let o=0,a=e.part.points;for(let l=0;l<a.length;l+=3)o=Math.max(o,Math.hypot(a[l],a[l+1]));for(let l=0;l<24;l++){let c=2*Math.PI*l/24;for(let u of[i.z,s.z])r.push(new X(o*Math.cos(c),o*Math.sin(c),u))}}else for(let o=0;o<8;o++)r.push(new X(o&1?s.x:i.x,o&2?s.y:i.y,o&4?s.z:i.z));return r.map(o=>o.applyMatrix4(t))}setPosition(e){this.position=e,this.meshes=this.views.map(()=>[]);let t=this.views.map(()=>[]),i=this.views.map(()=>new Set);if(e){let{views:s}=this.prepare(e);e.meshes.forEach((r,o)=>{this.meshes[r.part].push(r),t[r.part].push(s[o]);for(let a of r.copies)i[r.part].add(a)})}this.views.forEach((s,r)=>{wr(e?.poses??null,r,s.group.matrix),s.setMeshes(t[r],i[r])})}prepare(e){let t=this.#e.get(e);return t||(t={views:e.meshes.map(s=>{let r=Cu(s.points,s.triangles,1);return new Io({...s,surface:r},this.views[s.part].meshMaterials,null)}),field:null},this.#e.set(e,t)),t}release(e){for(let t of this.#e.get(e)?.views??[])t.dispose()}values(e,t){let i=this.#t.get(e);i||this.#t.set(e,i=new Map);let s=i.get(t);return s||i.set(t,s=M_(e,t)),s}limitsOf(e,t){let i=this.extremes(e,t);return i?[i.min.value,i.max.value]:null}shown(e,t){let i=this.views[t]?.part.name;return i!==void 0&&e.parts[i]!=="hidden"}cellShown(e,t,i){let s=t.contacts.parts;return this.shown(e,s[2*i])||this.shown(e,s[2*i+1])}extremes(e,t){let{field:i}=t.colours,s=null,r=null;if(ls(i))for(let o of e.meshes){if(!this.shown(t,o.part))continue;let a=this.values(o,i),l=this.#n.get(o);l||this.#n.set(o,l=S_(o));for(let c=0;c<a.length;c++){let u=a[c];!l[c]||!Number.isFinite(u)||((!s||u<s.value)&&(s={value:u,mesh:o,index:c}),(!r||u>r.value)&&(r={value:u,mesh:o,index:c}))}}else if(i==="contact_pressure"&&e.contacts){let o=Float64Array.from(e.contacts.pressures,(l,c)=>l>0&&this.cellShown(t,e,c)?l:NaN),a=b_(o);a&&(s={value:0,mesh:null,index:a.minIndex},r={value:a.max,mesh:null,index:a.maxIndex})}return s&&r?{min:s,max:r}:null}extremePoint(e,t){let i=new X,{mesh:s,index:r}=e;if(s){let a=new X().fromArray(s.displacements,3*r).multiplyScalar(this.factor);return i.fromArray(s.points,3*r).add(a).applyMatrix4(wr(t.poses,s.part,this.#s))}let o=t.contacts.corners;for(let a=0;a<4;a++)i.x+=o[12*r+3*a]/4,i.y+=o[12*r+3*a+1]/4,i.z+=o[12*r+3*a+2]/4;return i}apply(e,t){let{uniforms:i}=this.scene,{colours:s}=e,r=this.position,o=ls(s.field);for(let u of this.views){let h=e.parts[u.part.name]??"visible";u.setVisibility(h),u.setFieldMode(o),u.setEdges(e.mesh_edges)}if(this.applyFrame(e),this.factor=this.deformationFactor(e),i.deformation.value=this.factor,r&&o){let u=this.prepare(r);u.field!==s.field&&(u.field=s.field,u.views.forEach((h,f)=>h.setField(this.values(r.meshes[f],u.field))))}let a=r&&s.field==="contact_pressure"?r.contacts:null;this.contacts.set(a,u=>this.cellShown(e,r,u)),this.contacts.setBehind(e.hidden_contacts);let l=r?this.extremes(r,e):null;this.limits=this.chooseLimits(e,l,t),this.limits&&i.limits.value.set(...this.limits),p_(this.scene.scaleTexture,s.scale,s.bands),this.forces.set(r?.forces??[],{...e.forces,radius:this.radius}),this.applyCut(e);let c=[...this.forces.labels];if(r&&l&&e.extremes){let u=Math.max(Math.abs(l.min.value),Math.abs(l.max.value)),h=Wi[s.field].quantity==="length"?Xi("m",u):Au,f=(d,p,y)=>{let g=Math.abs(d.value)<1e-9*u?0:d.value*h.factor;c.push({kind:p,text:`${y} ${Vn(g)} ${h.symbol}`,point:this.extremePoint(d,r)})};f(l.max,"maximum","max"),o&&f(l.min,"minimum","min")}return c}chooseLimits(e,t,i){let{colours:s}=e;return s.field==="plain"?null:s.limits==="fixed"?[Math.min(s.min,s.max),Math.max(s.min,s.max)]:s.limits==="all"&&i?i:t?[t.min.value,t.max.value]:null}deformationFactor(e){let{mode:t,factor:i}=e.deformation;if(t==="factor")return Number.isFinite(i)?i:0;let s=0;for(let{displacements:r}of this.position?.meshes??[])for(let o=0;o<r.length;o+=3){let a=r[o]**2+r[o+1]**2+r[o+2]**2;a>s&&(s=a)}return s>0?E_(nT*2*this.radius/Math.sqrt(s)):1}applyFrame(e){let{root:t}=this.scene;t.matrix.identity();let i=this.views.findIndex(s=>s.part.name===e.frame);i>=0&&this.position&&this.#i&&(wr(this.#i,i,t.matrix),t.matrix.multiply(wr(this.position.poses,i,this.#s).invert())),t.updateMatrixWorld(!0)}applyCut(e){this.cut.apply(e.cut,this.scene.uniforms.cutPlane.value);for(let t of this.views)t.cap.matrix.copy(this.cut.capMatrix),t.cap.updateMatrixWorld(!0);if(this.#r!==e.cut.on){this.#r=e.cut.on;for(let t of this.views)t.setCut(this.#r);for(let t of this.contacts.materials)t.cut=this.#r}}get cutPlane(){return this.#r?this.scene.uniforms.cutPlane.value:null}prepareFrame(){let e=this.scene.frustum(),{active:t,state:i,direction:s}=this.scene.camera,r=this.scene.height/i.height,o=t.position.distanceTo(iT.fromArray(i.target)),a=i.projection==="orthographic",l=c=>{if(a)return r;let u=sT.copy(t.position).sub(c).dot(s);return u>0?r*o/u:r};this.triangles=0;for(let c of this.views)this.triangles+=c.prepare(e,l)}clear(){for(let e of this.views)e.group.removeFromParent(),e.cap.removeFromParent(),e.dispose();this.views=[],this.position=null,this.#r=!1;for(let e of this.contacts.materials)e.cut=!1}dispose(){this.clear(),this.contacts.dispose(),this.forces.dispose()}},iT=new X,sT=new X;function wr(n,e,t){if(!n)return t.identity();let[i,s,r,o,a,l,c,u,h,f,d,p]=n.subarray(12*e,12*e+12);return t.set(i,s,r,f,o,a,l,d,c,u,h,p,0,0,0,1)}var Du=class{element=document.createElement("div");#e=[];#t=[];#n=new X;constructor(){this.element.className="cv-labels"}set(e){for(this.#e=e;this.#t.length>e.length;)this.#t.pop().remove();e.forEach((t,i)=>{let s=this.#t[i];s||(s=document.createElement("div"),s.append(document.createElement("i"),document.createElement("span")),this.#t.push(s),this.element.append(s)),s.className=`cv-label cv-label-${t.kind}`,s.lastElementChild.textContent=t.text})}update(e,t,i,s){this.#e.forEach((r,o)=>{let a=this.#n.copy(r.point).applyMatrix4(t).project(e),l=a.z>-1&&a.z<1&&Math.abs(a.x)<1.02&&Math.abs(a.y)<1.02,{style:c}=this.#t[o];c.display=l?"":"none",l&&(c.transform=`translate(${(.5+.5*a.x)*i}px, ${(.5-.5*a.y)*s}px)`)})}placed(e,t,i,s){return this.#e.map(r=>{let o=r.point.clone().applyMatrix4(t).project(e);return{...r,x:(.5+.5*o.x)*i,y:(.5-.5*o.y)*s,depth:o.z}}).filter(r=>r.depth>-1&&r.depth<1&&r.x>0&&r.x<i&&r.y>0&&r.y<s)}};function Rf(n,e,t,i,s,r){let[o,a,l]=n.origin,[c,u,h]=n.direction,f=i!==null&&s!==0,d=null,p=1/0;for(let y=0;y<t.length;y+=3){let g=3*t[y],m=3*t[y+1],b=3*t[y+2],R=e[g],S=e[g+1],C=e[g+2],A=e[m],_=e[m+1],T=e[m+2],U=e[b],D=e[b+1],L=e[b+2];f&&(R+=s*i[g],S+=s*i[g+1],C+=s*i[g+2],A+=s*i[m],_+=s*i[m+1],T+=s*i[m+2],U+=s*i[b],D+=s*i[b+1],L+=s*i[b+2]);let k=A-R,z=_-S,N=T-C,G=U-R,$=D-S,H=L-C,le=u*H-h*$,Z=h*G-c*H,Q=c*$-u*G,ie=k*le+z*Z+N*Q;if(ie===0)continue;let de=1/ie,he=o-R,ee=a-S,me=l-C,ge=(he*le+ee*Z+me*Q)*de;if(ge<-1e-9||ge>1+1e-9)continue;let Me=ee*N-me*z,ve=me*k-he*N,He=he*z-ee*k,Je=(c*Me+u*ve+h*He)*de;if(Je<-1e-9||ge+Je>1+1e-9)continue;let Oe=(G*Me+$*ve+H*He)*de;Oe<=r||Oe>=p||(p=Oe,d={distance:Oe,triangle:y,u:ge,v:Je,facing:ie>0})}return d}function Pf(n,e,t){if(!t)return[0,1/0];let i=t.x*n.x+t.y*n.y+t.z*n.z+t.w,s=t.x*e.x+t.y*e.y+t.z*e.z;if(s===0)return i>0?[1/0,1/0]:[0,1/0];let r=-i/s;return s<0?[Math.max(0,r),1/0]:[0,r]}var Af=new vt,Er=new X,Tr=new X,tr=new ss,C_=new ti;function P_(n,e,t,i,s){let[r,o]=Pf(n.origin,n.direction,s),a=null,l=(c,u,h,f,d)=>{if(!f||f.distance>o||a&&f.distance>=a.distance)return;let p=f.triangle;a={view:c,copy:u,mesh:h,nodes:[d[p],d[p+1],d[p+2]],weights:[1-f.u-f.v,f.u,f.v],distance:f.distance,point:n.at(f.distance,new X),cap:s!==null&&!f.facing}};for(let c of e){if(c.visibility!=="visible")continue;Af.copy(c.group.matrixWorld).invert(),Er.copy(n.origin).applyMatrix4(Af),Tr.copy(n.direction).transformDirection(Af);let u=c.copies.sphere;for(let f of c.presentCopies){let d=-2*Math.PI*f/c.part.copies,p=Math.cos(d),y=Math.sin(d);if(tr.origin.set(p*Er.x-y*Er.y,y*Er.x+p*Er.y,Er.z),tr.direction.set(p*Tr.x-y*Tr.y,y*Tr.x+p*Tr.y,Tr.z),C_.copy(u),!tr.intersectsSphere(C_)||!tr.intersectsBox(c.copies.box))continue;let g=Rf(Cf(tr),c.part.points,c.part.triangles,null,0,r);l(c,f,-1,g,c.part.triangles)}tr.origin.copy(Er),tr.direction.copy(Tr),(t[c.part.index]??[]).forEach((f,d)=>{let p=Rf(Cf(tr),f.points,f.triangles,f.displacements,i,r);l(c,-1,d,p,f.triangles)})}return a}function Cf(n){return{origin:[n.origin.x,n.origin.y,n.origin.z],direction:[n.direction.x,n.direction.y,n.direction.z]}}function I_(n,e,t,i){let s=null,r=Cf(n);for(let o=0;o<e.count;o++){if(!(e.pressures[o]>0)||!t(o))continue;let a=e.corners.subarray(12*o,12*o+12),l=Rf(r,a,rT,null,0,i[0]);l&&l.distance<i[1]&&(!s||l.distance<s.distance)&&(s={cell:o,distance:l.distance})}return s}var rT=new Uint32Array([0,1,2,0,2,3]);var oT=6,Xa=new ss,If=new ss,N_=new vt;function F_(n,e,t){let{scene:i,display:s,state:r}=n;if(!i||!s)return null;i.ray(e,t,Xa);let o=s.cutPlane,a=P_(Xa,s.views,s.meshes,s.factor,o),l=uT(n,e,t,a?.distance??1/0);if(l)return l;if(!a)return null;let{part:c}=a.view,u=new X,h=s.meshes[c.index]?.[a.mesh],f=r.colours.field==="plain"?null:NaN,d=null,p=null;if(a.cap)return u.copy(a.point),{x:e,y:t,part:c.name,tooth:p,value:null,node:d,point:u};if(h){if(L_(h.points,a,u),d=lT(n,h,a,e,t),d!==null&&u.fromArray(h.points,3*d),ls(r.colours.field)){let y=s.values(h,r.colours.field);f=d!==null?y[d]:a.nodes.reduce((g,m,b)=>g+a.weights[b]*y[m],0)}p=cT(h,a,u)}else L_(c.points,a,u),u.applyAxisAngle(aT,2*Math.PI*a.copy/c.copies),p=c.copies>1?a.copy:null;return u.applyMatrix4(wr(s.position?.poses??null,c.index,N_)),{x:e,y:t,part:c.name,tooth:p,value:f,node:d,point:u}}var aT=new X(0,0,1);function L_(n,e,t){t.set(0,0,0),e.nodes.forEach((i,s)=>{let r=e.weights[s];t.x+=r*n[3*i],t.y+=r*n[3*i+1],t.z+=r*n[3*i+2]})}function lT(n,e,t,i,s){let r=n.scene,o=n.display.factor,a=null,l=oT,c=new X;for(let u of t.nodes){c.fromArray(e.displacements,3*u).multiplyScalar(o),c.x+=e.points[3*u],c.y+=e.points[3*u+1],c.z+=e.points[3*u+2],c.applyMatrix4(t.view.group.matrixWorld).project(r.camera.active);let h=Math.hypot((.5+.5*c.x)*r.width-i,(.5-.5*c.y)*r.height-s);h<=l&&(l=h,a=u)}return a}function cT(n,e,t){let{part:i,copies:s}=e.view;if(i.copies<=1)return null;let{center:r}=s.sphere,o=Math.atan2(t.y,t.x)-Math.atan2(r.y,r.x),a=2*Math.PI/i.copies,l=null,c=1/0;for(let u of n.copies){let h=Math.abs(Math.atan2(Math.sin(o-u*a),Math.cos(o-u*a)));h<c&&(c=h,l=u)}return l}function uT(n,e,t,i){let{display:s,state:r}=n,o=s?.position,a=r.colours.field==="contact_pressure"?o?.contacts:null;if(!a||!o||!s)return null;let l=N_.copy(n.scene.root.matrixWorld).invert();If.copy(Xa).applyMatrix4(l);let c=Pf(Xa.origin,Xa.direction,s.cutPlane);r.hidden_contacts||(c[1]=Math.min(c[1],i+.002*s.radius));let u=I_(If,a,p=>s.cellShown(r,o,p),c);if(!u)return null;let h=If.at(u.distance,new X),f=r.parts[D_(n,a.parts[2*u.cell])]==="hidden"?1:0,d=a.parts[2*u.cell+f];return{x:e,y:t,part:D_(n,d),tooth:a.teeth[2*u.cell+f],value:a.pressures[u.cell],node:null,point:h}}function D_(n,e){return n.parts?.parts[e]?.name??`part ${e}`}var hT=["gear","shaft","bearing","body"];function Uu(n){return typeof n=="object"&&n!==null&&!Array.isArray(n)?n:null}function Nu(n){return Array.isArray(n)?n:[]}function Fu(n,e,t,i){for(let s=0;s<t.length;s++)if(t[s]>=i)throw new xn(n,`${e}: index ${t[s]} exceeds the ${i} points`)}function U_(n){let e=Ha.parse("parts.bin",n);if(!Array.isArray(e.header.parts))throw new xn(e.name,"the list of parts is missing");let t=e.header.parts.map((i,s)=>{let r=Uu(i);if(!r)throw new xn(e.name,`part ${s} is not an object`);let o=typeof r.name=="string"?r.name:`part ${s}`,a=Number(r.copies??1);if(!Number.isInteger(a)||a<1)throw new xn(e.name,`${o}: the number of copies is not valid`);let l=e.f32(r.points,3,`${o}, points`),c=e.u32(r.triangles,3,`${o}, triangles`),u=r.edges?e.u32(r.edges,2,`${o}, edges`):new Uint32Array;Fu(e.name,`${o}, triangles`,c,l.length/3),Fu(e.name,`${o}, edges`,u,l.length/3);let h=hT.includes(String(r.kind))?r.kind:"body";return{index:s,name:o,kind:h,copies:a,points:l,triangles:c,edges:u}});return{model:String(e.header.model??""),fidelity:String(e.header.fidelity??""),parts:t}}function Lf(n){if(!Array.isArray(n)||n.length!==3)return null;let e=n.map(t=>typeof t=="number"?t:NaN);return e.every(Number.isFinite)?e:null}function dT(n,e){let t=Uu(n),i=Lf(t?.point),s=Lf(t?.force);return!t||!i||!s?null:{kind:t.kind==="mesh"?"mesh":"bearing",name:String(t.name??""),point:i,force:s,moment:Lf(t.moment)??[0,0,0],parts:Nu(t.parts).filter(r=>typeof r=="number"&&r>=0&&r<e)}}function fT(n,e){let t=Uu(e);if(!t)return null;let i=n.f32(t.corners,12,"contacts, corners"),s=n.f32(t.pressures,1,"contacts, pressures"),r=n.u32(t.parts,2,"contacts, parts"),o=n.u32(t.teeth,2,"contacts, teeth"),a=s.length;if(i.length!==12*a||r.length!==2*a||o.length!==2*a)throw new xn(n.name,"contacts: the arrays have different lengths");return a>0?{count:a,corners:i,pressures:s,parts:r,teeth:o}:null}function pT(n,e,t,i){let s=Uu(e),r=i[Number(s?.part)];if(!s||!r)throw new xn(n.name,`mesh ${t}: the part does not exist`);let o=`mesh of ${r.name}`,a=n.f32(s.points,3,`${o}, points`),l=n.f32(s.displacements,3,`${o}, displacements`),c=n.f32(s.stresses,6,`${o}, stresses`),u=n.u32(s.triangles,3,`${o}, triangles`),h=s.edges?n.u32(s.edges,2,`${o}, edges`):new Uint32Array,f=a.length/3;if(l.length!==3*f||c.length!==6*f)throw new xn(n.name,`${o}: the arrays have different lengths`);Fu(n.name,`${o}, triangles`,u,f),Fu(n.name,`${o}, edges`,h,f);let d=Nu(s.copies).filter(p=>typeof p=="number"&&p>=0&&p<r.copies);return{part:r.index,copies:d,points:a,displacements:l,stresses:c,triangles:u,edges:h}}function O_(n,e,t){let i=Ha.parse(n,e),{header:s}=i,r=i.f64(s.poses,12,"poses");if(r.length!==12*t.length)throw new xn(n,`${r.length/12} poses for ${t.length} parts; the files are from different runs`);return{position:Number(s.position??0),time:Number(s.time??0),poses:r,contacts:fT(i,s.contacts),forces:Nu(s.forces).map(o=>dT(o,t.length)).filter(o=>o!==null),meshes:Nu(s.meshes).map((o,a)=>pT(i,o,a,t)),bytes:e.byteLength}}function qa(n){return`position-${String(n).padStart(4,"0")}.bin`}var mT=384e6,Ou=class{constructor(e,t){this.source=e;this.parts=t}source;parts;list=[];onEvict=null;#e=new Map;#t=new Map;#n=0;async update(){this.list=await this.source.positions()}cached(e){return this.#e.get(e)}load(e){let t=this.#e.get(e);if(t)return this.#e.delete(e),this.#e.set(e,t),Promise.resolve(t);let i=this.#t.get(e);if(i)return i;let s=this.read(e).finally(()=>this.#t.delete(e));return this.#t.set(e,s),s}async read(e){let t=this.list[e],i=qa(t?.position??e),s=O_(i,await this.source.position(e),this.parts);this.#e.set(e,s),this.#n+=s.bytes;for(let[r,o]of this.#e){if(this.#n<=mT||r===e)break;this.#e.delete(r),this.#n-=o.bytes,this.onEvict?.(o)}return s}dispose(){for(let e of this.#e.values())this.onEvict?.(e);this.#e.clear(),this.#n=0}};var Df=24,gT=260,_T={front:[-90,0],back:[90,0],left:[180,0],right:[0,0],top:[-90,90],bottom:[-90,-90],isometric:[-50,30]},Bu=class{perspective=new ei(Df);orthographic=new bo;onChange=null;#e={projection:"perspective",target:[0,0,0],azimuth:-50,elevation:30,height:1};#t=1;#n=new X;#i=1;#s=[];#r=!1;#a=!1;#o=0;#u=new X;#c=new X;#l=new X;get active(){return this.#e.projection==="perspective"?this.perspective:this.orthographic}get state(){return{...this.#e,target:[...this.#e.target]}}setBounds(e,t,i){this.#n.copy(e),this.#i=t>0?t:1,this.#s=i,this.update()}setFitPoints(e){this.#s=e}setAspect(e){this.#t=e>0?e:1,this.#r&&Object.assign(this.#e,this.fitted(this.#e.azimuth,this.#e.elevation)),this.update()}set(e,t=!1){this.interrupt(),this.#e={...e,target:[...e.target]},this.changed(t)}setProjection(e){this.#e.projection=e,this.changed(!0)}orbit(e,t){this.interrupt(),this.#e.azimuth=Ff(this.#e.azimuth+e),this.#e.elevation=Nf(this.#e.elevation+t,-90,90),this.changed(!0)}pan(e,t){this.interrupt(),this.shift(e,t),this.changed(!0)}zoom(e,t=0,i=0){this.interrupt();let s=Nf(this.#e.height*e,this.#i*1e-4,this.#i*40),r=s/this.#e.height;this.shift(-t*(1-r),-i*(1-r)),this.#e.height=s,this.changed(!0)}view(e,t=!0){let[i,s]=_T[e],r={...this.#e,azimuth:i,elevation:s};this.#a=t,t&&Object.assign(r,this.fitted(i,s)),this.animateTo(r)}fit(e=!0){let t={...this.#e,...this.fitted(this.#e.azimuth,this.#e.elevation)};this.#a=!0,e?this.animateTo(t):(this.set(t,!0),this.#r=!0)}interrupt(){cancelAnimationFrame(this.#o),this.#r=!1}fitted(e,t){if(this.#s.length===0){let d=2.1*this.#i/Math.min(1,this.#t);return{target:[this.#n.x,this.#n.y,this.#n.z],height:d}}let[i,s,r]=[new X,new X,new X];B_(e,t,i,s,r);let o=new ii,a=new X,l=this.#s.map(d=>new X(d.dot(i),d.dot(s),d.dot(r)));for(let d of l)o.expandByPoint(d);let c=o.getCenter(a),u=this.#e.projection==="perspective"?Math.tan(Df*Math.PI/360):0,h=.001*this.#i;for(let d of l){let p=(d.z-c.z)*u;h=Math.max(h,2*(Math.abs(d.y-c.y)+p),2*(Math.abs(d.x-c.x)/this.#t+p))}h*=1.1;let f=i.multiplyScalar(c.x).addScaledVector(s,c.y).addScaledVector(r,c.z);return{target:[f.x,f.y,f.z],height:h}}animateTo(e){if(cancelAnimationFrame(this.#o),matchMedia("(prefers-reduced-motion: reduce)").matches){this.set(e,!0),this.#r=this.#a;return}let t=this.state,i=Ff(e.azimuth-t.azimuth),s=performance.now(),r=o=>{let a=Nf((o-s)/gT,0,1),l=a*a*(3-2*a);this.#e.azimuth=Ff(t.azimuth+l*i),this.#e.elevation=t.elevation+l*(e.elevation-t.elevation),this.#e.height=t.height*(e.height/t.height)**l;for(let c=0;c<3;c++)this.#e.target[c]=t.target[c]+l*(e.target[c]-t.target[c]);a===1&&(this.#e={...e,target:[...e.target]},this.#r=this.#a),this.changed(!0),a<1&&(this.#o=requestAnimationFrame(r))};this.#o=requestAnimationFrame(r)}shift(e,t){let{height:i,target:s}=this.#e;for(let r=0;r<3;r++){let o=this.#u.getComponent(r),a=this.#c.getComponent(r);s[r]-=i*(e*o+t*a)}}changed(e){this.update(),this.onChange?.(e)}get direction(){return this.#l}update(){let{azimuth:e,elevation:t,height:i,target:s}=this.#e;B_(e,t,this.#u,this.#c,this.#l);let r=i/(2*Math.tan(Df*Math.PI/360)),o=s[0],a=s[1],l=s[2],c=r-(this.#n.x-o)*this.#l.x-(this.#n.y-a)*this.#l.y-(this.#n.z-l)*this.#l.z,u=1.3*this.#i+.02*i;for(let f of[this.perspective,this.orthographic])f.position.set(o+r*this.#l.x,a+r*this.#l.y,l+r*this.#l.z),f.matrix.makeBasis(this.#u,this.#c,this.#l),f.quaternion.setFromRotationMatrix(f.matrix),f.updateMatrixWorld();this.perspective.near=Math.max(c-u,r*.02),this.perspective.far=Math.max(c+u,this.perspective.near*1.1),this.perspective.aspect=this.#t,this.perspective.updateProjectionMatrix();let h=this.orthographic;h.near=c-u,h.far=c+u,h.top=i/2,h.bottom=-i/2,h.right=i/2*this.#t,h.left=-h.right,h.updateProjectionMatrix()}};function B_(n,e,t,i,s){let r=n*Math.PI/180,o=e*Math.PI/180;t.set(-Math.sin(r),Math.cos(r),0),s.set(Math.cos(o)*Math.cos(r),Math.cos(o)*Math.sin(r),Math.sin(o)),i.crossVectors(s,t)}function Nf(n,e,t){return Math.min(Math.max(n,e),t)}function Ff(n){return((n+180)%360+360)%360-180}var Lo=class extends Error{constructor(){super("This browser cannot draw three-dimensional pictures: WebGL 2 is not available. Turn on hardware acceleration in the browser's settings, or use another browser."),this.name="NoWebGlError"}},ku=class{constructor(e){this.container=e;this.uniforms=x_(this.scaleTexture);let t=this.canvas.getContext("webgl2",{antialias:!0,alpha:!0,stencil:!0,depth:!0,powerPreference:"high-performance"});if(!t)throw new Lo;this.#e=new yu({canvas:this.canvas,context:t,stencil:!0,alpha:!0}),this.#e.setClearColor(0,0),this.root.matrixAutoUpdate=!1,this.scene.add(this.root),e.append(this.canvas),this.#t=new ResizeObserver(()=>this.resize()),this.#t.observe(e),this.canvas.addEventListener("webglcontextrestored",()=>this.invalidate()),this.resize()}container;canvas=document.createElement("canvas");camera=new Bu;scene=new ma;root=new rn;uniforms;scaleTexture=m_();onPrepare=null;onFrame=null;frames=0;width=1;height=1;#e;#t;#n=0;#i=new Es;#s=new vt;resize(){this.width=Math.max(this.container.clientWidth,1),this.height=Math.max(this.container.clientHeight,1);let e=Math.min(window.devicePixelRatio||1,2);this.uniforms.pixelRatio.value=e,this.#e.setPixelRatio(e),this.#e.setSize(this.width,this.height),this.camera.setAspect(this.width/this.height),this.draw()}invalidate(){this.#n||(this.#n=requestAnimationFrame(()=>{this.#n=0,this.draw()}))}frustum(){let{active:e}=this.camera;return this.#s.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),this.#i.setFromProjectionMatrix(this.#s)}draw(){this.scene.updateMatrixWorld(),this.onPrepare?.(),this.#e.render(this.scene,this.camera.active),this.frames++,this.onFrame?.()}snapshot(e){let t=this.#e.getPixelRatio(),i=document.createElement("canvas");try{this.uniforms.pixelRatio.value=e,this.#e.setPixelRatio(e),this.#e.setSize(this.width,this.height,!1),this.draw(),i.width=this.canvas.width,i.height=this.canvas.height,i.getContext("2d").drawImage(this.canvas,0,0)}finally{this.uniforms.pixelRatio.value=t,this.#e.setPixelRatio(t),this.#e.setSize(this.width,this.height),this.draw()}return i}ray(e,t,i){let{active:s}=this.camera,r=2*e/this.width-1,o=1-2*t/this.height;return i.origin.set(r,o,-1).unproject(s),i.direction.set(r,o,1).unproject(s).sub(i.origin).normalize(),i}dispose(){cancelAnimationFrame(this.#n),this.#t.disconnect(),this.scaleTexture.dispose(),this.#e.dispose(),this.#e.forceContextLoss(),this.canvas.remove()}};function zu(){return{version:1,camera:null,parts:{},colours:{field:"plain",scale:"viridis",bands:0,limits:"position",min:0,max:1},deformation:{mode:"automatic",factor:1},mesh_edges:!1,hidden_contacts:!0,extremes:!0,forces:{bearings:!1,meshes:!1,labels:!0,scale:1},cut:{on:!1,normal:"z",offset:null,flipped:!1},frame:null,position:0,animation:{speed:10,loop:!0},theme:"system",panels:{parts:!0,settings:!1,plots:!1},plotted:[]}}function Vu(n,e=zu()){let t=structuredClone(e),i=n??{};for(let[s,r]of Object.entries(t)){let o=i[s];if(o===void 0||s==="version")continue;Uf(r)&&s!=="parts"&&s!=="camera"?Uf(o)&&(t[s]=xT(r,o)):s==="camera"?vT(o)&&(t[s]=o):s==="frame"?(o===null||typeof o=="string")&&(t[s]=o):typeof o==typeof r&&o!==null&&(t[s]=o)}return structuredClone(t)}function Uf(n){return typeof n=="object"&&n!==null&&!Array.isArray(n)}function xT(n,e){let t={...n};for(let i of Object.keys(n)){let s=e[i];s!==void 0&&(i==="normal"||i==="offset"||typeof s==typeof n[i])&&(t[i]=s)}return t}function vT(n){return!Uf(n)||!Array.isArray(n.target)||n.target.length!==3?!1:[...n.target,n.azimuth,n.elevation,n.height].every(t=>typeof t=="number"&&Number.isFinite(t))&&(n.projection==="perspective"||n.projection==="orthographic")}var Hu=class{constructor(e,t){this.element=e;this.changed=t;this.#t.addEventListener("change",this.#n)}element;changed;theme="light";#e="system";#t=matchMedia("(prefers-color-scheme: dark)");#n=()=>{this.set(this.#e),this.changed()};set(e){this.#e=e,this.theme=e==="system"?this.#t.matches?"dark":"light":e,this.element.dataset.theme=this.theme}dispose(){this.#t.removeEventListener("change",this.#n)}};var Wu=class{constructor(e,t,i){this.element=e;this.state=Vu(i,zu()),this.#i=i.colours?.field!==void 0,this.theme=new Hu(e,()=>this.changed()),this.theme.set(this.state.theme);try{this.scene=new ku(t),this.display=new Lu(this.scene)}catch(o){this.fail(o instanceof Lo?o:new Lo);return}let{scene:s,display:r}=this;t.append(this.labels.element),s.onPrepare=()=>r.prepareFrame(),s.onFrame=()=>this.labels.update(s.camera.active,s.root.matrix,s.width,s.height),s.camera.onChange=o=>{this.state.camera=s.camera.state,this.probe=null,s.invalidate(),this.changed(o)}}element;state;status="empty";failure="";notice="";source=null;parts=null;positions=null;probe=null;help=!1;progress=null;scene=null;display=null;labels=new Du;animation=new Mu(this);theme;onChange=null;#e=new Set;#t=0;#n=0;#i;#s=new Map;#r="";subscribe(e){return this.#e.add(e),()=>this.#e.delete(e)}changed(e=!0){e&&(this.#a=!0),!this.#t&&(this.#t=requestAnimationFrame(()=>{this.#t=0;for(let t of this.#e)t();this.#a&&this.onChange?.(structuredClone(this.state)),this.#a=!1}))}#a=!1;fail(e){this.status="failed",this.failure=e instanceof Error?e.message:String(e),this.changed(!1)}async show(e){this.scene&&(this.source=e,this.status="loading",this.notice="",this.changed(!1),await this.load(!0))}async reload(){this.source&&this.scene&&await this.load(!1)}async load(e){let{source:t,display:i,scene:s}=this;if(!t||!i||!s)return;let r=++this.#n,o=()=>r!==this.#n;e&&this.animation.stop();try{let a=U_(await t.parts()),l=new Ou(t,a.parts),c="";try{await l.update()}catch(h){c=`The list of positions cannot be read: ${Gu(h)}`}let u=l.list.length>0?await l.load(0).catch(h=>(c=Gu(h),null)):null;if(o())return;this.positions?.dispose(),this.parts=a,this.positions=l,l.onEvict=h=>i.release(h),this.#s.clear(),this.notice=c,i.setParts(a.parts,u),i.setPosition(u),this.#i||(this.#i=!0,u?.meshes.length?this.state.colours.field="von_mises":u?.contacts&&(this.state.colours.field="contact_pressure")),this.state.position=Math.min(Math.max(0,Math.trunc(this.state.position)),Math.max(0,l.list.length-1)),this.status="ready",this.apply(),i.updateBounds(),this.state.camera?s.camera.set(this.state.camera):a.parts.length>0&&s.camera.fit(!1),this.state.position>0&&await this.goTo(this.state.position),this.changed()}catch(a){o()||this.fail(a)}}async updatePositions(){let{positions:e}=this;if(!e)return;let t=e.list.length===0;try{await e.update()}catch(i){this.notice=`The list of positions cannot be read: ${Gu(i)}`}this.#s.clear(),t&&e.list.length>0?await this.load(!0):this.update({})}update(e){let t=this.state;this.state=Vu(e,t),e.colours?.field&&(this.#i=!0),this.probe=null,this.theme.set(this.state.theme),e.camera&&this.scene&&this.scene.camera.set(this.state.camera),this.apply(),e.parts&&this.display?.updateBounds(),e.position!==void 0&&this.goTo(this.state.position),this.changed()}apply(){let{display:e,scene:t}=this;if(!e||!t||this.status!=="ready")return;let i=e.apply(this.state,this.#s.get(this.limitsKey())??null);this.labels.set(i),t.invalidate(),this.state.colours.limits==="all"&&this.findAllLimits()}setVisibility(e,t){let i={...this.state.parts};for(let s of e)t==="visible"?delete i[s]:i[s]=t;this.update({parts:i})}async goTo(e){let{positions:t,display:i}=this;if(!t||!i||t.list.length===0)return;let s=Math.min(Math.max(0,e),t.list.length-1);this.state.position=s,this.changed();try{let r=await t.load(s);if(t!==this.positions||this.state.position!==s)return;this.notice="",i.position!==r&&i.setPosition(r),this.probe=null,this.apply()}catch(r){if(t!==this.positions||this.state.position!==s)return;this.animation.stop(),this.notice=`${Gu(r)}. The picture shows another position.`}this.changed()}limitsKey(){let e=Object.entries(this.state.parts).filter(([,t])=>t==="hidden");return JSON.stringify([this.state.colours.field,e.map(([t])=>t).sort()])}async findAllLimits(){let{positions:e,display:t,state:i}=this,s=this.limitsKey();if(!e||!t||i.colours.field==="plain"||this.#s.has(s)||this.#r===s)return;this.#r=s;let r=()=>this.#r===s&&e===this.positions&&this.state.colours.limits==="all",o=null;for(let l=0;l<e.list.length&&r();l++){this.progress=l/e.list.length,this.changed(!1);let c=await e.load(l).catch(()=>null),u=c&&r()?t.limitsOf(c,this.state):null;u&&(o=o?[Math.min(o[0],u[0]),Math.max(o[1],u[1])]:u)}if(this.#r!==s)return;let a=r();this.#r="",this.progress=null,a&&(o?this.#s.set(s,o):this.#s.set(s,[0,1]),this.apply()),this.changed(!1)}probePointer(e,t){this.probe=this.status==="ready"?F_(this,e,t):null,this.changed(!1)}clearProbe(){this.probe&&(this.probe=null,this.changed(!1))}get hasMeshes(){return(this.display?.position?.meshes.length??0)>0}get missingField(){let{field:e}=this.state.colours,t=this.display?.position;return e==="plain"||this.status!=="ready"?!1:ls(e)?!t?.meshes.length:!t?.contacts}project(e,t){let{scene:i,display:s}=this,r=s?.views.find(l=>l.part.name===e);if(!i||!r)return null;let o=new X(...t).applyMatrix4(r.group.matrixWorld).project(i.camera.active),a=i.canvas.getBoundingClientRect();return{x:a.left+(.5+.5*o.x)*i.width,y:a.top+(.5-.5*o.y)*i.height}}nodalValue(e,t){let{display:i,parts:s}=this,r=s?.parts.findIndex(l=>l.name===e)??-1,o=i?.meshes[r]?.[0],{field:a}=this.state.colours;return o&&i&&ls(a)?i.values(o,a)[t]??NaN:NaN}dispose(){this.#n++,cancelAnimationFrame(this.#t),this.animation.stop(),this.positions?.dispose(),this.display?.dispose(),this.scene?.dispose(),this.theme.dispose(),this.#e.clear()}};function Gu(n){return n instanceof xn||n instanceof Error?n.message:String(n)}var k_=.35,yT=18;function z_(n,e){let t=n.scene,i=new Map,s=null,r=0,o=0,a=0,l=new X,c=d=>{let p=e.getBoundingClientRect();return{x:d.clientX-p.left,y:d.clientY-p.top}},u=(d,p)=>{if(!n.state.cut.on)return!1;let y=l.copy(n.display.cut.handle).project(t.camera.active);return Math.hypot((.5+.5*y.x)*t.width-d,(.5-.5*y.y)*t.height-p)<yT};e.addEventListener("pointerdown",d=>{e.setPointerCapture(d.pointerId),e.focus({preventScroll:!0});let{x:p,y}=c(d);i.set(d.pointerId,{x:p,y}),i.size>1?s="pan":d.button===0&&u(p,y)?s="cut":s=d.button===0&&!d.shiftKey?"orbit":"pan",n.clearProbe(),e.dataset.drag=s}),e.addEventListener("pointermove",d=>{let{x:p,y}=c(d),g=i.get(d.pointerId);if(!g||!s){let R=u(p,y);e.dataset.handle=String(R),n.display?.cut.setHighlight(R),o=p,a=y,r||=requestAnimationFrame(()=>{r=0,n.probePointer(o,a)});return}let m=p-g.x,b=y-g.y;if(i.size===2){let R=[...i].find(([A])=>A!==d.pointerId)[1],S=Math.hypot(g.x-R.x,g.y-R.y),C=Math.hypot(p-R.x,y-R.y);t.camera.pan(m/2/t.height,-b/2/t.height),S>0&&C>0&&t.camera.zoom(S/C,...f((p+R.x)/2,(y+R.y)/2))}else if(s==="orbit")t.camera.orbit(-m*k_,b*k_);else if(s==="pan")t.camera.pan(m/t.height,-b/t.height);else{let{cut:R}=n.display;V_(n,R.drag(m,b,t.camera.active,t.width,t.height))}g.x=p,g.y=y});let h=d=>{i.delete(d.pointerId),i.size===0&&(s=null,delete e.dataset.drag)};e.addEventListener("pointerup",h),e.addEventListener("pointercancel",h),e.addEventListener("pointerleave",()=>{cancelAnimationFrame(r),r=0,n.clearProbe()}),e.addEventListener("contextmenu",d=>d.preventDefault()),e.addEventListener("dblclick",()=>t.camera.fit());let f=(d,p)=>[(d-t.width/2)/t.height,(t.height/2-p)/t.height];e.addEventListener("wheel",d=>{d.preventDefault();let{x:p,y}=c(d),g=d.deltaY*(d.deltaMode===1?16:1);t.camera.zoom(Math.exp(Math.min(Math.max(g,-240),240)*.0016),...f(p,y))},{passive:!1})}function V_(n,e){let{cut:t}=n.display,i=Math.min(Math.max(t.offset+e,t.range[0]),t.range[1]);n.update({cut:{offset:i}})}var H_=[["View",[{keys:"F",label:"Fit the parts into the picture"},{keys:"1 … 6",label:"Front, back, left, right, top, bottom"},{keys:"7",label:"Isometric"},{keys:"P",label:"Perspective or orthographic"},{keys:"Arrow keys",label:"Orbit (picture focused)"},{keys:"Shift + arrow keys",label:"Pan (picture focused)"},{keys:"+ −",label:"Zoom"}]],["Display",[{keys:"M",label:"Edges of the finite elements"},{keys:"V",label:"Force vectors"},{keys:"C",label:"Cutting plane"},{keys:"[ ]",label:"Move the cutting plane"},{keys:"D",label:"Undeformed, true or automatic deformation"}]],["Animation",[{keys:"K",label:"Play or pause"},{keys:", .",label:"Previous or next position"}]],["Panels",[{keys:"B",label:"Parts"},{keys:"S",label:"Settings"},{keys:"G",label:"Plots"},{keys:"?",label:"This help"},{keys:"Esc",label:"Close"}]],["Pointer",[{keys:"Drag",label:"Orbit"},{keys:"Right drag, Shift + drag",label:"Pan"},{keys:"Wheel",label:"Zoom at the pointer"},{keys:"Double click",label:"Fit"}]]],bT={1:"front",2:"back",3:"left",4:"right",5:"top",6:"bottom",7:"isometric"};function G_(n,e){if(e.ctrlKey||e.metaKey||e.altKey)return!1;let t=e.target;if(t.closest("input:not([type=checkbox]):not([type=range]), select, textarea"))return!1;let{scene:i,state:s,animation:r}=n;if(e.key==="?")return n.help=!n.help,n.changed(!1),!0;if(e.key==="Escape"&&n.help)return n.help=!1,n.changed(!1),!0;if(!i||n.status!=="ready")return!1;let{camera:o}=i;if(t===i.canvas&&e.key.startsWith("Arrow")){let u=e.key==="ArrowRight"?1:e.key==="ArrowLeft"?-1:0,h=e.key==="ArrowUp"?1:e.key==="ArrowDown"?-1:0;return e.shiftKey?o.pan(.05*u,.05*h):o.orbit(-6*u,-6*h),!0}let a=bT[e.key];if(a)return o.view(a),!0;let{panels:l,forces:c}=s;switch(e.key.toLowerCase()){case"f":o.fit();break;case"p":o.setProjection(s.camera?.projection==="orthographic"?"perspective":"orthographic");break;case"+":case"=":o.zoom(.85);break;case"-":case"_":o.zoom(1/.85);break;case"m":n.update({mesh_edges:!s.mesh_edges});break;case"v":{let u=!(c.bearings||c.meshes);n.update({forces:{bearings:u,meshes:u}});break}case"c":n.update({cut:{on:!s.cut.on}});break;case"[":case"]":s.cut.on&&V_(n,(e.key==="["?-.04:.04)*n.display.radius);break;case"d":n.update({deformation:ST(n)});break;case"k":r.toggle();break;case",":r.step(-1);break;case".":r.step(1);break;case"b":n.update({panels:{parts:!l.parts}});break;case"s":n.update({panels:{settings:!l.settings}});break;case"g":n.update({panels:{plots:!l.plots}});break;default:return!1}return!0}function ST(n){let{mode:e,factor:t}=n.state.deformation;return e==="automatic"?{mode:"factor",factor:0}:t===0?{mode:"factor",factor:1}:{mode:"automatic",factor:1}}function $a(n){let{field:e}=n.state.colours;if(Wi[e].quantity==="stress")return Au;if(Wi[e].quantity==="none")return{symbol:"",factor:1};let t=n.display?.limits;return Xi("m",t?Math.max(Math.abs(t[0]),Math.abs(t[1])):0)}function Do(n){return Wi[n.state.colours.field].label}function Xu(n){let e=$a(n),t=n.display?.limits;if(!t)return{ticks:[],unit:e.symbol};let{bands:i}=n.state.colours,s=i>0&&i<=12?i:5,r=t[0]*e.factor,o=t[1]*e.factor;return r===o?{ticks:[{fraction:.5,text:Vn(r)}],unit:e.symbol}:{ticks:Array.from({length:s+1},(l,c)=>{let u=c/s,h=r+u*(o-r);return{fraction:u,text:Vn(Math.abs(h)<1e-9*Math.abs(o-r)?0:h,4)}}),unit:e.symbol}}function W_(n,e,t,i){let s=new TextEncoder,r=[],o=[],a=0,l=d=>{let p=typeof d=="string"?s.encode(d):d;r.push(p),a+=p.length},c=(d,p)=>{o.push(a),l(`${o.length} 0 obj
+${d}
+`),p!==void 0&&(l(`stream
+`),l(p),l(`
+endstream
+`)),l(`endobj
+`)},u=Math.round(842*t/e),h=`q 842 0 0 ${u} 0 0 cm /Picture Do Q`;l(`%PDF-1.4
+`),c("<< /Type /Catalog /Pages 2 0 R >>"),c("<< /Type /Pages /Kids [3 0 R] /Count 1 >>"),c(`<< /Type /Page /Parent 2 0 R /MediaBox [0 0 842 ${u}] /Resources << /XObject << /Picture 4 0 R >> >> /Contents 5 0 R >>`),c(`<< /Type /XObject /Subtype /Image /Width ${e} /Height ${t} /ColorSpace /DeviceRGB /BitsPerComponent 8 /Filter /DCTDecode /Length ${n.length} >>`,n),c(`<< /Length ${h.length} >>`,h),c(`<< /Title <${MT(i)}> /Producer (Calyx) >>`);let f=a;l(`xref
+0 ${o.length+1}
+0000000000 65535 f 
+`);for(let d of o)l(`${String(d).padStart(10,"0")} 00000 n 
+`);return l(`trailer
+<< /Size ${o.length+1} /Root 1 0 R /Info 6 0 R >>
+startxref
+${f}
+%%EOF
+`),new Blob(r,{type:"application/pdf"})}function MT(n){let e="FEFF";for(let t=0;t<n.length;t++)e+=n.charCodeAt(t).toString(16).padStart(4,"0").toUpperCase();return e}var wT=2,ET="system-ui, -apple-system, 'Segoe UI', Roboto, Helvetica, Arial, sans-serif",Ps={width:16,height:200,right:92,top:56};function TT(n){let{width:e,height:t}=n.scene,i=getComputedStyle(n.element),s=r=>i.getPropertyValue(r).trim();return{width:e,height:t,text:s("--cv-text"),muted:s("--cv-muted"),background:s("--cv-stage"),halo:s("--cv-stage")}}function q_(n,e){let{scene:t,labels:i,state:s,display:r}=n,o=[],a=(f,d,p,y="")=>o.push(`<text x="${f.toFixed(1)}" y="${d.toFixed(1)}" fill="${e.text}" stroke="${e.halo}" stroke-width="3" stroke-linejoin="round" paint-order="stroke" ${y}>${AT(p)}</text>`);for(let f of i.placed(t.camera.active,t.root.matrix,e.width,e.height))(f.kind==="maximum"||f.kind==="minimum")&&o.push(`<circle cx="${f.x.toFixed(1)}" cy="${f.y.toFixed(1)}" r="4" fill="none" stroke="${e.text}" stroke-width="1.6"/>`),a(f.x+9,f.y+4,f.text,'font-weight="600"');let{limits:l}=r,{colours:c}=s;if(l&&c.field!=="plain"){let f=e.width-Ps.right,d=c.bands>0?c.bands:64;for(let g=0;g<d;g++){let m=Wa(Co(c.scale,c.bands>0?Ga((g+.5)/d,d):g/(d-1))),b=Ps.height/d,R=Ps.top+Ps.height-(g+1)*b;o.push(`<rect x="${f}" y="${R.toFixed(2)}" width="${Ps.width}" height="${(b+.4).toFixed(2)}" fill="${m}"/>`)}let{ticks:p,unit:y}=Xu(n);for(let g of p)a(f+Ps.width+7,Ps.top+Ps.height*(1-g.fraction)+4,g.text);a(e.width-16,Ps.top-18,`${Do(n)}${y?` in ${y}`:""}`,'text-anchor="end" font-weight="600"')}let u=n.positions?.list[s.position],h=[n.source?.title,u?`position ${u.position}`:""].filter(Boolean).join(", ");return h&&a(16,e.height-16,h),n.hasMeshes&&a(16,e.height-36,`deformation × ${r.factor}`),o.join(`
+`)}function AT(n){return n.replace(/[&<>"]/g,e=>({"&":"&amp;","<":"&lt;",">":"&gt;",'"':"&quot;"})[e])}function $_(n,e){return`<svg xmlns="http://www.w3.org/2000/svg" width="${n.width}" height="${n.height}" viewBox="0 0 ${n.width} ${n.height}" font-family="${ET}" font-size="12">
+${e}
+</svg>
+`}function Y_(n,e){let t=n.scene.snapshot(wT),i=document.createElement("canvas");i.width=t.width,i.height=t.height;let s=i.getContext("2d");return s.fillStyle=e.background,s.fillRect(0,0,i.width,i.height),s.drawImage(t,0,0),i}async function RT(n,e){let t=Y_(n,e),i=new Image;return i.src=`data:image/svg+xml;charset=utf-8,${encodeURIComponent($_(e,q_(n,e)))}`,await i.decode(),t.getContext("2d").drawImage(i,0,0,t.width,t.height),t}function X_(n,e,t){return new Promise((i,s)=>{n.toBlob(r=>r?i(r):s(new Error("the picture cannot be encoded")),e,t)})}async function Of(n,e){if(!n.scene||n.status!=="ready")throw new Error("there is no picture to export");let t=TT(n);if(e==="svg"){let r=Y_(n,t).toDataURL("image/png"),o=`<image width="${t.width}" height="${t.height}" href="${r}"/>
+${q_(n,t)}`;return new Blob([$_(t,o)],{type:"image/svg+xml"})}let i=await RT(n,t);if(e==="png")return X_(i,"image/png");let s=await X_(i,"image/jpeg",.94);return W_(new Uint8Array(await s.arrayBuffer()),i.width,i.height,n.source?.title??"")}async function J_(n,e){let t=await Of(n,e),i=document.createElement("a"),s=(n.source?.title??"view").replace(/[^\p{L}\p{N}._-]+/gu,"_")||"view";i.href=URL.createObjectURL(t),i.download=`${s}.${e}`,i.click(),setTimeout(()=>URL.revokeObjectURL(i.href),1e4)}function Z_(n){let[,e]=mh(t=>t+1,0);Ut(()=>n.subscribe(()=>e(0)),[n])}var CT={parts:"M2.5 3.5h4M2.5 8h4M2.5 12.5h4M9 3.5h4.5M9 8h4.5M9 12.5h4.5",settings:"M2 4.5h7M12 4.5h2M2 11.5h2M7 11.5h7M10.5 3v3M5.5 10v3",fit:"M2.5 6V2.5H6M10 2.5h3.5V6M13.5 10v3.5H10M6 13.5H2.5V10",cube:"M8 1.8l5.5 3v6.4L8 14.2l-5.5-3V4.8zM2.5 4.8L8 8l5.5-3.2M8 8v6.2",perspective:"M2 3.5l12 2v5l-12 2zM8 4.5v7",orthographic:"M2.5 3.5h11v9h-11zM8 3.5v9",mesh:"M2.5 2.5h11v11h-11zM2.5 6.2h11M2.5 9.8h11M6.2 2.5v11M9.8 2.5v11",force:"M3 13L12.5 3.5M7.5 3h5.5v5.5",cut:"M1.5 10.5l5-7h8l-5 7zM3 13.5h4M9.5 13.5h4",plot:"M2.5 2.5v11h11M4.5 10.5l3-4 2.5 2 3.5-5",download:"M8 2v8M4.8 7L8 10.2 11.2 7M2.5 13.5h11",help:"M5.5 6a2.5 2.5 0 1 1 3.6 2.2c-.8.4-1.1.9-1.1 1.8M8 12.6v.4",sun:"M8 5a3 3 0 1 0 0 6 3 3 0 0 0 0-6M8 1.2v1.6M8 13.2v1.6M1.2 8h1.6M13.2 8h1.6M3.2 3.2l1.1 1.1M11.7 11.7l1.1 1.1M12.8 3.2l-1.1 1.1M4.3 11.7l-1.1 1.1",moon:"M13.2 9.6A5.8 5.8 0 0 1 6.4 2.8a5.6 5.6 0 1 0 6.8 6.8",play:"M5 3l8 5-8 5z",pause:"M5 3v10M11 3v10",next:"M4 3.5l6 4.5-6 4.5zM12.2 3.5v9",previous:"M12 3.5L6 8l6 4.5zM3.8 3.5v9",loop:"M11.5 2l2 2-2 2M13.5 4H5a3 3 0 0 0-3 3M4.5 14l-2-2 2-2M2.5 12H11a3 3 0 0 0 3-3",eye:"M1.5 8S4 3.8 8 3.8 14.5 8 14.5 8 12 12.2 8 12.2 1.5 8 1.5 8M8 6.2a1.8 1.8 0 1 0 0 3.6 1.8 1.8 0 0 0 0-3.6",half:"M8 2.5a5.5 5.5 0 1 0 0 11zM8 2.5a5.5 5.5 0 0 1 0 11M8 5h4.6M8 8h5.5M8 11h4.6",hidden:"M2 2l12 12M6.2 4.1A6 6 0 0 1 8 3.8c4 0 6.5 4.2 6.5 4.2a12 12 0 0 1-1.9 2.3M4 5.2A11 11 0 0 0 1.5 8S4 12.2 8 12.2a6 6 0 0 0 3-.8",pin:"M8 9.5V14M5 9.5h6l-1.3-2V3.3h.8M6.3 7.5L5 9.5M6.3 7.5V3.3h-.8M6.3 3.3h3.4",chevron:"M5.5 3.5L10 8l-4.5 4.5",close:"M3.5 3.5l9 9M12.5 3.5l-9 9"};function Ya({name:n}){return x("svg",{class:"cv-icon",viewBox:"0 0 16 16","aria-hidden":"true",children:x("path",{d:CT[n]})})}function Nn({icon:n,label:e,shortcut:t,pressed:i,disabled:s,onClick:r}){return x("button",{type:"button",class:"cv-tool","aria-label":e,"aria-pressed":i,disabled:s,title:t?`${e} (${t})`:e,onClick:r,children:x(Ya,{name:n})})}function Hn({label:n,value:e,options:t,onChange:i,quiet:s}){return x("label",{class:"cv-field",children:[x("span",{class:s?"cv-hidden":"",children:n}),x("select",{value:e,onChange:r=>i(r.currentTarget.value),children:t.map(r=>x("option",{value:r.value,disabled:r.disabled,selected:r.value===e,children:r.label},r.value))})]})}function cs({label:n,value:e,onChange:t}){return x("label",{class:"cv-check",children:[x("input",{type:"checkbox",checked:e,onChange:i=>t(i.currentTarget.checked)}),x("span",{children:n})]})}function Ja({label:n,value:e,unit:t,min:i,max:s,disabled:r,onChange:o}){let a=Number.isFinite(e)?String(Number(e.toPrecision(6))):"",[l,c]=Sn(null),u=()=>{if(l===null)return;let h=Number(l.trim().replace(",",".").replace("−","-"));c(null),!(l.trim()===""||!Number.isFinite(h))&&o(Math.min(Math.max(h,i??-1/0),s??1/0))};return x("label",{class:"cv-field",children:[x("span",{children:n}),x("span",{class:"cv-number",children:[x("input",{type:"text",inputMode:"decimal",value:l??a,disabled:r,onInput:h=>c(h.currentTarget.value),onBlur:u,onKeyDown:h=>{h.key==="Enter"&&u(),h.key==="Escape"&&c(null)}}),t?x("span",{class:"cv-unit",children:t}):null]})]})}function Bf({label:n,value:e,min:t,max:i,step:s="any",text:r,onInput:o}){return x("label",{class:"cv-field cv-slider",children:[x("span",{children:n}),x("input",{type:"range",min:t,max:i,step:s,value:e,"aria-valuetext":r,onInput:a=>o(Number(a.currentTarget.value))})]})}function No({title:n,children:e}){return x("section",{class:"cv-section",children:[x("h3",{children:n}),e]})}function K_({core:n}){let e=sn(null);Ut(()=>{e.current.showModal()},[]);let t=()=>{n.help=!1,n.changed(!1)};return x("dialog",{class:"cv-help",ref:e,"aria-labelledby":"cv-help-title",onClose:t,onClick:i=>i.target===e.current&&t(),children:[x("div",{class:"cv-help-head",children:[x("h2",{id:"cv-help-title",children:"Shortcuts"}),x(Nn,{icon:"close",label:"Close",onClick:t})]}),x("div",{class:"cv-help-grid",children:H_.map(([i,s])=>x("section",{children:[x("h3",{children:i}),x("dl",{children:s.map(({keys:r,label:o})=>x("div",{children:[x("dt",{children:x("kbd",{children:r})}),x("dd",{children:o})]},r))})]},i))})]})}function PT(n){let{scale:e,bands:t}=n.state.colours,i=[];if(t>0)for(let s=0;s<t;s++){let r=Wa(Co(e,Ga((s+.5)/t,t)));i.push(`${r} ${100*s/t}% ${100*(s+1)/t}%`)}else for(let s=0;s<=20;s++)i.push(`${Wa(Co(e,s/20))} ${5*s}%`);return`linear-gradient(to top, ${i.join(", ")})`}function j_({core:n}){let{field:e}=n.state.colours;if(e==="plain")return null;let{ticks:t,unit:i}=Xu(n);if(n.missingField||t.length===0)return x("div",{class:"cv-legend cv-legend-empty",role:"note",children:[x("strong",{children:Do(n)}),x("span",{children:"No values in this position"})]});let{limits:s}=n.state.colours,r=s==="all"?"all positions":s==="fixed"?"fixed limits":"this position";return x("button",{type:"button",class:"cv-legend","aria-label":`Legend: ${Do(n)} from ${t[0].text} to ${t[t.length-1].text} ${i}. Opens the settings.`,title:"Settings of the colours",onClick:()=>n.update({panels:{settings:!n.state.panels.settings}}),children:[x("span",{class:"cv-legend-title",children:[x("strong",{children:Do(n)}),i?x("span",{class:"cv-legend-unit",children:i}):null]}),x("span",{class:"cv-scale",children:[x("span",{class:"cv-bar",style:{background:PT(n)}}),x("span",{class:"cv-ticks",children:t.map((o,a)=>x("span",{style:{bottom:`${100*o.fraction}%`},children:o.text},a))})]}),x("span",{class:"cv-range",children:n.progress!==null?`reading … ${Math.round(100*n.progress)} %`:r})]})}var IT=[{kind:"gear",label:"Gears"},{kind:"shaft",label:"Shafts"},{kind:"bearing",label:"Bearings"},{kind:"body",label:"Bodies"}],Q_={visible:"translucent",translucent:"hidden",hidden:"visible"},LT={visible:"eye",translucent:"half",hidden:"hidden"};function ex({core:n}){let e=n.parts?.parts??[];return x("aside",{class:"cv-panel cv-parts","aria-label":"Parts",children:[x("div",{class:"cv-scroll",children:IT.map(({kind:t,label:i})=>{let s=e.filter(r=>r.kind===t);return s.length>0?x(DT,{core:n,label:i,parts:s},t):null})}),x("div",{class:"cv-foot",children:x(Hn,{label:"Fixed frame",value:n.state.frame??"",options:[{value:"",label:"Ground"},...e.map(({name:t})=>({value:t,label:t}))],onChange:t=>n.update({frame:t||null})})}),n.source?.provenance?.length?x("details",{class:"cv-provenance",children:[x("summary",{children:"Provenance"}),x("dl",{children:n.source.provenance.map(([t,i])=>x("div",{children:[x("dt",{children:t}),x("dd",{title:i,children:i})]},t))})]}):null]})}function DT({core:n,label:e,parts:t}){let[i,s]=Sn(!0),r=t.map(({name:l})=>l),o=new Set(r.map(l=>n.state.parts[l]??"visible")),a=o.size===1?[...o][0]:"translucent";return x("div",{class:"cv-group",role:"group","aria-label":e,children:[x("div",{class:"cv-row cv-row-group",children:[x("button",{type:"button",class:"cv-fold","aria-expanded":i,onClick:()=>s(!i),children:[x(Ya,{name:"chevron"}),x("span",{children:e}),x("span",{class:"cv-count",children:t.length})]}),x(tx,{name:e,value:a,onChange:l=>n.setVisibility(r,l)})]}),i?t.map(l=>x(NT,{core:n,part:l},l.name)):null]})}function NT({core:n,part:e}){let t=n.state.parts[e.name]??"visible";return x("div",{class:`cv-row cv-row-${t}`,children:[x("span",{class:"cv-swatch",style:{background:n.display?.colours[e.index]}}),x("span",{class:"cv-name",title:e.name,children:e.name}),e.copies>1?x("span",{class:"cv-count",title:`${e.copies} teeth`,children:["z ",e.copies]}):null,n.state.frame===e.name?x("span",{class:"cv-pin",title:"Fixed frame",children:x(Ya,{name:"pin"})}):null,x(tx,{name:e.name,value:t,onChange:i=>n.setVisibility([e.name],i)})]})}function tx({name:n,value:e,onChange:t}){return x("button",{type:"button",class:"cv-eye","aria-label":`${n}: ${e}`,title:`${e}; click for ${Q_[e]}, Alt and click for hidden`,onClick:i=>t(i.altKey?e==="hidden"?"visible":"hidden":Q_[e]),children:x(Ya,{name:LT[e]})})}var FT=new Set(["step","time","cycle","roll_angle","position"]);function kf(n){return n.values.reduce((e,t)=>t!==null&&Number.isFinite(t)?Math.max(e,Math.abs(t)):e,0)}function nx({core:n}){let e=n.source?.outputs?.columns??[],t=e.filter(o=>!FT.has(o.name)&&o.values.some(a=>typeof a=="number"&&Number.isFinite(a))),i=t.find(o=>n.state.plotted.includes(o.name))?.name??t[0]?.name??"",s=t.find(o=>o.name===i),r=e.find(o=>o.name==="time");return x("section",{class:"cv-plots","aria-label":"Plots",children:s?x(Yt,{children:[x("div",{class:"cv-plots-head",children:[x(Hn,{quiet:!0,label:"Output",value:i,options:t.map(o=>({value:o.name,label:o.name.replaceAll("_"," ")})),onChange:o=>n.update({plotted:[o]})}),x(UT,{core:n,column:s,time:r})]}),x(OT,{core:n,column:s,time:r})]}):x("div",{class:"cv-muted",children:"This run has no outputs over the positions."})})}function ix(n,e){let t=n.positions?.list[n.state.position];if(!t||!e)return n.state.position;let i=0;return e.values.forEach((s,r)=>{Math.abs((s??1/0)-t.time)<Math.abs((e.values[i]??1/0)-t.time)&&(i=r)}),i}function UT({core:n,column:e,time:t}){let i=e.values[ix(n,t)]??NaN,s=Xi(e.unit,kf(e));return x("output",{class:"cv-muted",children:Number.isFinite(i)?`${Vn(i*s.factor,5)} ${s.symbol}`:"no value"})}function OT({core:n,column:e,time:t}){let i=sn(null),s=sn(null),r=ix(n,t),{theme:o}=n.theme;return Ut(()=>{let a=i.current,l=getComputedStyle(n.element),c=m=>l.getPropertyValue(m).trim(),u=Xi(e.unit,kf(e)),h=Xi("s",t?kf(t):0),f=t?t.values.map(m=>(m??NaN)*h.factor):e.values.map((m,b)=>b),d=e.values.map(m=>m===null||!Number.isFinite(m)?null:m*u.factor),p=m=>({label:m,labelSize:18,size:44,font:"11px system-ui, sans-serif",labelFont:"11px system-ui, sans-serif",stroke:c("--cv-muted"),grid:{stroke:c("--cv-line"),width:1},ticks:{stroke:c("--cv-line"),width:1,size:4}}),y=new mn({width:a.clientWidth,height:a.clientHeight,scales:{x:{time:!1}},legend:{show:!1},cursor:{y:!1,points:{size:7},drag:{x:!1,y:!1}},series:[{},{stroke:c("--cv-accent"),width:1.75,points:{show:f.length<60}}],axes:[{...p(t?`time in ${h.symbol}`:"position"),size:30},{...p(u.symbol),size:56}],hooks:{drawAxes:[m=>BT(m,c("--cv-mark"))]}},[f,d],a);s.current=y,y.over.addEventListener("click",()=>{let m=y.cursor.idx,b=n.positions?.list??[];if(m==null||b.length===0)return;let R=t?t.values[m]??0:m,S=0;b.forEach((C,A)=>{let _=T=>Math.abs((t?b[T].time:T)-R);_(A)<_(S)&&(S=A)}),n.animation.stop(),n.goTo(S)});let g=new ResizeObserver(()=>y.setSize({width:a.clientWidth,height:a.clientHeight}));return g.observe(a),()=>{g.disconnect(),y.destroy(),s.current=null}},[n,e,t,o]),Ut(()=>{sx.set(s.current,r),s.current?.redraw(!1)},[r,e,t,o]),x("div",{class:"cv-plot",ref:i,role:"img","aria-label":`${e.name.replaceAll("_"," ")} over ${t?"time":"positions"}`})}var sx=new WeakMap;function BT(n,e){let t=sx.get(n),i=t===void 0?void 0:n.data[0][t];if(i===void 0)return;let s=Math.round(n.valToPos(i,"x",!0))+.5,{ctx:r,bbox:o}=n;r.save(),r.strokeStyle=e,r.lineWidth=1.5*(window.devicePixelRatio||1),r.beginPath(),r.moveTo(s,o.top),r.lineTo(s,o.top+o.height),r.stroke(),r.restore()}function rx({core:n}){return x("aside",{class:"cv-panel cv-settings","aria-label":"Settings",children:x("div",{class:"cv-scroll",children:[n.state.colours.field!=="plain"?x(kT,{core:n}):null,n.hasMeshes?x(zT,{core:n}):null,x(VT,{core:n}),x(HT,{core:n}),x(No,{title:"Display",children:[x(cs,{label:"Mesh edges",value:n.state.mesh_edges,onChange:e=>n.update({mesh_edges:e})}),x(Hn,{label:"Theme",value:n.state.theme,options:[{value:"system",label:"As the system"},{value:"light",label:"Light"},{value:"dark",label:"Dark"}],onChange:e=>n.update({theme:e})})]})]})})}function kT({core:n}){let{colours:e}=n.state,t=$a(n),i=n.display?.limits??[0,1],s=(r,o)=>n.update({colours:{limits:"fixed",min:r,max:o}});return x(No,{title:"Colours",children:[x(Hn,{label:"Limits",value:e.limits,options:[{value:"position",label:"This position"},{value:"all",label:"All positions"},{value:"fixed",label:"Fixed"}],onChange:r=>r==="fixed"?s(i[0],i[1]):n.update({colours:{limits:r}})}),x(Ja,{label:"Maximum",unit:t.symbol,value:i[1]*t.factor,onChange:r=>s(i[0],r/t.factor)}),x(Ja,{label:"Minimum",unit:t.symbol,value:i[0]*t.factor,onChange:r=>s(r/t.factor,i[1])}),x(Hn,{label:"Scale",value:e.scale,options:f_.map(({name:r,label:o})=>({value:r,label:o})),onChange:r=>n.update({colours:{scale:r}})}),x(Hn,{label:"Bands",value:String(e.bands),options:["0","6","8","10","12","16","24"].map(r=>({value:r,label:r==="0"?"Continuous":r})),onChange:r=>n.update({colours:{bands:Number(r)}})}),x(cs,{label:"Mark the extreme values",value:n.state.extremes,onChange:r=>n.update({extremes:r})}),ls(e.field)?null:x(cs,{label:"Show contacts behind surfaces",value:n.state.hidden_contacts,onChange:r=>n.update({hidden_contacts:r})})]})}function zT({core:n}){let{mode:e}=n.state.deformation;return x(No,{title:"Deformation",children:[x(cs,{label:"Automatic factor",value:e==="automatic",onChange:t=>n.update({deformation:{mode:t?"automatic":"factor",factor:n.display.factor}})}),x(Ja,{label:"Factor",unit:"×",value:n.display.factor,onChange:t=>n.update({deformation:{mode:"factor",factor:t}})})]})}function VT({core:n}){let{cut:e}=n.state,t=n.display.cut,i=()=>{let r=n.scene.camera.direction;return[r.x,r.y,r.z]},s=typeof e.normal=="string"?e.normal:"view";return x(No,{title:"Cutting plane",children:[x(cs,{label:"Cut",value:e.on,onChange:r=>n.update({cut:{on:r}})}),e.on?x(Yt,{children:[x(Hn,{label:"Normal",value:s,options:[{value:"x",label:"x"},{value:"y",label:"y"},{value:"z",label:"z"},{value:"view",label:"View direction"}],onChange:r=>n.update({cut:{normal:r==="view"?i():r,offset:null}})}),x(Bf,{label:"Location",min:t.range[0],max:t.range[1],value:t.offset,text:`${Vn(t.offset*1e3,4)} mm`,onInput:r=>n.update({cut:{offset:r}})}),x(Ja,{label:"Coordinate",unit:"mm",value:t.offset*1e3,onChange:r=>n.update({cut:{offset:r/1e3}})}),x(cs,{label:"Flip",value:e.flipped,onChange:r=>n.update({cut:{flipped:r}})})]}):null]})}function HT({core:n}){let{forces:e}=n.state,t=e.bearings||e.meshes;return x(No,{title:"Forces",children:[x(cs,{label:"At bearings",value:e.bearings,onChange:i=>n.update({forces:{bearings:i}})}),x(cs,{label:"At meshes",value:e.meshes,onChange:i=>n.update({forces:{meshes:i}})}),t?x(Yt,{children:[x(cs,{label:"Labels",value:e.labels,onChange:i=>n.update({forces:{labels:i}})}),x(Bf,{label:"Length",min:.2,max:4,value:e.scale,onInput:i=>n.update({forces:{scale:i}})})]}):null]})}var GT=[1,2,5,10,20,30,60];function ox({core:n}){let e=n.positions?.list??[],{state:t,animation:i}=n;if(e.length===0)return x("div",{class:"cv-timeline cv-muted",children:"No positions yet"});let s=e[Math.min(t.position,e.length-1)],r=e[e.length-1],o=Xi("s",Math.max(Math.abs(r.time),Math.abs(e[0].time))),a=`${Vn(s.time*o.factor)} ${o.symbol}`,l=e.length>1;return x("div",{class:"cv-timeline",role:"group","aria-label":"Animation",children:[x(Nn,{icon:"previous",label:"Previous position",shortcut:",",disabled:!l,onClick:()=>i.step(-1)}),x(Nn,{icon:i.playing?"pause":"play",label:i.playing?"Pause":"Play",shortcut:"K",disabled:!l,onClick:()=>i.toggle()}),x(Nn,{icon:"next",label:"Next position",shortcut:".",disabled:!l,onClick:()=>i.step(1)}),x("input",{class:"cv-time",type:"range",min:0,max:e.length-1,step:1,value:t.position,disabled:!l,"aria-label":"Position","aria-valuetext":`position ${s.position}, ${a}`,onInput:c=>{i.stop(),n.goTo(Number(c.currentTarget.value))}}),x("output",{class:"cv-clock",children:[x("span",{children:s.position}),x("span",{class:"cv-muted",children:[" / ",r.position]}),x("span",{class:"cv-clock-time",children:a})]}),x(Hn,{quiet:!0,label:"Speed, positions per second",value:String(t.animation.speed),options:[...new Set([...GT,t.animation.speed])].sort((c,u)=>c-u).map(c=>({value:String(c),label:`${c} / s`})),onChange:c=>n.update({animation:{speed:Number(c)}})}),x(Nn,{icon:"loop",label:"Loop",pressed:t.animation.loop,onClick:()=>n.update({animation:{loop:!t.animation.loop}})})]})}var WT=[{value:"",label:"View"},{value:"isometric",label:"Isometric"},{value:"front",label:"Front"},{value:"back",label:"Back"},{value:"left",label:"Left"},{value:"right",label:"Right"},{value:"top",label:"Top"},{value:"bottom",label:"Bottom"}],XT=Object.keys(Wi);function ax({core:n,showTitle:e,showTheme:t}){let{state:i,scene:s,status:r}=n,o=r==="ready"&&s!==null,a=i.camera?.projection==="orthographic",l=i.forces.bearings||i.forces.meshes,c=n.theme.theme==="dark";return x("div",{class:"cv-toolbar",role:"toolbar","aria-label":"View",children:[x(Nn,{icon:"parts",label:"Parts",shortcut:"B",pressed:i.panels.parts,onClick:()=>n.update({panels:{parts:!i.panels.parts}})}),e?x("h1",{class:"cv-title",title:n.source?.title,children:n.source?.title??"Calyx"}):null,o?x(Yt,{children:[x("span",{class:"cv-rule"}),x(Nn,{icon:"fit",label:"Fit",shortcut:"F",onClick:()=>s.camera.fit()}),x(Hn,{quiet:!0,label:"Standard view",value:"",options:WT,onChange:u=>{u&&s.camera.view(u),n.changed(!1)}}),x(Nn,{icon:a?"orthographic":"perspective",label:"Orthographic projection",shortcut:"P",pressed:a,onClick:()=>s.camera.setProjection(a?"perspective":"orthographic")}),x("span",{class:"cv-rule"}),x(Hn,{quiet:!0,label:"Colours",value:i.colours.field,options:XT.map(u=>({value:u,label:Wi[u].label})),onChange:u=>n.update({colours:{field:u,limits:i.colours.limits==="fixed"?"position":i.colours.limits}})}),n.hasMeshes?x(qT,{core:n}):null,x("span",{class:"cv-rule"}),x(Nn,{icon:"mesh",label:"Mesh edges",shortcut:"M",pressed:i.mesh_edges,onClick:()=>n.update({mesh_edges:!i.mesh_edges})}),x(Nn,{icon:"force",label:"Force vectors",shortcut:"V",pressed:l,onClick:()=>n.update({forces:{bearings:!l,meshes:!l}})}),x(Nn,{icon:"cut",label:"Cutting plane",shortcut:"C",pressed:i.cut.on,onClick:()=>{let u=!i.cut.on;n.update({cut:{on:u},panels:{settings:u||i.panels.settings}})}})]}):null,x("span",{class:"cv-space"}),o?x(Yt,{children:[x(Nn,{icon:"plot",label:"Plots",shortcut:"G",pressed:i.panels.plots,onClick:()=>n.update({panels:{plots:!i.panels.plots}})}),x($T,{core:n}),x(Nn,{icon:"settings",label:"Settings",shortcut:"S",pressed:i.panels.settings,onClick:()=>n.update({panels:{settings:!i.panels.settings}})})]}):null,t?x(Nn,{icon:c?"sun":"moon",label:c?"Light theme":"Dark theme",onClick:()=>n.update({theme:c?"light":"dark"})}):null,x(Nn,{icon:"help",label:"Help",shortcut:"?",pressed:n.help,onClick:()=>{n.help=!n.help,n.changed(!1)}})]})}function qT({core:n}){let{mode:e,factor:t}=n.state.deformation,i=e==="automatic"?"automatic":t===0||t===1?String(t):"other";return x(Yt,{children:[x(Hn,{quiet:!0,label:"Deformation",value:i,options:[{value:"automatic",label:"Deformation: automatic"},{value:"0",label:"Undeformed"},{value:"1",label:"True deformation"},{value:"other",label:"Other factor …"}],onChange:s=>{s==="automatic"?n.update({deformation:{mode:"automatic"}}):s==="other"?n.update({deformation:{mode:"factor",factor:n.display.factor||10},panels:{settings:!0}}):n.update({deformation:{mode:"factor",factor:Number(s)}})}}),x("output",{class:"cv-factor","aria-label":"Factor of the deformation",title:"Factor of the displayed deformation",children:["× ",Vn(n.display.factor,3)]})]})}function $T({core:n}){let[e,t]=Sn("");return x("span",{class:"cv-export",children:x(Hn,{quiet:!0,label:e?`Export. ${e}`:"Export the picture",value:"",options:[{value:"",label:"Export"},{value:"png",label:"PNG"},{value:"svg",label:"SVG"},{value:"pdf",label:"PDF"}],onChange:i=>{i&&J_(n,i).catch(s=>t(String(s))),n.changed(!1)}})})}function lx({core:n}){let{probe:e,scene:t}=n;if(!e||!t)return null;let i=$a(n),{x:s,y:r,z:o}=e.point,a=e.x>t.width-240?{right:t.width-e.x+16}:{left:e.x+16},l=e.y>t.height-120?{bottom:t.height-e.y+12}:{top:e.y+16},c=e.value!==null&&Number.isFinite(e.value);return x("div",{class:"cv-tooltip",role:"status","data-value":e.value===null?"":String(e.value),style:{...a,...l},children:[e.value!==null?x("div",{class:"cv-tooltip-value",children:[x("span",{class:"cv-muted",children:Wi[n.state.colours.field].label}),x("strong",{children:c?`${Vn(e.value*i.factor,6)} ${i.symbol}`:"no value"})]}):null,x("div",{children:[e.part,e.tooth!==null?`, tooth ${e.tooth}`:"",e.node!==null?`, node ${e.node}`:""]}),x("div",{class:"cv-muted",children:[[s,r,o].map(u=>Vn(Math.round(u*1e6)/1e3,6)).join("  ")," mm"]})]})}var cx=[{name:"x",azimuth:0,elevation:0,v:[1,0,0]},{name:"y",azimuth:90,elevation:0,v:[0,1,0]},{name:"z",azimuth:-90,elevation:90,v:[0,0,1]}];function ux({core:n}){let e=sn(null);return Ut(()=>YT(n,e.current)),x("svg",{class:"cv-triad",viewBox:"-34 -34 68 68",ref:e,"aria-hidden":"true",children:cx.map(({name:t})=>x("g",{class:`cv-axis-${t}`,children:[x("line",{}),x("text",{"text-anchor":"middle","dominant-baseline":"central",children:t})]},t))})}function YT(n,e){let t=n.state.camera??n.scene?.camera.state;if(!t)return;let i=t.azimuth*Math.PI/180,s=t.elevation*Math.PI/180,r=[-Math.sin(i),Math.cos(i),0],o=[-Math.sin(s)*Math.cos(i),-Math.sin(s)*Math.sin(i),Math.cos(s)];cx.forEach(({v:a},l)=>{let c=a[0]*r[0]+a[1]*r[1]+a[2]*r[2],u=-(a[0]*o[0]+a[1]*o[1]+a[2]*o[2]),h=e.children[l],[f,d]=[h.children[0],h.children[1]];f.setAttribute("x2",String(20*c)),f.setAttribute("y2",String(20*u)),d.setAttribute("x",String(28*c)),d.setAttribute("y",String(28*u)),h.setAttribute("opacity",Math.hypot(c,u)<.12?"0.15":"1")})}function hx({core:n,stage:e,showTitle:t,showTheme:i}){Z_(n);let{status:s,state:r}=n,o=s==="ready";return x(Yt,{children:[x(ax,{core:n,showTitle:t,showTheme:i}),x("div",{class:"cv-body",children:[o&&r.panels.parts?x(ex,{core:n}):null,x("div",{class:"cv-centre",children:[x("div",{class:"cv-view",children:[x(JT,{stage:e}),o?x(ux,{core:n}):null,o?x(j_,{core:n}):null,o?x(lx,{core:n}):null,n.notice?x("div",{class:"cv-notice",role:"alert",children:n.notice}):null,s==="loading"?x("div",{class:"cv-message",role:"status",children:"Reading the shapes …"}):null,o&&n.parts?.parts.length===0?x("div",{class:"cv-message",children:"This run has no parts to display."}):null,s==="failed"?x("div",{class:"cv-message",role:"alert",children:[x("strong",{children:"The view cannot be displayed."}),x("span",{children:n.failure})]}):null]}),o&&r.panels.plots?x(nx,{core:n}):null,o?x(ox,{core:n}):null]}),o&&r.panels.settings?x(rx,{core:n}):null]}),n.help?x(K_,{core:n}):null]})}function JT({stage:n}){let e=sn(null);return Ut(()=>{e.current.append(n)},[n]),x("div",{class:"cv-holder",ref:e})}var Za=class{onChange=null;#e;#t;#n=new AbortController;#i=new Set;constructor(e,t={}){let i=document.createElement("div");i.className="calyx-viewer";let s=document.createElement("div");s.className="cv-stage",e.append(i),this.#t=i;let r=new Wu(i,s,t.state??{});if(this.#e=r,r.onChange=a=>this.onChange?.(a),Wo(x(hx,{core:r,stage:s,showTitle:t.showTitle??!0,showTheme:t.showTheme??!0}),i),r.scene){let{canvas:a,camera:l}=r.scene;a.tabIndex=0,a.setAttribute("role","img"),a.setAttribute("aria-label","Three-dimensional view. Arrow keys orbit, plus and minus zoom, question mark shows all shortcuts."),z_(r,a);let c=l.onChange;l.onChange=u=>{if(c?.(u),u)for(let h of this.#i)h.#e.scene?.camera.set(l.state)}}let o=a=>{G_(r,a)&&a.preventDefault()};i.addEventListener("keydown",o),t.pageKeys&&document.addEventListener("keydown",a=>a.target===document.body&&o(a),{signal:this.#n.signal})}fail(e){this.#e.fail(new Error(e))}show(e){return this.#e.show(e)}reload(){return this.#e.reload()}updatePositions(){return this.#e.updatePositions()}get state(){return structuredClone(this.#e.state)}restore(e){this.#e.update(e)}linkCamera(e){this.#i.add(e),e.#i.add(this);let{camera:t}=this.#e.state;return t&&e.#e.scene?.camera.set(t),()=>{this.#i.delete(e),e.#i.delete(this)}}image(e){return Of(this.#e,e)}get frames(){return this.#e.scene?.frames??0}get triangles(){return this.#e.display?.triangles??0}draw(){this.#e.scene?.draw()}project(e,t){return this.#e.project(e,t)}nodalValue(e,t){return this.#e.nodalValue(e,t)}dispose(){for(let e of this.#i)e.#i.delete(this);this.#i.clear(),this.#n.abort(),Wo(null,this.#t),this.#e.dispose(),this.#t.remove()}};var ZT=4,KT=500;function dx({studio:n}){let e=n.settings.selected.flatMap(a=>n.runs.filter(l=>l.id===a)),t=e.filter(a=>a.has_view).slice(0,ZT),i=sn(new Map),[s,r]=Sn(0),{linked:o}=n.settings;return Ut(()=>{if(!o)return;let a=[...i.current.values()],l=a.slice(1).map(c=>a[0]?.linkCamera(c));return()=>l.forEach(c=>c?.())},[s,o,t.map(a=>a.id).join()]),t.length===0?x(eA,{studio:n,runs:e}):x("div",{class:"scene-area",children:[t.length>1&&x("label",{class:"switch link-cameras",children:[x("input",{type:"checkbox",checked:o,onChange:a=>n.setLinked(a.currentTarget.checked)}),"Link cameras"]}),x("div",{class:`scenes count-${t.length}`,children:t.map(a=>x(jT,{studio:n,run:a,hasTitle:t.length>1,onViewer:l=>{l?i.current.set(a.id,l):i.current.delete(a.id),r(c=>c+1)}},a.id))})]})}function jT({studio:n,run:e,hasTitle:t,onViewer:i}){let s=sn(null),r=sn(null);Ut(()=>{if(!s.current)return;let a=fx(s.current,n);return r.current=a,i(a),a.show(QT(n,e.id)),()=>{r.current=null,i(null),a.dispose()}},[e.id]),px(r);let o=sn(!0);return Ut(()=>{o.current?o.current=!1:e.id==="preview"?r.current?.reload():r.current?.updatePositions()},[e.status,e.positions,e.id==="preview"?n.results[e.id]:null]),x("figure",{class:"scene",children:[t&&x("figcaption",{children:Un(e.id)}),x("div",{ref:s,class:"viewer"})]})}function fx(n,e){let t=e.settings.scene??{},i=new Za(n,{state:{...t,theme:Al()}}),s=0;return i.onChange=r=>{window.clearTimeout(s),s=window.setTimeout(()=>e.setScene(r),KT)},i}function px(n){let e=Pl();Ut(()=>n.current?.restore({theme:e}),[e])}function QT(n,e){let t=[],i=n.results[e];return{title:Un(e),provenance:i?Kh(i):[],outputs:null,parts:()=>_h(Li(e,"/files/view/parts.bin")),positions:async()=>(t=(await ks(Li(e,"/view"))).positions.map(({position:r,time:o})=>({position:r,time:o??r})),t),position:s=>{let r=t[s];return r?_h(Li(e,`/files/view/${qa(r.position)}`)):Promise.reject(new Error(`position ${s} does not exist`))}}}function eA({studio:n,runs:e}){let t=sn(null),i=sn(null),s=sn(null),[r,o]=Sn(""),{check:a}=n;px(i),Ut(()=>{if(!a?.runnable)return;let c=!0;return tA(n).then(u=>{if(!(!c||!t.current)){if(typeof u=="string"){o(u);return}if(o(""),s.current=u,i.current){i.current.reload();return}i.current=fx(t.current,n),i.current.show({title:"Model",parts:async()=>s.current??new ArrayBuffer(0),positions:async()=>[],position:h=>Promise.reject(new Error(`position ${h} does not exist`))})}}),()=>{c=!1}},[a]),Ut(()=>()=>i.current?.dispose(),[]);let l=e.length>0?"This run has no view files.":r||"Run the model to see its parts.";return x("div",{class:"scene-area",children:[x("div",{ref:t,class:"viewer",hidden:!i.current}),!i.current&&x("div",{class:"no-scene",children:[x("p",{children:l}),e.length>0&&x("p",{class:"muted",children:"Runs of older versions have none. Run the model again for a 3-D view."})]})]})}async function tA(n){try{return await Qi("POST","/api/parts",{params:n.values}),"Run the model to see its parts."}catch(e){return e instanceof ms&&e.status!==404?e.message:"Run the model to see its parts."}}function mx({studio:n}){let[,e]=Sn(0);Ut(()=>n.subscribe(()=>e(i=>i+1)),[]),nA(n);let t=n.model;return x(Yt,{children:[x(iA,{studio:n}),x(rA,{studio:n}),x("main",{class:"columns",children:[x("aside",{class:"left","aria-label":"Params",children:t?.broken?x(hl,{text:t.rendered,isError:!0}):x(Up,{studio:n})}),x("div",{class:"centre",children:[x(dx,{studio:n}),x(pg,{studio:n})]}),x("aside",{class:"right","aria-label":"Runs and results",children:[x(_g,{studio:n}),x(Bp,{studio:n}),x(yg,{studio:n}),x(xg,{studio:n}),x(gg,{studio:n})]})]})]})}function nA(n){Ut(()=>{let e=t=>{t.key==="Enter"&&(t.ctrlKey||t.metaKey)&&n.check?.runnable&&n.run()};return window.addEventListener("keydown",e),()=>window.removeEventListener("keydown",e)},[])}function iA({studio:n}){let e=n.model?.model??"",t=Br(e)||"Calyx studio";return Ut(()=>{document.title=e?`${t} – Calyx studio`:"Calyx studio"},[t]),x("header",{class:"top",children:[x("h1",{title:e,children:t}),x("p",{class:"about",children:n.model?.doc.split(`
+`)[0]}),x(sA,{})]})}function sA(){let[n,e]=Sn(Rl());return x("label",{class:"inline theme",children:["Theme",x("select",{value:n,onChange:t=>{let i=t.currentTarget.value;e(i),Cl(i)},children:[x("option",{value:"system",children:"System"}),x("option",{value:"light",children:"Light"}),x("option",{value:"dark",children:"Dark"})]})]})}function rA({studio:n}){return n.isConnected?n.notice?x("div",{class:"notice",role:"alert",children:[x("span",{children:[n.notice.message,n.notice.help&&x("span",{class:"help",children:[" ",n.notice.help]})]}),x("button",{type:"button",class:"quiet",onClick:()=>n.dismiss(),children:"Dismiss"})]}):null:x("div",{class:"notice error",role:"alert",children:["The studio does not respond. Start ",x("code",{children:"calyx studio"})," again and open its address."]})}var oA=1,aA=180,lA=700,cA=800,qu=class{model=null;withoutModel=!1;values={};check=null;isChecking=!1;runs=[];progress={};results={};settings={automatic:!0,linked:!0,selected:[],scene:null};notice=null;isConnected=!0;isStarting=!1;#e=new Set;#t=0;#n=0;#i=new Map;#s=null;#r=!1;#a="";subscribe(e){return this.#e.add(e),()=>this.#e.delete(e)}#o(){for(let e of this.#e)e()}async load(){await this.#h(async()=>{let e=await ks("/api/studio");this.withoutModel=e.model===null,this.withoutModel||await this.#u(),e.opened&&(this.settings.selected=[e.opened])}),this.#r=!0,this.#c()}async#u(){let e=await ks("/api/session");this.values={...e.params};let t=e.view??{};typeof t.automatic=="boolean"&&(this.settings.automatic=t.automatic),typeof t.linked=="boolean"&&(this.settings.linked=t.linked),Array.isArray(t.selected)&&(this.settings.selected=t.selected.filter(i=>typeof i=="string"&&i!=="preview")),this.settings.scene=t.scene??null}#c(){let e=new EventSource("/api/events");e.onopen=()=>{this.isConnected=!0,this.#o()},e.onerror=()=>{this.isConnected=!1,this.#o()},e.addEventListener("model",()=>{this.#l()}),e.addEventListener("runs",()=>{this.#d()}),e.addEventListener("progress",t=>{let{id:i,...s}=JSON.parse(t.data);this.progress[i]=s,this.settings.selected.includes(i)&&this.#p(i),this.#o()})}async#l(){this.withoutModel||await this.#h(async()=>{let e=await ks("/api/model");if(this.model=e,e.broken){this.check=null;return}let t=new Set(e.params.map(s=>s.name)),i=Object.keys(this.values).filter(s=>!t.has(s));for(let s of i)delete this.values[s];if(i.length>0){let s=`the model has no param ${i.map(r=>`\`${r}\``).join(", ")} any more`;this.notice={message:s,help:"its value in the form was dropped"}}this.#m(0)})}async#d(){await this.#h(async()=>{let{runs:e}=await ks("/api/runs"),t=new Map(this.runs.map(s=>[s.id,JSON.stringify(s)]));this.runs=e;let i=new Set(e.map(s=>s.id));this.settings.selected=this.settings.selected.filter(s=>i.has(s));for(let s of Object.keys(this.results))i.has(s)||delete this.results[s];for(let s of e){s.progress&&(this.progress[s.id]=s.progress);let r=t.get(s.id)!==JSON.stringify(s)||s.id==="preview";this.settings.selected.includes(s.id)&&(r||!this.results[s.id])&&this.#g(s.id)}if(this.settings.selected.length===0){let s=e.findLast(r=>r.status==="finished");s&&this.select([s.id])}})}#p(e){if(this.#i.has(e))return;let t=window.setTimeout(()=>{this.#i.delete(e),this.#g(e)},lA);this.#i.set(e,t)}async#g(e){try{this.results[e]=await ks(Li(e))}catch(t){t instanceof ms&&t.status===404||this.#_(t),delete this.results[e]}this.#o()}param(e){return this.model?.params.find(t=>t.name===e)}value(e){return this.values[e.name]??e.default??""}setValue(e,t){let i=this.param(e);i?.independent&&i.default===t?delete this.values[e]:this.values[e]=t,this.#m(aA),this.#o()}reset(e){delete this.values[e],this.#m(0),this.#o()}setValues(e){this.values={};for(let[t,i]of Object.entries(e)){let s=this.param(t);(!s?.independent||s.default!==i)&&(this.values[t]=i)}this.#m(0),this.#o()}#m(e){window.clearTimeout(this.#t),this.isChecking=!0,this.#t=window.setTimeout(()=>{this.#v()},e),this.#f()}async#v(){if(!this.model||this.model.broken){this.isChecking=!1;return}this.#s?.abort();let e=new AbortController;this.#s=e,await this.#h(async()=>{let t=await Qi("POST","/api/check",{params:this.values},e.signal);e.signal.aborted||(this.check=t,this.isChecking=!1,await this.#x())}),this.#s===e&&(this.isChecking=!1),this.#o()}get isQuick(){return this.check?.plan!=null&&this.check.plan.time<oA}async#x(){let e=JSON.stringify([this.check?.version,this.values]);if(!this.settings.automatic||!this.check?.runnable||!this.isQuick||this.#a===e)return;this.#a=e,await Qi("POST","/api/preview",{params:this.values}),this.settings.selected.length<=1&&this.select(["preview"])}setAutomatic(e){this.settings.automatic=e,this.#f(),this.#o(),e&&this.#h(()=>this.#x())}setLinked(e){this.settings.linked=e,this.#f(),this.#o()}setScene(e){this.settings.scene=e,this.#f()}async run(){this.isStarting=!0,this.#o(),await this.#h(async()=>{let{id:e}=await Qi("POST","/api/runs",{params:this.values});this.select([e])}),this.isStarting=!1,this.#o()}async cancel(e){await this.#h(()=>Qi("POST",Li(e,"/cancel"),{}))}select(e){this.settings.selected=e;for(let t of e)this.results[t]||this.#g(t);this.#f(),this.#o()}toggle(e){let{selected:t}=this.settings;this.select(t.includes(e)?t.filter(i=>i!==e):[...t,e])}useParams(e){let t={};for(let[i,s]of Object.entries(e.params??{}))this.param(i)&&s.at_default!==!0&&(t[i]=s.text);this.setValues(t)}dismiss(){this.notice=null,this.#o()}fail(e){this.#_(e),this.#o()}#_(e){if(e instanceof DOMException&&e.name==="AbortError")return;let t=e instanceof ms?e.help:"";this.notice={message:e instanceof Error?e.message:String(e),help:t}}async#h(e){try{await e()}catch(t){this.#_(t)}this.#o()}#f(){!this.#r||this.withoutModel||(window.clearTimeout(this.#n),this.#n=window.setTimeout(()=>{let e={version:1,params:this.values,view:{...this.settings}};this.#h(()=>Qi("PUT","/api/session",e))},cA))}};var gx=document.getElementById("studio");if(gx){Cl(Rl());let n=new qu;Wo(x(mx,{studio:n}),gx),n.load()}})();
+/*! Bundled license information:
+
+three/build/three.core.js:
+three/build/three.module.js:
+  (**
+   * @license
+   * Copyright 2010-2026 Three.js Authors
+   * SPDX-License-Identifier: MIT
+   *)
+*/

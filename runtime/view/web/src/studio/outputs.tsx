@@ -47,7 +47,7 @@ function Single({ results }: { results: Results }): JSX.Element {
   const outputs = Object.entries(results.run?.outputs ?? {});
   const excludesLevel = outputs.some(([, output]) => output.error_estimate?.includes_level === false);
   return (
-    <div class="scroll" tabIndex={0} role="region" aria-label="Outputs">
+    <div class="scroll" tabIndex={0} role="region" aria-label="Table of outputs">
       <table class="outputs" data-testid="outputs">
         <thead>
           <tr>
@@ -98,7 +98,7 @@ function Compared({ runs, places }: { runs: Results[]; places: string[] }): JSX.
           {STATISTICS.map(([key, label]) => <option key={key} value={key}>{label}</option>)}
         </select>
       </label>
-      <div class="scroll" tabIndex={0} role="region" aria-label="Compared outputs">
+      <div class="scroll" tabIndex={0} role="region" aria-label="Table of compared outputs">
         <table class="outputs" data-testid="compared">
           <thead>
             <tr>

@@ -138,7 +138,7 @@ function Plot({ title, unit, label, curves }: PlotProps): JSX.Element {
       <figcaption>
         {title} {unit && <span class="unit">{unit}</span>}
       </figcaption>
-      <div ref={container} role="img" aria-label={descriptionOf(title, unit, curves)} />
+      <div ref={container} class="canvas" role="img" aria-label={descriptionOf(title, unit, curves)} />
     </figure>
   );
 }
@@ -159,7 +159,8 @@ function dataOf(curves: Curve[]): uPlot.AlignedData {
 
 function optionsOf(element: HTMLElement, title: string, unit: string, label: string, curves: Curve[]): uPlot.Options {
   const style = getComputedStyle(element);
-  const [text, grid] = [style.getPropertyValue("--muted").trim(), style.getPropertyValue("--line").trim()];
+  // Computed colours: a canvas does not resolve variables.
+  const [text, grid] = [style.color, style.borderTopColor];
   const font = "12px system-ui, sans-serif";
   const axis = { stroke: text, font, labelFont: font, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 4 } };
   return {

@@ -72,7 +72,9 @@ function textOf(run: RunSummary, name: string): string {
 
 function differences(run: RunSummary, differing: string[]): string {
   const params = run.params ?? {};
-  const changed = differing.filter((name) => params[name] && params[name].at_default !== true);
+  const changed = Object.keys(params).filter((name) => params[name]?.at_default !== true);
+  // Params in which runs differ say more than those that are the same in all runs.
+  changed.sort((first, second) => Number(differing.includes(second)) - Number(differing.includes(first)));
   const shown = changed.slice(0, MOST_SHOWN).map((name) => `${words(name)} ${textOf(run, name)}`);
   const more = changed.length > MOST_SHOWN ? [`${changed.length - MOST_SHOWN} more`] : [];
   return [...shown, ...more].join(", ") || (run.params ? "defaults" : "");
@@ -88,7 +90,7 @@ export function ParamDifferences({ studio }: { studio: Studio }): JSX.Element | 
       <h2 id="differences-heading">Different params</h2>
       {names.length === 0 && <p class="muted">These runs have the same params.</p>}
       {names.length > 0 && (
-        <div class="scroll" tabIndex={0} role="region" aria-label="Different params">
+        <div class="scroll" tabIndex={0} role="region" aria-label="Table of different params">
           <table>
             <thead>
               <tr><th scope="col">Param</th>{runs.map((run) => <th key={run.id} scope="col">{runName(run.id)}</th>)}</tr>

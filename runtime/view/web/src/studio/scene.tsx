@@ -65,7 +65,7 @@ function RunScene({ studio, run, hasTitle, onViewer }: RunSceneProps): JSX.Eleme
   const viewer = useRef<Viewer | null>(null);
   useEffect(() => {
     if (!container.current) return;
-    const created = createViewer(container.current, studio);
+    const created = createViewer(container.current, studio, !hasTitle);
     viewer.current = created;
     onViewer(created);
     void created.show(sourceOf(studio, run.id));
@@ -74,7 +74,7 @@ function RunScene({ studio, run, hasTitle, onViewer }: RunSceneProps): JSX.Eleme
       onViewer(null);
       created.dispose();
     };
-  }, [run.id]);
+  }, [run.id, hasTitle]);
   useTheme(viewer);
   // An automatic run replaces its files; other runs only add positions.
   const isFirst = useRef(true);
@@ -91,13 +91,19 @@ function RunScene({ studio, run, hasTitle, onViewer }: RunSceneProps): JSX.Eleme
   );
 }
 
-function createViewer(container: HTMLElement, studio: Studio): Viewer {
+/** Creates a viewer. Beside another one, it has no space for its panels. */
+function createViewer(container: HTMLElement, studio: Studio, isAlone: boolean): Viewer {
   const state = (studio.settings.scene ?? {}) as Parameters<Viewer["restore"]>[0];
-  const created = new Viewer(container, { state: { ...state, theme: scheme() }, themeMenu: false, showTitle: false });
+  const panels = isAlone ? state.panels : { parts: false, settings: false, plots: false };
+  const created = new Viewer(container, {
+    state: { ...state, theme: scheme(), ...(panels && { panels }) },
+    showTheme: false,
+    showTitle: false,
+  });
   let timer = 0;
   created.onChange = (changed) => {
     window.clearTimeout(timer);
-    timer = window.setTimeout(() => studio.setScene(changed), STATE_DELAY);
+    timer = window.setTimeout(() => studio.setScene(isAlone ? changed : { ...changed, panels: state.panels }), STATE_DELAY);
   };
   return created;
 }
@@ -152,7 +158,7 @@ function ModelScene({ studio, runs }: { studio: Studio; runs: RunSummary[] }): J
         void viewer.current.reload();
         return;
       }
-      viewer.current = createViewer(container.current, studio);
+      viewer.current = createViewer(container.current, studio, true);
       void viewer.current.show({
         title: "Model",
         parts: async () => parts.current ?? new ArrayBuffer(0),

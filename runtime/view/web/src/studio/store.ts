@@ -229,6 +229,7 @@ export class Studio {
       if (abort.signal.aborted) return;
       this.check = check;
       this.isChecking = false;
+      if (check.version !== this.model?.version) await this.#loadModel();
       await this.#preview();
     });
     if (this.#checkAbort === abort) this.isChecking = false;

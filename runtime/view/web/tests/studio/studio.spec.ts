@@ -1,0 +1,204 @@
+// The studio in a browser: form, errors, runs, results, comparison, cancellation, a model with
+// errors, the keyboard, and accessibility.
+
+import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { join } from "node:path";
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { PAIR, expect, test } from "./server.ts";
+
+/** Folder for pictures to look at; none by default. */
+const PICTURES = process.env.CALYX_PICTURES;
+
+async function picture(page: Page, name: string): Promise<void> {
+  if (!PICTURES) return;
+  mkdirSync(PICTURES, { recursive: true });
+  await page.screenshot({ path: join(PICTURES, `${name}.png`) });
+}
+
+async function serious(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  const found = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
+  return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" | ")}`);
+}
+
+const row = (page: Page, id: string) => page.locator(`[data-run="${id}"]`);
+
+async function switchAutomaticOff(page: Page): Promise<void> {
+  await page.getByLabel("Run after changes if below 1 s").uncheck();
+}
+
+/** Starts a run and waits until the list shows its end. */
+async function run(page: Page, id: string): Promise<void> {
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeEnabled();
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(row(page, id)).toContainText("finished", { timeout: 60_000 });
+}
+
+test("a form has groups, units, ranges and errors at the fields", async ({ page, server }) => {
+  await page.goto(server.url);
+  await expect(page).toHaveURL(/\/$/);
+  await expect(page).toHaveTitle("pair.cx – Calyx studio");
+  for (const group of ["Load", "Teeth", "Analysis"]) await expect(page.getByRole("group", { name: group, exact: true })).toBeVisible();
+  const torque = page.getByLabel("torque", { exact: true });
+  await expect(torque).toHaveValue("100");
+  await expect(page.locator('[data-param="torque"]')).toContainText("0 N*m .. 500 N*m");
+  await torque.fill("600");
+  await expect(page.getByRole("alert")).toContainText("outside its range");
+  await expect(torque).toHaveAttribute("aria-invalid", "true");
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeDisabled();
+  await picture(page, "error");
+  await torque.fill("0.2 kN*m");
+  await expect(page.getByRole("alert")).toHaveCount(0);
+  await expect(page.locator('[data-param="torque"]')).toHaveClass(/changed/);
+  await expect(page.getByText("1 changed")).toBeVisible();
+  await page.getByLabel("relieve gear", { exact: true }).uncheck();
+  await page.getByLabel("fidelity", { exact: true }).selectOption("rigid");
+  await expect(page.getByText("3 changed")).toBeVisible();
+  await page.getByRole("button", { name: /Reset torque/ }).click();
+  await expect(torque).toHaveValue("100");
+  await page.getByLabel("torque, slider").fill("250");
+  await expect(torque).toHaveValue("250");
+  await page.getByRole("button", { name: "Reset all" }).click();
+  await expect(page.getByText("Defaults", { exact: true })).toBeVisible();
+});
+
+test("a change runs the model if that is quick", async ({ page, server }) => {
+  await page.goto(server.url);
+  await expect(page.getByTestId("predicted-time")).toContainText("ms");
+  await expect(row(page, "preview")).toContainText("finished");
+  const maximum = page.getByTestId("outputs").getByRole("row", { name: /contact pressure/ }).getByRole("cell").nth(2);
+  await expect(maximum).toHaveText(/\d/);
+  const before = await maximum.textContent();
+  await page.getByLabel("torque", { exact: true }).fill("200");
+  await expect(maximum).not.toHaveText(before ?? "");
+  await expect(row(page, "preview")).toContainText("torque 200 N*m");
+});
+
+test("runs are stored, listed with their differences and compared", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await run(page, "run-0001");
+  await expect(page.getByText("This run has no view files.")).toBeVisible();
+  await page.getByLabel("torque", { exact: true }).fill("200");
+  await run(page, "run-0002");
+  await expect(row(page, "run-0001")).toContainText("defaults");
+  await expect(row(page, "run-0002")).toContainText("torque 200 N*m");
+  await picture(page, "results");
+  // The displayed numbers are those of the run's file.
+  const file = JSON.parse(readFileSync(join(server.folder, "pair.cx.studio/run-0002/run.json"), "utf8"));
+  const shown = await page.getByTestId("outputs").getByRole("row", { name: /contact pressure/ }).getByRole("cell").nth(2).textContent();
+  expect(Number(shown)).toBeCloseTo(file.outputs.contact_pressure.display.max, 1);
+  await page.getByLabel("Compare Run 1").check();
+  await expect(page.getByTestId("compared").getByRole("columnheader", { name: "Run 1" })).toBeVisible();
+  await expect(page.getByRole("region", { name: "Different params" })).toContainText("200 N*m");
+  await expect(page.getByRole("img", { name: /Plot of transmission error in um: Run 2 .* Run 1/ })).toBeVisible();
+  await picture(page, "comparison");
+  await page.getByLabel("Theme").selectOption("dark");
+  await picture(page, "comparison-dark");
+  // A deleted directory disappears from the list.
+  rmSync(join(server.folder, "pair.cx.studio/run-0001"), { recursive: true });
+  await expect(row(page, "run-0001")).toHaveCount(0);
+  await expect(row(page, "run-0002")).toBeVisible();
+});
+
+test("a long run shows its progress and is cancelled", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await page.getByLabel("steps", { exact: true }).fill("10000");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(page.getByRole("progressbar")).toBeVisible();
+  await expect(page.getByText(/positions \d+ of \d+, .* left/)).toBeVisible();
+  await expect(page.getByRole("img", { name: /Plot of/ }).first()).toBeVisible();
+  await picture(page, "progress");
+  // A second page of the same studio shows the run, and closing it changes nothing.
+  const second = await page.context().newPage();
+  await second.goto(server.url);
+  await expect(row(second, "run-0001")).toContainText("running");
+  await second.close();
+  await page.getByRole("button", { name: "Cancel Run 1" }).click();
+  await expect(row(page, "run-0001")).toContainText("cancelled");
+  await expect(page.getByRole("progressbar")).toHaveCount(0);
+});
+
+test("a model with errors shows the diagnostic, and the page follows the editor", async ({ page, server }) => {
+  await page.goto(server.url);
+  await expect(page.getByLabel("torque", { exact: true })).toBeVisible();
+  server.write(PAIR.replace("torque = torque", "torque = torqe"));
+  await expect(page.getByLabel("Diagnostics of the model")).toContainText("torqe");
+  await expect(page.getByLabel("Diagnostics of the model")).toContainText("pair.cx:");
+  await expect(page.getByLabel("torque", { exact: true })).toHaveCount(0);
+  await picture(page, "broken");
+  expect(await serious(page)).toEqual([]);
+  server.write(PAIR.replace("param torque = 100 N*m", "param torque = 120 N*m"));
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("120");
+});
+
+test("the session and params files keep the values of the form", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await page.getByLabel("torque", { exact: true }).fill("321");
+  await page.waitForResponse((response) => response.url().endsWith("/api/session") && response.request().method() === "PUT");
+  await page.reload();
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("321");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save" }).click()]);
+  const saved = JSON.parse(readFileSync((await download.path()) ?? "", "utf8"));
+  expect(saved).toEqual({ torque: 321, tip_relief: 10, relieve_gear: true, steps: 8, fidelity: "analytic" });
+  await page.getByLabel("Params file").setInputFiles({
+    name: "case.toml",
+    mimeType: "text/plain",
+    buffer: Buffer.from('torque = 50\ntip_relief = "0.02 mm"\n'),
+  });
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("50");
+  await expect(page.getByLabel("tip relief", { exact: true })).toHaveValue("0.02 mm");
+  await page.getByLabel("Params file").setInputFiles({ name: "case.json", mimeType: "text/plain", buffer: Buffer.from("[1") });
+  await expect(page.getByRole("alert")).toContainText("params are one object");
+});
+
+test("runs with view files are shown side by side with linked cameras", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await run(page, "run-0001");
+  await run(page, "run-0002");
+  server.addView("run-0001");
+  server.addView("run-0002");
+  await page.reload();
+  await row(page, "run-0001").getByRole("button").click();
+  await page.getByLabel("Compare Run 2").check();
+  await expect(page.locator(".viewer canvas")).toHaveCount(2);
+  await expect(page.getByLabel("Link cameras")).toBeChecked();
+  await page.waitForTimeout(3000);
+  await picture(page, "side-by-side");
+});
+
+test("everything works by the keyboard, and axe finds nothing serious", async ({ page, server }) => {
+  await page.goto(server.url);
+  await expect(row(page, "preview")).toContainText("finished");
+  await page.keyboard.press("Tab");
+  const reached = new Set<string>();
+  for (let i = 0; i < 60; i++) {
+    reached.add(await page.evaluate(() => {
+      const element = document.activeElement as HTMLElement | null;
+      return element?.id || element?.getAttribute("aria-label") || element?.textContent || "";
+    }));
+    await page.keyboard.press("Tab");
+  }
+  for (const name of ["param-torque", "param-relieve_gear", "param-fidelity", "Run", "Reset all", "Load …", "Save"]) {
+    if (name === "Reset all") continue;
+    expect([...reached]).toContain(name);
+  }
+  await page.getByLabel("torque", { exact: true }).focus();
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.type("150");
+  await expect(page.locator('[data-param="torque"]')).toHaveClass(/changed/);
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeEnabled();
+  await expect(row(page, "preview")).toContainText("torque 150 N*m");
+  await page.keyboard.press("ControlOrMeta+Enter");
+  await expect(row(page, "run-0001")).toContainText("finished");
+  for (const theme of ["light", "dark"]) {
+    await page.getByLabel("Theme").selectOption(theme);
+    await page.waitForTimeout(300);
+    expect(await serious(page), theme).toEqual([]);
+    await picture(page, theme);
+  }
+});
