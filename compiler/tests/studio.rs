@@ -493,6 +493,36 @@ fn two_studios_share_a_model() {
 }
 
 #[test]
+fn a_run_of_another_process_is_listed() {
+    let (directory, _) = folder_with(PAIR);
+    let server = Server::start(directory.path(), &["pair.cx"]);
+    assert_eq!(server.get("/api/runs").json()["runs"], json!([]));
+    let mut other = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .current_dir(directory.path())
+        .args(["run", "pair.cx", "--quiet", "--no-cache", "--set", "steps=10000"])
+        .spawn()
+        .expect("calyx starts");
+    let started = Instant::now();
+    let seen = loop {
+        let runs = server.get("/api/runs").json()["runs"].clone();
+        if runs[0]["status"] == "elsewhere" {
+            break runs[0].clone();
+        }
+        assert!(started.elapsed() < LONGEST, "{runs}");
+        std::thread::sleep(Duration::from_millis(50));
+    };
+    assert_eq!(seen["id"], "model");
+    let message = seen["message"].as_str().expect("a message");
+    assert!(message.contains(&format!("process {}", other.id())), "{message}");
+    assert!(server.get("/api/runs/model").json()["steps"]["time"].is_array());
+    assert_eq!(server.post("/api/runs/model/cancel", json!({})).status, 409);
+    other.kill().expect("the run is in progress");
+    other.wait().expect("the run ends");
+    let ended = server.get("/api/runs/model").json();
+    assert_eq!(ended["status"], "interrupted", "{ended}");
+}
+
+#[test]
 fn the_directory_of_a_run_is_a_subject() {
     let (directory, path) = folder_with(PAIR);
     let status = Command::new(env!("CARGO_BIN_EXE_calyx"))

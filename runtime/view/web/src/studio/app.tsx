@@ -23,7 +23,7 @@ export function App({ studio }: { studio: Studio }): JSX.Element {
     <>
       <Header studio={studio} />
       <NoticeBar studio={studio} />
-      <main class="columns">
+      <main class={`columns ${model?.broken ? "broken" : ""}`}>
         <aside class="left" aria-label="Params">
           {model?.broken ? <Rendered text={model.rendered} isError /> : <Form studio={studio} />}
         </aside>

@@ -30,6 +30,7 @@ export function Outputs({ studio }: { studio: Studio }): JSX.Element | null {
 /** Outputs of the model before it has run. */
 function Declared({ studio }: { studio: Studio }): JSX.Element {
   const outputs = studio.model?.outputs ?? [];
+  if (studio.model?.broken) return <p class="muted">The model has errors.</p>;
   if (outputs.length === 0) return <p class="muted">The model has no outputs.</p>;
   return (
     <dl class="declared">

@@ -42,7 +42,8 @@ export function Plots({ studio }: { studio: Studio }): JSX.Element | null {
   const toggle = (name: string) =>
     setChosen(plotted.includes(name) ? plotted.filter((other) => other !== name) : [...plotted, name]);
   return (
-    <section class="plots" aria-label="Plots">
+    <details class="plots" open>
+      <summary>Plots</summary>
       <div class="plot-settings">
         <div class="chips" role="group" aria-label="Plotted outputs">
           {names.map((name) => (
@@ -69,7 +70,7 @@ export function Plots({ studio }: { studio: Studio }): JSX.Element | null {
           />
         ))}
       </div>
-    </section>
+    </details>
   );
 }
 
@@ -162,7 +163,8 @@ function optionsOf(element: HTMLElement, title: string, unit: string, label: str
   // Computed colours: a canvas does not resolve variables.
   const [text, grid] = [style.color, style.borderTopColor];
   const font = "12px system-ui, sans-serif";
-  const axis = { stroke: text, font, labelFont: font, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 4 } };
+  const values = (_: uPlot, splits: number[]) => splits.map((split) => String(Number(split.toPrecision(6))));
+  const axis = { values, stroke: text, font, labelFont: font, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 4 } };
   return {
     width: Math.max(element.clientWidth, 100),
     height: HEIGHT,
@@ -172,10 +174,12 @@ function optionsOf(element: HTMLElement, title: string, unit: string, label: str
     axes: [{ ...axis, label, labelSize: 18, size: 34 }, { ...axis, size: 58 }],
     series: [
       { label },
-      ...curves.map(({ run, colour }) => ({
+      ...curves.map(({ run, colour }, index) => ({
         label: curves.length > 1 ? run : title,
         stroke: colour,
         width: 1.6,
+        // Equal curves remain visible below each other.
+        dash: index % 2 === 1 ? [7, 4] : undefined,
         spanGaps: true,
         points: { show: (curves[0]?.x.length ?? 0) < 60, size: 4, fill: colour },
         value: (_: uPlot, value: number | null) => (value === null ? "–" : `${number(value)} ${unit}`),

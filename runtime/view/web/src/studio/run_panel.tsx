@@ -70,8 +70,8 @@ function PlanSummary({ studio }: { studio: Studio }): JSX.Element {
 function Running({ studio, run }: { studio: Studio; run: RunSummary }): JSX.Element {
   const progress = studio.progress[run.id] ?? run.progress;
   return (
-    <div class="running">
-      <div class="running-head">
+    <div class="progress-card">
+      <div class="progress-head">
         <span>{runName(run.id)}</span>
         <button type="button" class="quiet" onClick={() => void studio.cancel(run.id)} aria-label={`Cancel ${runName(run.id)}`}>
           Cancel

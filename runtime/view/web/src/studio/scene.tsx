@@ -171,18 +171,26 @@ function ModelScene({ studio, runs }: { studio: Studio; runs: RunSummary[] }): J
     };
   }, [check]);
   useEffect(() => () => viewer.current?.dispose(), []);
-  const text = runs.length > 0 ? "This run has no view files." : reason || "Run the model to see its parts.";
+  const isRunning = runs[0]?.status === "running" || runs[0]?.status === "elsewhere";
+  const text = textOf(studio, runs.length > 0, isRunning, reason);
   return (
     <div class="scene-area">
       <div ref={container} class="viewer" hidden={!viewer.current} />
       {!viewer.current && (
         <div class="no-scene">
           <p>{text}</p>
-          {runs.length > 0 && <p class="muted">Runs of older versions have none. Run the model again for a 3-D view.</p>}
+          {runs.length > 0 && !isRunning && <p class="muted">Runs of older versions have none. Run the model again for a 3-D view.</p>}
         </div>
       )}
     </div>
   );
+}
+
+function textOf(studio: Studio, hasRun: boolean, isRunning: boolean, reason: string): string {
+  if (isRunning) return "This run has not written view files yet.";
+  if (hasRun) return "This run has no view files.";
+  if (studio.model?.broken) return "The model has errors.";
+  return reason || "Run the model to see its parts.";
 }
 
 /** Returns the parts of the model, or the reason why there are none. */

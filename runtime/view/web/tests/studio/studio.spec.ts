@@ -91,7 +91,7 @@ test("runs are stored, listed with their differences and compared", async ({ pag
   expect(Number(shown)).toBeCloseTo(file.outputs.contact_pressure.display.max, 1);
   await page.getByLabel("Compare Run 1").check();
   await expect(page.getByTestId("compared").getByRole("columnheader", { name: "Run 1" })).toBeVisible();
-  await expect(page.getByRole("region", { name: "Different params" })).toContainText("200 N*m");
+  await expect(page.getByRole("region", { name: "Different params", exact: true })).toContainText("200 N*m");
   await expect(page.getByRole("img", { name: /Plot of transmission error in um: Run 2 .* Run 1/ })).toBeVisible();
   await picture(page, "comparison");
   await page.getByLabel("Theme").selectOption("dark");
