@@ -7,6 +7,7 @@ use super::events::{Event, Events};
 use super::folder::{self, Preview};
 use super::process::{Process, Start, Status};
 use super::results::{self, Summaries};
+use calyx_abi::context::codes;
 use calyx_rt::directory::default_directory;
 use calyx_rt::run_directory::writer;
 use serde_json::{Value, json};
@@ -211,7 +212,7 @@ impl Runs {
             return ("elsewhere", Some(format!("written by {writer}")));
         }
         if let Some(reason) = run["incomplete"]["message"].as_str() {
-            let status = if run["incomplete"]["code"] == "E0900" { "cancelled" } else { "interrupted" };
+            let status = if run["incomplete"]["code"] == codes::CANCELLED { "cancelled" } else { "interrupted" };
             return (status, Some(reason.to_owned()));
         }
         if run.is_object() && !directory.join("journal.jsonl").exists() {

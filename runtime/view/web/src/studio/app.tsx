@@ -12,6 +12,7 @@ import { RunPanel } from "./run_panel.tsx";
 import { ParamDifferences, RunsList } from "./runs_list.tsx";
 import { Scene } from "./scene.tsx";
 import type { Studio } from "./store.ts";
+import { Text } from "./text.tsx";
 import { type Theme, applyTheme, storedTheme } from "./theme.ts";
 
 export function App({ studio }: { studio: Studio }): JSX.Element {
@@ -98,8 +99,8 @@ function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
   return (
     <div class="notice" role="alert">
       <span>
-        {studio.notice.message}
-        {studio.notice.help && <span class="help"> {studio.notice.help}</span>}
+        <Text text={studio.notice.message} />
+        {studio.notice.help && <span class="help"> <Text text={studio.notice.help} /></span>}
       </span>
       <button type="button" class="quiet" onClick={() => studio.dismiss()}>Dismiss</button>
     </div>

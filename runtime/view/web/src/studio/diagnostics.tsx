@@ -3,6 +3,7 @@
 import type { JSX } from "preact";
 import type { Message } from "./api.ts";
 import { fileName } from "./format.ts";
+import { Text } from "./text.tsx";
 
 /** Diagnostics with excerpts of the source, as the command line prints them. */
 export function Rendered({ text, isError }: { text: string; isError: boolean }): JSX.Element {
@@ -19,11 +20,11 @@ export function Messages({ messages }: { messages: Message[] }): JSX.Element | n
     <ul class="messages">
       {messages.map((message, index) => (
         <li key={index} class={message.severity}>
-          {message.code && <code>{message.code}</code>} {message.message}
+          {message.code && <code>{message.code}</code>} <Text text={message.message} />
           {message.primary && (
             <span class="place"> {fileName(message.primary.file)}:{message.primary.line}</span>
           )}
-          {message.help && <span class="help">{message.help}</span>}
+          {message.help && <span class="help"><Text text={message.help} /></span>}
         </li>
       ))}
     </ul>

@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import type { Param, Reason } from "./api.ts";
 import { isPlainNumber, words } from "./format.ts";
 import type { Studio } from "./store.ts";
+import { Text } from "./text.tsx";
 
 /** Largest ratio of the ends of a range for which a slider is useful. */
 const WIDEST_RATIO = 200;
@@ -54,8 +55,8 @@ export function Field({ studio, param }: Props): JSX.Element {
 function FieldError({ id, error }: { id: string; error: Reason }): JSX.Element {
   return (
     <p class="field-error" id={id} role="alert">
-      {error.message}
-      {error.help && <span class="help">{error.help}</span>}
+      <Text text={error.message} />
+      {error.help && <span class="help"><Text text={error.help} /></span>}
     </p>
   );
 }

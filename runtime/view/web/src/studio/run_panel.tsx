@@ -5,6 +5,7 @@ import type { Progress, RunSummary } from "./api.ts";
 import { Messages, Rendered } from "./diagnostics.tsx";
 import { bytes, runName, seconds } from "./format.ts";
 import type { Studio } from "./store.ts";
+import { Text } from "./text.tsx";
 
 export function RunPanel({ studio }: { studio: Studio }): JSX.Element | null {
   if (studio.withoutModel) return null;
@@ -28,8 +29,8 @@ export function RunPanel({ studio }: { studio: Studio }): JSX.Element | null {
       </div>
       {check?.refused && (
         <p class="field-error" role="alert">
-          {check.refused.message}
-          <span class="help">{check.refused.help}</span>
+          <Text text={check.refused.message} />
+          <span class="help"><Text text={check.refused.help} /></span>
         </p>
       )}
       {check && !model?.broken && check.rendered && (

@@ -60,6 +60,8 @@ export class Studio {
   #checkAbort: AbortController | null = null;
   #isLoaded = false;
   #previewed = "";
+  /** Runs that were started after the last list. */
+  #started = new Set<string>();
 
   subscribe(listener: () => void): () => void {
     this.#listeners.add(listener);
@@ -141,6 +143,10 @@ export class Studio {
       const before = new Map(this.runs.map((run) => [run.id, JSON.stringify(run)]));
       this.runs = runs;
       const known = new Set(runs.map((run) => run.id));
+      for (const id of [...this.#started]) {
+        if (known.has(id)) this.#started.delete(id);
+        else known.add(id);
+      }
       this.settings.selected = this.settings.selected.filter((id) => known.has(id));
       for (const id of Object.keys(this.results)) if (!known.has(id)) delete this.results[id];
       for (const run of runs) {
@@ -224,13 +230,14 @@ export class Studio {
     this.#checkAbort?.abort();
     const abort = new AbortController();
     this.#checkAbort = abort;
+    const values = { ...this.values };
     await this.#try(async () => {
-      const check = await send<Check>("POST", "/api/check", { params: this.values }, abort.signal);
+      const check = await send<Check>("POST", "/api/check", { params: values }, abort.signal);
       if (abort.signal.aborted) return;
       this.check = check;
       this.isChecking = false;
       if (check.version !== this.model?.version) await this.#loadModel();
-      await this.#preview();
+      await this.#preview(values);
     });
     if (this.#checkAbort === abort) this.isChecking = false;
     this.#changed();
@@ -241,11 +248,13 @@ export class Studio {
     return this.check?.plan != null && this.check.plan.time < AUTOMATIC_LIMIT;
   }
 
-  async #preview(): Promise<void> {
-    const key = JSON.stringify([this.check?.version, this.values]);
+  /** Starts the automatic run with values that were checked. */
+  async #preview(values: Values): Promise<void> {
+    const key = JSON.stringify([this.check?.version, values]);
     if (!this.settings.automatic || !this.check?.runnable || !this.isQuick || this.#previewed === key) return;
     this.#previewed = key;
-    await send("POST", "/api/preview", { params: this.values });
+    await send("POST", "/api/preview", { params: values });
+    this.#started.add("preview");
     const selected = this.settings.selected;
     if (selected.length <= 1) this.select(["preview"]);
   }
@@ -254,7 +263,7 @@ export class Studio {
     this.settings.automatic = automatic;
     this.#saveSession();
     this.#changed();
-    if (automatic) void this.#try(() => this.#preview());
+    if (automatic) this.#checkSoon(0);
   }
 
   setLinked(linked: boolean): void {
@@ -273,6 +282,7 @@ export class Studio {
     this.#changed();
     await this.#try(async () => {
       const { id } = await send<{ id: string }>("POST", "/api/runs", { params: this.values });
+      this.#started.add(id);
       this.select([id]);
     });
     this.isStarting = false;

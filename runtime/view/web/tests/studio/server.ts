@@ -52,6 +52,8 @@ export interface StudioServer {
   folder: string;
   /** Replaces the model. */
   write(text: string): void;
+  /** Starts another studio and returns its address. */
+  open(subject: string): Promise<string>;
   /** Adds files of the viewer to a run. */
   addView(id: string): void;
 }
@@ -76,6 +78,7 @@ export const test = base.extend<{ server: StudioServer }>({
     const folder = mkdtempSync(join(tmpdir(), "calyx-studio-"));
     writeFileSync(join(folder, "pair.cx"), PAIR);
     const [child, url] = await start(folder, "pair.cx");
+    const children = [child];
     // The bundles of this folder, so that a change of the page needs no new build of the command.
     for (const [name, contentType] of [["studio.js", "text/javascript"], ["studio.css", "text/css"]] as const) {
       await page.route(`**/${name}`, (route) => route.fulfill({ contentType, body: readFileSync(join(WEB, "dist", name)) }));
@@ -86,6 +89,11 @@ export const test = base.extend<{ server: StudioServer }>({
       url,
       folder,
       write: (text) => writeFileSync(join(folder, "pair.cx"), text),
+      open: async (subject) => {
+        const [other, address] = await start(folder, subject);
+        children.push(other);
+        return address;
+      },
       addView: (id) => {
         const fixture = createFixture({ positions: 3 });
         const view = join(folder, "pair.cx.studio", id, "view");
@@ -96,8 +104,10 @@ export const test = base.extend<{ server: StudioServer }>({
         }
       },
     });
-    child.kill("SIGINT");
-    await new Promise((resolve) => child.once("exit", resolve));
+    for (const each of children) {
+      each.kill("SIGINT");
+      await new Promise((resolve) => each.once("exit", resolve));
+    }
     rmSync(folder, { recursive: true, force: true });
     if (problems.length > 0) throw new Error(`errors in the page: ${problems.join("; ")}`);
   },

@@ -1,7 +1,7 @@
 // The studio in a browser: form, errors, runs, results, comparison, cancellation, a model with
 // errors, the keyboard, and accessibility.
 
-import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { mkdirSync, readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
@@ -169,6 +169,22 @@ test("runs with view files are shown side by side with linked cameras", async ({
   await expect(page.getByLabel("Link cameras")).toBeChecked();
   await page.waitForTimeout(3000);
   await picture(page, "side-by-side");
+});
+
+test("a run directory is shown, with or without its model", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await run(page, "run-0001");
+  await page.goto(await server.open("pair.cx.studio/run-0001"));
+  await expect(page.getByTestId("outputs")).toContainText("contact pressure");
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("100");
+  renameSync(join(server.folder, "pair.cx.studio/run-0001"), join(server.folder, "results"));
+  rmSync(join(server.folder, "pair.cx"));
+  await page.goto(await server.open("results"));
+  await expect(page.getByTestId("outputs")).toContainText("contact pressure");
+  await expect(page.getByText("The model of this run is not known.")).toBeVisible();
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toHaveCount(0);
+  expect(await serious(page)).toEqual([]);
 });
 
 test("everything works by the keyboard, and axe finds nothing serious", async ({ page, server }) => {
