@@ -91,8 +91,8 @@ pub(crate) fn view(runs: &Runs, id: &str) -> Result<Value, RequestError> {
     let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
     let mut positions: Vec<usize> = names.filter_map(|name| position_of(&name)).collect();
     positions.sort_unstable();
-    let steps = super::results::steps(&directory)?;
-    let time = |position: usize| steps["time"].get(position).cloned().unwrap_or(Value::Null);
+    let times = super::results::times(&directory)?;
+    let time = |position: usize| times.get(position).copied().flatten();
     let listed: Vec<Value> =
         positions.iter().map(|&position| json!({ "position": position, "time": time(position) })).collect();
     let parts = directory.join("view/parts.bin").is_file();

@@ -127,7 +127,7 @@ mod tests {
         assert_eq!(
             shown,
             [
-                "a||number|1|Without a group.",
+                "a||integer|1|Without a group.",
                 "torque|Load and speed|number|100|Torque.",
                 "offset|Load and speed|number|2|",
                 "n|Load and speed|integer|3|#no heading",

@@ -102,25 +102,36 @@ pub(crate) fn run(directory: &Path) -> Result<Value, RequestError> {
     Ok(run)
 }
 
-/// Returns the columns of `steps.csv`, in SI, with `null` for missing values; `null` if there is no
-/// such table. A run may still be appending to it: the last, incomplete row is left out.
+/// Largest number of rows that the page plots.
+const MOST_ROWS: usize = 20_000;
+
+/// Columns of `steps.csv`, in SI.
+pub(crate) struct Steps {
+    /// Values by column, with `null` for missing ones; `null` without a table.
+    pub columns: Value,
+    /// Number of positions from one row to the next: 1 unless the table is long.
+    pub stride: usize,
+}
+
+/// Returns the columns of `steps.csv`. A run may still be appending to the table: its last,
+/// incomplete row is left out.
 ///
 /// # Errors
 /// The file cannot be read.
-pub(crate) fn steps(directory: &Path) -> Result<Value, RequestError> {
-    let text = match fs::read_to_string(directory.join("steps.csv")) {
-        Ok(text) => text,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Value::Null),
-        Err(error) => return Err(RequestError::internal("cannot read steps.csv", &error)),
+pub(crate) fn steps(directory: &Path) -> Result<Steps, RequestError> {
+    let Some(table) = text_of_steps(directory)? else {
+        return Ok(Steps { columns: Value::Null, stride: 1 });
     };
-    let complete = text.rfind('\n').map_or("", |end| &text[..=end]);
-    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(complete.as_bytes());
+    let rows = table.bytes().filter(|byte| *byte == b'\n').count().saturating_sub(1);
+    let stride = rows.div_ceil(MOST_ROWS).max(1);
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(table.as_bytes());
     let names: Vec<String> = match reader.headers() {
         Ok(names) => names.iter().map(str::to_owned).collect(),
-        Err(_) => return Ok(Value::Null),
+        Err(_) => return Ok(Steps { columns: Value::Null, stride: 1 }),
     };
     let mut columns: Vec<Vec<Value>> = vec![Vec::new(); names.len()];
-    for record in reader.records().flatten().filter(|record| record.len() == names.len()) {
+    let records = reader.records().step_by(stride).flatten();
+    for record in records.filter(|record| record.len() == names.len()) {
         for ((column, name), cell) in columns.iter_mut().zip(&names).zip(&record) {
             column.push(match name.as_str() {
                 "point" => json!(cell),
@@ -128,5 +139,52 @@ pub(crate) fn steps(directory: &Path) -> Result<Value, RequestError> {
             });
         }
     }
-    Ok(names.into_iter().zip(columns.into_iter().map(Value::from)).collect::<Map<_, _>>().into())
+    let columns: Map<_, _> = names.into_iter().zip(columns.into_iter().map(Value::from)).collect();
+    Ok(Steps { columns: columns.into(), stride })
+}
+
+/// Returns the times of all positions, s.
+///
+/// # Errors
+/// The file cannot be read.
+pub(crate) fn times(directory: &Path) -> Result<Vec<Option<f64>>, RequestError> {
+    let table = text_of_steps(directory)?.unwrap_or_default();
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(table.as_bytes());
+    let column = reader.headers().ok().and_then(|names| names.iter().position(|name| name == "time"));
+    let Some(column) = column else { return Ok(Vec::new()) };
+    Ok(reader.records().flatten().map(|record| record.get(column)?.parse().ok()).collect())
+}
+
+/// Returns the complete rows of `steps.csv`; `None` if there is no such table.
+fn text_of_steps(directory: &Path) -> Result<Option<String>, RequestError> {
+    match fs::read_to_string(directory.join("steps.csv")) {
+        Ok(mut text) => {
+            text.truncate(text.rfind('\n').map_or(0, |end| end + 1));
+            Ok(Some(text))
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(RequestError::internal("cannot read steps.csv", &error)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_tables_are_thinned_and_incomplete_rows_left_out() {
+        let directory = tempfile::tempdir().expect("a temporary folder");
+        assert!(steps(directory.path()).expect("no table").columns.is_null());
+        let rows = 3 * MOST_ROWS;
+        let mut table = "step,time,point,a\n".to_owned();
+        (0..rows).for_each(|row| table += &format!("{row},{},,{}\n", 0.5 * row as f64, 2 * row));
+        table += "7,1.";
+        fs::write(directory.path().join("steps.csv"), table).expect("a table");
+        let thinned = steps(directory.path()).expect("a table");
+        assert_eq!(thinned.stride, 3);
+        let column = thinned.columns["a"].as_array().expect("a column");
+        assert_eq!((column.len(), &column[1]), (MOST_ROWS, &json!(6.0)));
+        let times = times(directory.path()).expect("a table");
+        assert_eq!((times.len(), times[3]), (rows, Some(1.5)));
+    }
 }

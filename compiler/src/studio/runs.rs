@@ -25,6 +25,8 @@ const OF_MODEL: &str = "model";
 const OPENED: &str = "opened";
 /// Identifier of the automatic run.
 pub(crate) const PREVIEW: &str = "preview";
+/// Limit of an automatic run, whose predicted time is below a second.
+const PREVIEW_LIMIT: &str = "30s";
 /// Largest number of runs of this studio at a time.
 const MOST_RUNNING: usize = 4;
 /// Time in which the processes of the studio end when it ends.
@@ -212,7 +214,8 @@ impl Runs {
             return ("elsewhere", Some(format!("written by {writer}")));
         }
         if let Some(reason) = run["incomplete"]["message"].as_str() {
-            let status = if run["incomplete"]["code"] == codes::CANCELLED { "cancelled" } else { "interrupted" };
+            let status =
+                if run["incomplete"]["code"] == codes::CANCELLED { "cancelled" } else { "interrupted" };
             return (status, Some(reason.to_owned()));
         }
         if run.is_object() && !directory.join("journal.jsonl").exists() {
@@ -251,7 +254,8 @@ impl Runs {
         summary["messages"] = messages;
         summary["printed"] = json!(process.map(|process| process.printed()));
         summary["run"] = results::run(&directory)?;
-        summary["steps"] = results::steps(&directory)?;
+        let steps = results::steps(&directory)?;
+        (summary["steps"], summary["stride"]) = (steps.columns, json!(steps.stride));
         Ok(summary)
     }
 
@@ -329,6 +333,9 @@ impl Runs {
             arguments.extend(["--allow-path".into(), path.into()]);
         }
         arguments.extend(["--out".into(), directory.into()]);
+        if id == PREVIEW {
+            arguments.extend(["--time-limit", PREVIEW_LIMIT].map(OsString::from));
+        }
         arguments.extend(["--progress", "json", "--message-format", "json"].map(OsString::from));
         let start = Start { id: id.to_owned(), command: self.command.clone(), arguments, record };
         let process = Process::start(start, self.events.clone())

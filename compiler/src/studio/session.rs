@@ -62,7 +62,7 @@ fn validate(session: &Value) -> Result<(), RequestError> {
     if entries.get("version").and_then(Value::as_u64) != Some(VERSION) {
         return invalid("the session has another version");
     }
-    if !entries.get("params").is_some_and(|params| is_table_of_texts(params)) {
+    if !entries.get("params").is_some_and(is_table_of_texts) {
         return invalid("`params` of the session is not an object of texts");
     }
     if !entries.get("view").is_some_and(|view| view.is_object() || view.is_null()) {

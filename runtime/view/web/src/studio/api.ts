@@ -164,6 +164,8 @@ export interface Results extends RunSummary {
   run: RunFile | null;
   /** Columns of `steps.csv`, SI. */
   steps: Record<string, Column> | null;
+  /** Number of positions from one row of `steps` to the next. */
+  stride: number;
 }
 
 export interface Session {
@@ -204,6 +206,13 @@ export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
 
 export async function binary(path: string): Promise<ArrayBuffer> {
   return (await request(path)).arrayBuffer();
+}
+
+/** Sends JSON and receives binary data. */
+export async function sendForBinary(path: string, body: unknown, signal?: AbortSignal): Promise<ArrayBuffer> {
+  const headers = { "Content-Type": "application/json" };
+  const response = await request(path, { method: "POST", signal, headers, body: JSON.stringify(body) });
+  return response.arrayBuffer();
 }
 
 export async function send<T>(method: "POST" | "PUT", path: string, body: unknown, signal?: AbortSignal): Promise<T> {

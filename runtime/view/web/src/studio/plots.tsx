@@ -52,6 +52,9 @@ export function Plots({ studio }: { studio: Studio }): JSX.Element | null {
             </button>
           ))}
         </div>
+        {shown.some((results) => results.stride > 1) && (
+          <span class="muted small-text">one of {Math.max(...shown.map((results) => results.stride))} positions</span>
+        )}
         <label class="inline">
           over
           <select value={abscissa} onChange={(event) => setAbscissa(event.currentTarget.value as Abscissa)}>

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { type PositionEntry, type ViewSource, Viewer, positionFileName } from "../viewer/index.ts";
-import { RequestError, type Results, type RunSummary, binary, get, ofRun, send } from "./api.ts";
+import { type Results, type RunSummary, binary, get, ofRun } from "./api.ts";
 import { runName } from "./format.ts";
 import { provenanceOf } from "./provenance.tsx";
 import type { Studio } from "./store.ts";
@@ -16,6 +16,36 @@ const STATE_DELAY = 500;
 export function Scene({ studio }: { studio: Studio }): JSX.Element {
   const runs = studio.settings.selected.flatMap((id) => studio.runs.filter((run) => run.id === id));
   const withView = runs.filter((run) => run.has_view).slice(0, MOST_VIEWERS);
+  const { parts } = studio;
+  const showsModel = parts !== null && (studio.scene === "model" || withView.length === 0);
+  return (
+    <div class="scene-area">
+      <div class="scene-bar">
+        {parts && withView.length > 0 && (
+          <div class="chips" role="group" aria-label="Displayed scene">
+            <button type="button" class="chip" aria-pressed={showsModel} onClick={() => studio.showScene("model")}>Model</button>
+            <button type="button" class="chip" aria-pressed={!showsModel} onClick={() => studio.showScene("runs")}>Results</button>
+          </div>
+        )}
+        {!showsModel && withView.length > 1 && (
+          <label class="switch">
+            <input
+              type="checkbox"
+              checked={studio.settings.linked}
+              onChange={(event) => studio.setLinked(event.currentTarget.checked)}
+            />
+            Link cameras
+          </label>
+        )}
+      </div>
+      {showsModel && <ModelScene studio={studio} parts={parts} />}
+      {!showsModel && withView.length > 0 && <RunScenes studio={studio} runs={withView} />}
+      {!showsModel && withView.length === 0 && <NoScene studio={studio} runs={runs} />}
+    </div>
+  );
+}
+
+function RunScenes({ studio, runs }: { studio: Studio; runs: RunSummary[] }): JSX.Element {
   const viewers = useRef(new Map<string, Viewer>());
   const [count, setCount] = useState(0);
   const { linked } = studio.settings;
@@ -24,31 +54,22 @@ export function Scene({ studio }: { studio: Studio }): JSX.Element {
     const all = [...viewers.current.values()];
     const unlink = all.slice(1).map((viewer) => all[0]?.linkCamera(viewer));
     return () => unlink.forEach((end) => end?.());
-  }, [count, linked, withView.map((run) => run.id).join()]);
-  if (withView.length === 0) return <ModelScene studio={studio} runs={runs} />;
+  }, [count, linked, runs.map((run) => run.id).join()]);
   return (
-    <div class="scene-area">
-      {withView.length > 1 && (
-        <label class="switch link-cameras">
-          <input type="checkbox" checked={linked} onChange={(event) => studio.setLinked(event.currentTarget.checked)} />
-          Link cameras
-        </label>
-      )}
-      <div class={`scenes count-${withView.length}`}>
-        {withView.map((run) => (
-          <RunScene
-            key={run.id}
-            studio={studio}
-            run={run}
-            hasTitle={withView.length > 1}
-            onViewer={(viewer) => {
-              if (viewer) viewers.current.set(run.id, viewer);
-              else viewers.current.delete(run.id);
-              setCount((before) => before + 1);
-            }}
-          />
-        ))}
-      </div>
+    <div class={`scenes count-${runs.length}`}>
+      {runs.map((run) => (
+        <RunScene
+          key={run.id}
+          studio={studio}
+          run={run}
+          hasTitle={runs.length > 1}
+          onViewer={(viewer) => {
+            if (viewer) viewers.current.set(run.id, viewer);
+            else viewers.current.delete(run.id);
+            setCount((before) => before + 1);
+          }}
+        />
+      ))}
     </div>
   );
 }
@@ -135,70 +156,50 @@ function sourceOf(studio: Studio, id: string): ViewSource {
   };
 }
 
-/** The geometry of the model without a run, or the reason why there is no picture. */
-function ModelScene({ studio, runs }: { studio: Studio; runs: RunSummary[] }): JSX.Element {
+/** The geometry of the model with the values of the form. */
+function ModelScene({ studio, parts }: { studio: Studio; parts: ArrayBuffer }): JSX.Element {
   const container = useRef<HTMLDivElement>(null);
   const viewer = useRef<Viewer | null>(null);
-  const parts = useRef<ArrayBuffer | null>(null);
-  const [reason, setReason] = useState("");
-  const { check } = studio;
+  const current = useRef(parts);
+  current.current = parts;
   useTheme(viewer);
   useEffect(() => {
-    if (!check?.runnable) return;
-    let isCurrent = true;
-    void geometry(studio).then((outcome) => {
-      if (!isCurrent || !container.current) return;
-      if (typeof outcome === "string") {
-        setReason(outcome);
-        return;
-      }
-      setReason("");
-      parts.current = outcome;
-      if (viewer.current) {
-        void viewer.current.reload();
-        return;
-      }
-      viewer.current = createViewer(container.current, studio, true);
-      void viewer.current.show({
-        title: "Model",
-        parts: async () => parts.current ?? new ArrayBuffer(0),
-        positions: async () => [],
-        position: (index) => Promise.reject(new Error(`position ${index} does not exist`)),
-      });
+    if (!container.current) return;
+    const created = createViewer(container.current, studio, true);
+    viewer.current = created;
+    void created.show({
+      title: "Model",
+      parts: async () => current.current,
+      positions: async () => [],
+      position: (index) => Promise.reject(new Error(`position ${index} does not exist`)),
     });
     return () => {
-      isCurrent = false;
+      viewer.current = null;
+      created.dispose();
     };
-  }, [check]);
-  useEffect(() => () => viewer.current?.dispose(), []);
+  }, []);
+  const shown = useRef(parts);
+  useEffect(() => {
+    if (shown.current !== parts) void viewer.current?.reload();
+    shown.current = parts;
+  }, [parts]);
+  return <div ref={container} class="viewer" />;
+}
+
+/** The reason why there is no picture. */
+function NoScene({ studio, runs }: { studio: Studio; runs: RunSummary[] }): JSX.Element {
   const isRunning = runs[0]?.status === "running" || runs[0]?.status === "elsewhere";
-  const text = textOf(studio, runs.length > 0, isRunning, reason);
   return (
-    <div class="scene-area">
-      <div ref={container} class="viewer" hidden={!viewer.current} />
-      {!viewer.current && (
-        <div class="no-scene">
-          <p>{text}</p>
-          {runs.length > 0 && !isRunning && <p class="muted">Runs of older versions have none. Run the model again for a 3-D view.</p>}
-        </div>
-      )}
+    <div class="no-scene">
+      <p>{reasonOf(studio, runs.length > 0, isRunning)}</p>
+      {runs.length > 0 && !isRunning && <p class="muted">Runs of older versions have none. Run the model again for a 3-D view.</p>}
     </div>
   );
 }
 
-function textOf(studio: Studio, hasRun: boolean, isRunning: boolean, reason: string): string {
+function reasonOf(studio: Studio, hasRun: boolean, isRunning: boolean): string {
   if (isRunning) return "This run has not written view files yet.";
   if (hasRun) return "This run has no view files.";
   if (studio.model?.broken) return "The model has errors.";
-  return reason || "Run the model to see its parts.";
-}
-
-/** Returns the parts of the model, or the reason why there are none. */
-async function geometry(studio: Studio): Promise<ArrayBuffer | string> {
-  try {
-    await send<null>("POST", "/api/parts", { params: studio.values });
-    return "Run the model to see its parts.";
-  } catch (error) {
-    return error instanceof RequestError && error.status !== 404 ? error.message : "Run the model to see its parts.";
-  }
+  return "Run the model to see its parts.";
 }

@@ -12,6 +12,7 @@ import {
   get,
   ofRun,
   send,
+  sendForBinary,
 } from "./api.ts";
 
 /** Values that differ from the defaults, as typed. */
@@ -49,6 +50,10 @@ export class Studio {
   progress: Record<string, Progress> = {};
   results: Record<string, Results> = {};
   settings: ViewSettings = { automatic: true, linked: true, selected: [], scene: null };
+  /** Geometry of the model with the values of the form, if the server provides it. */
+  parts: ArrayBuffer | null = null;
+  /** Displayed scene. */
+  scene: "model" | "runs" = "runs";
   notice: Notice | null = null;
   isConnected = true;
   isStarting = false;
@@ -60,6 +65,8 @@ export class Studio {
   #checkAbort: AbortController | null = null;
   #isLoaded = false;
   #previewed = "";
+  /** Version of a model without geometry. */
+  #withoutParts = "";
   /** Runs that were started after the last list. */
   #started = new Set<string>();
 
@@ -216,6 +223,7 @@ export class Studio {
   }
 
   #checkSoon(delay: number): void {
+    if (this.parts) this.scene = "model";
     window.clearTimeout(this.#checkTimer);
     this.isChecking = true;
     this.#checkTimer = window.setTimeout(() => void this.#check(), delay);
@@ -237,7 +245,7 @@ export class Studio {
       this.check = check;
       this.isChecking = false;
       if (check.version !== this.model?.version) await this.#loadModel();
-      await this.#preview(values);
+      await Promise.all([this.#preview(values), this.#loadParts(values, abort.signal)]);
     });
     if (this.#checkAbort === abort) this.isChecking = false;
     this.#changed();
@@ -246,6 +254,24 @@ export class Studio {
   /** True if the check predicts a time in which the model may run after each change. */
   get isQuick(): boolean {
     return this.check?.plan != null && this.check.plan.time < AUTOMATIC_LIMIT;
+  }
+
+  /** Loads the geometry of the model with values that were checked. */
+  async #loadParts(values: Values, signal: AbortSignal): Promise<void> {
+    const version = this.check?.version ?? "";
+    if (this.#withoutParts === version || Object.keys(this.check?.errors ?? {}).length > 0) return;
+    try {
+      this.parts = await sendForBinary("/api/parts", { params: values }, signal);
+    } catch (error) {
+      if (!(error instanceof RequestError)) throw error;
+      if (error.status === 404) this.#withoutParts = version;
+      this.parts = null;
+    }
+  }
+
+  showScene(scene: "model" | "runs"): void {
+    this.scene = scene;
+    this.#changed();
   }
 
   /** Starts the automatic run with values that were checked. */
@@ -296,6 +322,7 @@ export class Studio {
   /** Shows runs; the first one is the reference of comparisons. */
   select(ids: string[]): void {
     this.settings.selected = ids;
+    this.scene = "runs";
     for (const id of ids) if (!this.results[id]) void this.#loadResults(id);
     this.#saveSession();
     this.#changed();

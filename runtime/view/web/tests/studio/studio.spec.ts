@@ -5,6 +5,7 @@ import { mkdirSync, readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
+import { createFixture } from "../fixture.ts";
 import { PAIR, expect, test } from "./server.ts";
 
 /** Folder for pictures to look at; none by default. */
@@ -169,6 +170,23 @@ test("runs with view files are shown side by side with linked cameras", async ({
   await expect(page.getByLabel("Link cameras")).toBeChecked();
   await page.waitForTimeout(3000);
   await picture(page, "side-by-side");
+});
+
+test("a change of a param updates the geometry of the model", async ({ page, server }) => {
+  const requested: unknown[] = [];
+  await page.route("**/api/parts", async (route) => {
+    requested.push(route.request().postDataJSON());
+    await route.fulfill({ contentType: "application/octet-stream", body: Buffer.from(createFixture().parts) });
+  });
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await expect(page.locator(".viewer canvas")).toHaveCount(1);
+  await page.getByLabel("torque", { exact: true }).fill("150");
+  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "150" } });
+  await run(page, "run-0001");
+  await page.getByLabel("torque", { exact: true }).fill("160");
+  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "160" } });
+  await picture(page, "model");
 });
 
 test("a run directory is shown, with or without its model", async ({ page, server }) => {
