@@ -229,139 +229,95 @@ fn a_form_is_checked_run_and_read() {
     assert_eq!(server.get("/api/parts").status, 404);
 }
 
+/// Requests and their status: method and path, headers, body. `HOST`, `PORT` and `TOKEN` stand for
+/// those of the server, `own` for its `Host`, `auth` for the header with the token, `json` for the
+/// content type, and `LARGE` for 2 MB.
+const REQUESTS: &str = r#"
+200 | GET /api/model | own, auth |
+200 | GET /api/model | Host: localhost:PORT, auth |
+401 | GET /api/model | own |
+401 | GET / | own |
+401 | GET /studio.js | own |
+401 | GET /?token=0 | own |
+401 | GET /api/model | own, Authorization: Bearer 0 |
+401 | GET /api/model?token=TOKEN | own |
+401 | GET /api/model | own, Cookie: calyx_studio_1=TOKEN |
+200 | GET /api/model | own, Cookie: a=b; calyx_studio_PORT=TOKEN |
+303 | GET /?token=TOKEN | own |
+403 | GET /api/model | Host: evil.example:PORT, auth |
+403 | GET /api/model | Host: 127.0.0.1:1, auth |
+403 | GET /api/model | auth |
+403 | GET /api/model | own, own, auth |
+403 | GET http://evil.example:PORT/api/model | own, auth |
+403 | GET /?token=TOKEN | Host: evil.example:PORT |
+403 | GET /api/model | own, auth, Origin: http://evil.example |
+403 | GET /api/model | own, auth, Origin: null |
+403 | GET /api/model | own, auth, Origin: http://localhost:PORT |
+200 | GET /api/model | own, auth, Origin: http://HOST |
+403 | GET /api/model | own, auth, Sec-Fetch-Site: same-site |
+200 | GET /api/model | own, auth, Sec-Fetch-Site: same-origin |
+200 | GET /api/runs/run-0001/files/run.json | own, auth |
+404 | GET /api/runs/run-0001/files/steps.csv | own, auth |
+404 | GET /api/runs/run-0001/files/../../../secret.txt | own, auth |
+404 | GET /api/runs/run-0001/files/..%2f..%2f..%2fsecret.txt | own, auth |
+404 | GET /api/runs/run-0001/files/view/..%2frun.json | own, auth |
+404 | GET /api/runs/run-0001/files/%2fetc%2fpasswd | own, auth |
+404 | GET /api/runs/run-0001/files/.calyx-run | own, auth |
+404 | GET /api/runs/..%2f.. | own, auth |
+404 | GET /api/runs/run-0001%2f.. | own, auth |
+400 | GET /api/runs/%ff | own, auth |
+404 | GET /api/runs/opened | own, auth |
+404 | GET /secret.txt | own, auth |
+405 | DELETE /api/runs | own, auth |
+415 | POST /api/check | own, auth | {"params":{}}
+415 | POST /api/check | own, auth, Content-Type: text/plain | {"params":{}}
+400 | POST /api/check | own, auth, json | {
+400 | POST /api/check | own, auth, json |
+400 | POST /api/check | own, auth, json | []
+400 | POST /api/check | own, auth, json | {"params":{"a":1}}
+400 | POST /api/check | own, auth, json | {"params":{"a":"\u0000"}}
+413 | POST /api/check | own, auth, json | LARGE
+400 | PUT /api/session | own, auth, json | {"version":2}
+400 | PUT /api/session | own, auth, json | {"version":1,"params":{},"view":null,"more":1}
+409 | POST /api/runs/run-0001/cancel | own, auth |
+404 | POST /api/runs/none/cancel | own, auth |
+"#;
+
 #[test]
 fn foreign_and_malformed_requests_are_refused() {
     let (directory, _) = folder_with(PAIR);
-    fs::write(directory.path().join("secret.txt"), "secret").expect("a file");
-    fs::create_dir_all(directory.path().join("pair.cx.studio/run-0001")).expect("a folder");
     let run = directory.path().join("pair.cx.studio/run-0001");
+    fs::create_dir_all(&run).expect("a folder");
+    fs::write(directory.path().join("secret.txt"), "secret").expect("a file");
     fs::write(run.join("run.json"), "{").expect("a file");
     std::os::unix::fs::symlink("../../secret.txt", run.join("steps.csv")).expect("a link");
     let server = Server::start(directory.path(), &["pair.cx"]);
-    let Server { host, token, .. } = &server;
-    let (port, auth) = (host.rsplit_once(':').expect("a port").1, format!("Authorization: Bearer {token}"));
-    let own = format!("Host: {host}");
-    let large = "x".repeat(2 << 20);
-    let json_type = "Content-Type: application/json";
-    // Request line and headers, body, status.
-    let cases: Vec<(Vec<String>, &str, u16)> = vec![
-        (vec!["GET /api/model".into(), own.clone(), auth.clone()], "", 200),
-        (vec!["GET /api/model".into(), format!("Host: localhost:{port}"), auth.clone()], "", 200),
-        // The token.
-        (vec!["GET /api/model".into(), own.clone()], "", 401),
-        (vec!["GET /".into(), own.clone()], "", 401),
-        (vec!["GET /studio.js".into(), own.clone()], "", 401),
-        (vec!["GET /?token=0".into(), own.clone()], "", 401),
-        (vec!["GET /api/model".into(), own.clone(), "Authorization: Bearer 0".into()], "", 401),
-        (vec![format!("GET /api/model?token={token}"), own.clone()], "", 401),
-        (vec!["GET /api/model".into(), own.clone(), format!("Cookie: calyx_studio_1={token}")], "", 401),
-        (
-            vec!["GET /api/model".into(), own.clone(), format!("Cookie: a=b; calyx_studio_{port}={token}")],
-            "",
-            200,
-        ),
-        (vec![format!("GET /?token={token}"), own.clone()], "", 303),
-        // DNS rebinding.
-        (vec!["GET /api/model".into(), format!("Host: evil.example:{port}"), auth.clone()], "", 403),
-        (vec!["GET /api/model".into(), "Host: 127.0.0.1:1".into(), auth.clone()], "", 403),
-        (vec!["GET /api/model".into(), auth.clone()], "", 403),
-        (vec!["GET /api/model".into(), own.clone(), own.clone(), auth.clone()], "", 403),
-        (vec![format!("GET http://evil.example:{port}/api/model"), own.clone(), auth.clone()], "", 403),
-        (vec![format!("GET /?token={token}"), format!("Host: evil.example:{port}")], "", 403),
-        // Other origins.
-        (
-            vec!["GET /api/model".into(), own.clone(), auth.clone(), "Origin: http://evil.example".into()],
-            "",
-            403,
-        ),
-        (vec!["GET /api/model".into(), own.clone(), auth.clone(), "Origin: null".into()], "", 403),
-        (
-            vec![
-                "GET /api/model".into(),
-                own.clone(),
-                auth.clone(),
-                format!("Origin: http://localhost:{port}"),
-            ],
-            "",
-            403,
-        ),
-        (vec!["GET /api/model".into(), own.clone(), auth.clone(), format!("Origin: http://{host}")], "", 200),
-        (
-            vec!["GET /api/model".into(), own.clone(), auth.clone(), "Sec-Fetch-Site: same-site".into()],
-            "",
-            403,
-        ),
-        (
-            vec!["GET /api/model".into(), own.clone(), auth.clone(), "Sec-Fetch-Site: same-origin".into()],
-            "",
-            200,
-        ),
-        // Paths.
-        (vec!["GET /api/runs/run-0001/files/run.json".into(), own.clone(), auth.clone()], "", 200),
-        (vec!["GET /api/runs/run-0001/files/steps.csv".into(), own.clone(), auth.clone()], "", 404),
-        (vec!["GET /api/runs/run-0001/files/../../../secret.txt".into(), own.clone(), auth.clone()], "", 404),
-        (
-            vec!["GET /api/runs/run-0001/files/..%2f..%2f..%2fsecret.txt".into(), own.clone(), auth.clone()],
-            "",
-            404,
-        ),
-        (vec!["GET /api/runs/run-0001/files/view/..%2frun.json".into(), own.clone(), auth.clone()], "", 404),
-        (vec!["GET /api/runs/run-0001/files/%2fetc%2fpasswd".into(), own.clone(), auth.clone()], "", 404),
-        (vec!["GET /api/runs/run-0001/files/.calyx-run".into(), own.clone(), auth.clone()], "", 404),
-        (vec!["GET /api/runs/..%2f..".into(), own.clone(), auth.clone()], "", 404),
-        (vec!["GET /api/runs/run-0001%2f..".into(), own.clone(), auth.clone()], "", 404),
-        (vec!["GET /api/runs/%ff".into(), own.clone(), auth.clone()], "", 400),
-        (vec!["GET /api/runs/opened".into(), own.clone(), auth.clone()], "", 404),
-        (vec!["GET /secret.txt".into(), own.clone(), auth.clone()], "", 404),
-        // Methods and bodies.
-        (vec!["DELETE /api/runs".into(), own.clone(), auth.clone()], "", 405),
-        (vec!["POST /api/check".into(), own.clone(), auth.clone()], "{\"params\":{}}", 415),
-        (
-            vec!["POST /api/check".into(), own.clone(), auth.clone(), "Content-Type: text/plain".into()],
-            "{}",
-            415,
-        ),
-        (vec!["POST /api/check".into(), own.clone(), auth.clone(), json_type.into()], "{", 400),
-        (vec!["POST /api/check".into(), own.clone(), auth.clone(), json_type.into()], "", 400),
-        (vec!["POST /api/check".into(), own.clone(), auth.clone(), json_type.into()], "[]", 400),
-        (
-            vec!["POST /api/check".into(), own.clone(), auth.clone(), json_type.into()],
-            "{\"params\":{\"a\":1}}",
-            400,
-        ),
-        (
-            vec!["POST /api/check".into(), own.clone(), auth.clone(), json_type.into()],
-            "{\"params\":{\"a\":\"\\u0000\"}}",
-            400,
-        ),
-        (vec!["POST /api/check".into(), own.clone(), auth.clone(), json_type.into()], &large, 413),
-        (
-            vec!["PUT /api/session".into(), own.clone(), auth.clone(), json_type.into()],
-            "{\"version\":2}",
-            400,
-        ),
-        (
-            vec!["PUT /api/session".into(), own.clone(), auth.clone(), json_type.into()],
-            "{\"version\":1,\"params\":{},\"view\":null,\"more\":1}",
-            400,
-        ),
-        (vec!["POST /api/runs/run-0001/cancel".into(), own.clone(), auth.clone()], "", 409),
-        (vec!["POST /api/runs/none/cancel".into(), own.clone(), auth.clone()], "", 404),
-    ];
-    for (head, body, status) in &cases {
-        let (line, headers) = head.split_first().expect("a request line");
-        let request = format!(
-            "{line} HTTP/1.1\r\n{}\r\nConnection: close\r\nContent-Length: {}\r\n\r\n{body}",
-            headers.join("\r\n"),
-            body.len()
-        );
+    let port = server.host.rsplit_once(':').expect("a port").1;
+    let filled =
+        |text: &str| text.replace("HOST", &server.host).replace("PORT", port).replace("TOKEN", &server.token);
+    for case in REQUESTS.lines().filter(|line| !line.is_empty()) {
+        let parts: Vec<&str> = case.splitn(4, '|').map(str::trim).collect();
+        let [status, line, headers, body] = parts[..] else { panic!("four columns: {case}") };
+        let body = if body == "LARGE" { "x".repeat(2 << 20) } else { body.to_owned() };
+        let mut request = format!("{} HTTP/1.1\r\nConnection: close\r\n", filled(line));
+        for header in headers.split(", ") {
+            let header = match header {
+                "own" => "Host: HOST",
+                "auth" => "Authorization: Bearer TOKEN",
+                "json" => "Content-Type: application/json",
+                other => other,
+            };
+            request += &format!("{}\r\n", filled(header));
+        }
+        request += &format!("Content-Length: {}\r\n\r\n{body}", body.len());
         let response = server.raw(request.as_bytes());
-        assert_eq!(response.status, *status, "{head:?}: {}", String::from_utf8_lossy(&response.body));
-        assert!(response.head.contains("content-security-policy"), "{}", response.head);
-        assert!(!String::from_utf8_lossy(&response.body).contains("secret"), "{head:?}");
-        // The page has its errors as text.
-        if *status >= 400 && !line.starts_with("GET / ") && !line.starts_with("GET /?") && *line != "GET /" {
-            assert!(response.json()["message"].is_string(), "{head:?}");
+        let text = String::from_utf8_lossy(&response.body);
+        assert_eq!(response.status.to_string(), status, "{case}: {text}");
+        assert!(response.head.contains("content-security-policy"), "{case}: {}", response.head);
+        assert!(!text.contains("secret"), "{case}: {text}");
+        // The page itself has its errors as text.
+        if response.status >= 400 && line.contains("/api/") {
+            assert!(response.json()["message"].is_string(), "{case}: {text}");
         }
     }
     for bytes in
