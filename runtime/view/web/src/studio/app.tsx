@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { Rendered } from "./diagnostics.tsx";
 import { Form } from "./form.tsx";
-import { fileName } from "./format.ts";
+import { fileName, paragraphs } from "./format.ts";
 import { Outputs } from "./outputs.tsx";
 import { Plots } from "./plots.tsx";
 import { Provenance } from "./provenance.tsx";
@@ -64,7 +64,7 @@ function Header({ studio }: { studio: Studio }): JSX.Element {
   return (
     <header class="top">
       <h1 title={path}>{title}</h1>
-      <p class="about">{studio.model?.doc.split("\n")[0]}</p>
+      <p class="about">{paragraphs(studio.model?.doc ?? "").split("\n")[0]}</p>
       <ThemeMenu />
     </header>
   );

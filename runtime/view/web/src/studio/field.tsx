@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import type { Param, Reason } from "./api.ts";
-import { isPlainNumber, words } from "./format.ts";
+import { isPlainNumber, paragraphs, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 import { Text } from "./text.tsx";
 
@@ -41,7 +41,7 @@ export function Field({ studio, param }: Props): JSX.Element {
       <Control studio={studio} param={param} id={id} text={text} describedBy={describedBy} isInvalid={Boolean(error)} />
       <Slider studio={studio} param={param} text={text} />
       <p class="doc" id={`${id}-doc`}>
-        {param.doc}
+        {paragraphs(param.doc)}
         {!param.independent && <span class="note"> Default and range follow other params.</span>}
         {(param.kind === "number" || param.kind === "integer" || param.kind === "array") && param.domain && (
           <span class="range">{param.domain}</span>

@@ -53,6 +53,11 @@ export function words(name: string): string {
   return name.replaceAll("_", " ");
 }
 
+/** Joins the lines of each paragraph of a doc comment. */
+export function paragraphs(doc: string): string {
+  return doc.replace(/([^\n])\n(?!\n)/g, "$1 ");
+}
+
 /** Last part of a path. */
 export function fileName(path: string): string {
   return path.split("/").pop() ?? path;

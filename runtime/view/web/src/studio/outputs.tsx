@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { OutputSummary, Results } from "./api.ts";
 import { colourOf } from "./colours.ts";
-import { number, percent, runName, words } from "./format.ts";
+import { number, paragraphs, percent, runName, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 
 type Statistic = "max" | "mean" | "min" | "peak_to_peak";
@@ -14,6 +14,9 @@ const STATISTICS: [Statistic, string][] = [
   ["min", "Minimum"],
   ["peak_to_peak", "Peak to peak"],
 ];
+
+/** Largest number of outputs whose description is open before the model has run. */
+const MOST_OPEN = 6;
 
 export function Outputs({ studio }: { studio: Studio }): JSX.Element | null {
   const selected = studio.settings.selected;
@@ -33,14 +36,17 @@ function Declared({ studio }: { studio: Studio }): JSX.Element {
   if (studio.model?.broken) return <p class="muted">The model has errors.</p>;
   if (outputs.length === 0) return <p class="muted">The model has no outputs.</p>;
   return (
-    <dl class="declared">
-      {outputs.map((output) => (
-        <div key={output.name}>
-          <dt>{words(output.name)} {output.unit && <span class="unit">{output.unit}</span>}</dt>
-          <dd>{output.doc}</dd>
-        </div>
-      ))}
-    </dl>
+    <details open={outputs.length <= MOST_OPEN}>
+      <summary>{outputs.length === 1 ? "1 output" : `${outputs.length} outputs`} of a run</summary>
+      <dl class="declared">
+        {outputs.map((output) => (
+          <div key={output.name}>
+            <dt>{words(output.name)} {output.unit && <span class="unit">{output.unit}</span>}</dt>
+            <dd>{paragraphs(output.doc)}</dd>
+          </div>
+        ))}
+      </dl>
+    </details>
   );
 }
 
