@@ -1,6 +1,9 @@
 //! The server of `calyx studio`, from the side of a browser and of an attacker: requests are written
 //! to its port as bytes.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use calyx::rt::view::array_file::ArrayFile;
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -226,7 +229,18 @@ fn a_form_is_checked_run_and_read() {
     let runs = server.get("/api/runs").json();
     let ids: Vec<&Value> = runs["runs"].as_array().expect("runs").iter().map(|run| &run["id"]).collect();
     assert_eq!(ids, ["model", "run-0001"]);
-    assert_eq!(server.get("/api/parts").status, 404);
+    let scene = server.post("/api/scene", json!({ "torque": "200 N*m" }));
+    assert_eq!(scene.status, 200);
+    let scene = scene.json();
+    for (key, name) in [("parts", "parts.bin"), ("position", "position-0000.bin")] {
+        let bytes = STANDARD.decode(scene[key].as_str().expect("a text")).expect("base64");
+        let found = ArrayFile::read(&bytes).expect("an array file").header;
+        let of_run = server.get(&format!("/api/runs/run-0001/files/view/{name}")).body;
+        let of_run = ArrayFile::read(&of_run).expect("an array file").header;
+        for list in ["parts", "poses"] {
+            assert_eq!(found[list], of_run[list], "{name}");
+        }
+    }
 }
 
 /// Requests and their status: method and path, headers, body. `HOST`, `PORT` and `TOKEN` stand for

@@ -15,11 +15,10 @@
 //! | `POST /api/runs/ID/cancel` | interrupts a run |
 //! | `GET /api/runs/ID/view` | positions for the viewer |
 //! | `GET /api/runs/ID/files/NAME` | a file of a run |
-//! | `GET /api/parts` | geometry of the model without a run, at its defaults |
-//! | `POST /api/parts` | `{params}`: the same with the values of a form |
+//! | `POST /api/scene` | `{params}`: the scene at time 0 without solving, as `{parts, position}`: both files of the viewer in base64 |
 //! | `GET /api/events` | event stream: `model`, `runs`, `progress` |
 
-use super::check::{Outcome, Values, check};
+use super::check::{Outcome, Values, check, scene_of};
 use super::error::RequestError;
 use super::page::{self, json_response};
 use super::runs::PREVIEW;
@@ -32,6 +31,8 @@ use axum::http::{HeaderMap, StatusCode};
 use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 use std::sync::Arc;
 
@@ -59,7 +60,7 @@ pub(crate) fn router(studio: Arc<Studio>) -> Router {
         .route("/api/runs/{id}/cancel", post(cancel))
         .route("/api/runs/{id}/view", get(view))
         .route("/api/runs/{id}/files/{*name}", get(file))
-        .route("/api/parts", get(parts).post(parts))
+        .route("/api/scene", post(scene))
         .route("/api/events", get(events))
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
         .layer(from_fn_with_state(studio.clone(), access::guard))
@@ -204,11 +205,17 @@ async fn file(State(studio): Shared, Path((id, name)): Path<(String, String)>) -
     files::send(&studio.runs, &id, &name).await
 }
 
-/// Sends the geometry of the model without a run, in the format of `view/parts.bin`. There is no
-/// function of the engine for it yet.
-async fn parts() -> Answer {
-    let message = "the geometry of a model without a run is not available";
-    Err(RequestError::new(StatusCode::NOT_FOUND, message, "run the model to see its parts"))
+/// Sends the scene of the model with the values of a form, as it is at time 0 before anything is
+/// solved.
+async fn scene(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
+    let values = requests::values(&headers, &body)?;
+    let [parts, position] = checking(&studio, move |studio| {
+        let model = studio.model.as_ref().ok_or_else(no_model)?;
+        scene_of(model, &model.now(), &values)
+    })
+    .await?
+    .map(|file| STANDARD.encode(file));
+    Ok(json_response(&json!({ "parts": parts, "position": position })))
 }
 
 async fn events(State(studio): Shared) -> Response {

@@ -1,11 +1,14 @@
 //! Checks the values of a form as `calyx run` would, and predicts the cost of the run.
 
+use super::error::RequestError;
 use super::model::{Model, Snapshot, diagnostics, rendered};
 use crate::{Checked, check_run_within};
+use axum::http::StatusCode;
 use calyx_rt::options::rates_file;
 use calyx_rt::params::check_assignment;
 use calyx_rt::{InvalidParam, Override, ParamAssignment};
 use calyx_runtime::cost::Rates;
+use calyx_runtime::resources::Resources;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::io;
@@ -66,6 +69,31 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::
         "gear_data": checked.gear_data.text(),
     });
     Ok(Outcome { json, is_runnable })
+}
+
+/// Returns the files of the viewer for the scene at time 0: parts and position. Blocks while the
+/// model is elaborated and its gears are meshed.
+///
+/// # Errors
+/// The model cannot be read, its scene cannot be planned, or it analyses nothing.
+pub(crate) fn scene_of(
+    model: &Model,
+    snapshot: &Snapshot,
+    values: &Values,
+) -> Result<[Vec<u8>; 2], RequestError> {
+    let given: Vec<ParamAssignment> = assignments(values)
+        .into_iter()
+        .filter(|assignment| check_assignment(&snapshot.description, assignment).is_ok())
+        .collect();
+    let checked = check_run_within(model.path(), model.allowed(), &given, Override::default(), None)
+        .map_err(|error| {
+            RequestError::conflict(format!("cannot read the model: {error}"), "restore its file")
+        })?;
+    let plan = checked.plan.as_ref().ok_or_else(|| {
+        RequestError::not_found("the model has errors, or it analyses nothing: it has no scene")
+    })?;
+    let files = plan.work.view_files(&snapshot.description.name, &Resources::default());
+    files.map_err(|error| RequestError::new(StatusCode::UNPROCESSABLE_ENTITY, error.message, error.help))
 }
 
 fn reason(invalid: &InvalidParam) -> Value {

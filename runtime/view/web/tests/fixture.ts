@@ -185,7 +185,6 @@ export function createFixture(options: FixtureOptions = {}): Fixture {
   const writer = new ArrayWriter();
   const parts = writer.finish({
     model: "spur_pair.cx",
-    fidelity: "fe",
     parts: shapes.map(({ name, kind, copies, points, triangles, edges }) => ({
       name, kind, copies,
       points: writer.add("f32", 3, points),

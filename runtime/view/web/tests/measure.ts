@@ -40,7 +40,7 @@ function fixture() {
   const position = new ArrayWriter();
   const header = { position: 0, time: 0, poses: position.add("f64", 12, poses.flat()), forces: [], meshes: [] };
   return {
-    parts: parts.finish({ model: "ring.cx", fidelity: "fe", parts: list }),
+    parts: parts.finish({ model: "ring.cx", parts: list }),
     positions: [{ position: 0, time: 0, data: position.finish(header) }],
     meshPoints: [],
   };

@@ -208,11 +208,17 @@ export async function binary(path: string): Promise<ArrayBuffer> {
   return (await request(path)).arrayBuffer();
 }
 
-/** Sends JSON and receives binary data. */
-export async function sendForBinary(path: string, body: unknown, signal?: AbortSignal): Promise<ArrayBuffer> {
-  const headers = { "Content-Type": "application/json" };
-  const response = await request(path, { method: "POST", signal, headers, body: JSON.stringify(body) });
-  return response.arrayBuffer();
+/** The scene of the model at time 0, before anything is solved: files of the viewer. */
+export interface ModelScene {
+  parts: ArrayBuffer;
+  position: ArrayBuffer;
+}
+
+/** Returns the scene of the model with the values of a form. */
+export async function modelScene(params: Record<string, string>, signal?: AbortSignal): Promise<ModelScene> {
+  const scene = await send<{ parts: string; position: string }>("POST", "/api/scene", { params }, signal);
+  const decoded = (text: string): ArrayBuffer => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
+  return { parts: decoded(scene.parts), position: decoded(scene.position) };
 }
 
 export async function send<T>(method: "POST" | "PUT", path: string, body: unknown, signal?: AbortSignal): Promise<T> {

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { type PositionEntry, type ViewSource, Viewer, positionFileName } from "../viewer/index.ts";
-import { type Results, type RunSummary, binary, get, ofRun } from "./api.ts";
+import { type ModelScene, type Results, type RunSummary, binary, get, ofRun } from "./api.ts";
 import { runName } from "./format.ts";
 import { provenanceOf } from "./provenance.tsx";
 import type { Studio } from "./store.ts";
@@ -16,12 +16,12 @@ const STATE_DELAY = 500;
 export function Scene({ studio }: { studio: Studio }): JSX.Element {
   const runs = studio.settings.selected.flatMap((id) => studio.runs.filter((run) => run.id === id));
   const withView = runs.filter((run) => run.has_view).slice(0, MOST_VIEWERS);
-  const { parts } = studio;
-  const showsModel = parts !== null && (studio.scene === "model" || withView.length === 0);
+  const { modelScene } = studio;
+  const showsModel = modelScene !== null && (studio.scene === "model" || withView.length === 0);
   return (
     <div class="scene-area">
       <div class="scene-bar">
-        {parts && withView.length > 0 && (
+        {modelScene && withView.length > 0 && (
           <div class="chips" role="group" aria-label="Displayed scene">
             <button type="button" class="chip" aria-pressed={showsModel} onClick={() => studio.showScene("model")}>Model</button>
             <button type="button" class="chip" aria-pressed={!showsModel} onClick={() => studio.showScene("runs")}>Results</button>
@@ -38,7 +38,7 @@ export function Scene({ studio }: { studio: Studio }): JSX.Element {
           </label>
         )}
       </div>
-      {showsModel && <ModelScene studio={studio} parts={parts} />}
+      {showsModel && <ModelView studio={studio} scene={modelScene} />}
       {!showsModel && withView.length > 0 && <RunScenes studio={studio} runs={withView} />}
       {!showsModel && withView.length === 0 && <NoScene studio={studio} runs={runs} />}
     </div>
@@ -156,12 +156,12 @@ function sourceOf(studio: Studio, id: string): ViewSource {
   };
 }
 
-/** The geometry of the model with the values of the form. */
-function ModelScene({ studio, parts }: { studio: Studio; parts: ArrayBuffer }): JSX.Element {
+/** The scene of the model with the values of the form. */
+function ModelView({ studio, scene }: { studio: Studio; scene: ModelScene }): JSX.Element {
   const container = useRef<HTMLDivElement>(null);
   const viewer = useRef<Viewer | null>(null);
-  const current = useRef(parts);
-  current.current = parts;
+  const current = useRef(scene);
+  current.current = scene;
   useTheme(viewer);
   useEffect(() => {
     if (!container.current) return;
@@ -169,20 +169,20 @@ function ModelScene({ studio, parts }: { studio: Studio; parts: ArrayBuffer }): 
     viewer.current = created;
     void created.show({
       title: "Model",
-      parts: async () => current.current,
-      positions: async () => [],
-      position: (index) => Promise.reject(new Error(`position ${index} does not exist`)),
+      parts: async () => current.current.parts,
+      positions: async () => [{ position: 0, time: 0 }],
+      position: async () => current.current.position,
     });
     return () => {
       viewer.current = null;
       created.dispose();
     };
   }, []);
-  const shown = useRef(parts);
+  const shown = useRef(scene);
   useEffect(() => {
-    if (shown.current !== parts) void viewer.current?.reload();
-    shown.current = parts;
-  }, [parts]);
+    if (shown.current !== scene) void viewer.current?.reload();
+    shown.current = scene;
+  }, [scene]);
   return <div ref={container} class="viewer" />;
 }
 

@@ -3,6 +3,7 @@
 import {
   type Check,
   type Model,
+  type ModelScene,
   type Param,
   type Progress,
   RequestError,
@@ -10,9 +11,9 @@ import {
   type RunSummary,
   type Session,
   get,
+  modelScene,
   ofRun,
   send,
-  sendForBinary,
 } from "./api.ts";
 
 /** Values that differ from the defaults, as typed. */
@@ -51,7 +52,7 @@ export class Studio {
   results: Record<string, Results> = {};
   settings: ViewSettings = { automatic: true, linked: true, selected: [], scene: null };
   /** Geometry of the model with the values of the form, if the server provides it. */
-  parts: ArrayBuffer | null = null;
+  modelScene: ModelScene | null = null;
   /** Displayed scene. */
   scene: "model" | "runs" = "runs";
   notice: Notice | null = null;
@@ -66,7 +67,6 @@ export class Studio {
   #isLoaded = false;
   #previewed = "";
   /** Version of a model without geometry. */
-  #withoutParts = "";
   /** Runs that were started after the last list. */
   #started = new Set<string>();
 
@@ -223,7 +223,7 @@ export class Studio {
   }
 
   #checkSoon(delay: number): void {
-    if (this.parts) this.scene = "model";
+    if (this.modelScene) this.scene = "model";
     window.clearTimeout(this.#checkTimer);
     this.isChecking = true;
     this.#checkTimer = window.setTimeout(() => void this.#check(), delay);
@@ -245,7 +245,7 @@ export class Studio {
       this.check = check;
       this.isChecking = false;
       if (check.version !== this.model?.version) await this.#loadModel();
-      await Promise.all([this.#preview(values), this.#loadParts(values, abort.signal)]);
+      await Promise.all([this.#preview(values), this.#loadScene(values, abort.signal)]);
     });
     if (this.#checkAbort === abort) this.isChecking = false;
     this.#changed();
@@ -256,16 +256,14 @@ export class Studio {
     return this.check?.plan != null && this.check.plan.time < AUTOMATIC_LIMIT;
   }
 
-  /** Loads the geometry of the model with values that were checked. */
-  async #loadParts(values: Values, signal: AbortSignal): Promise<void> {
-    const version = this.check?.version ?? "";
-    if (this.#withoutParts === version || Object.keys(this.check?.errors ?? {}).length > 0) return;
+  /** Loads the scene of the model with values that were checked. */
+  async #loadScene(values: Values, signal: AbortSignal): Promise<void> {
+    if (Object.keys(this.check?.errors ?? {}).length > 0) return;
     try {
-      this.parts = await sendForBinary("/api/parts", { params: values }, signal);
+      this.modelScene = await modelScene(values, signal);
     } catch (error) {
       if (!(error instanceof RequestError)) throw error;
-      if (error.status === 404) this.#withoutParts = version;
-      this.parts = null;
+      this.modelScene = null;
     }
   }
 

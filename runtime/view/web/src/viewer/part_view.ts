@@ -125,13 +125,13 @@ export class PartView {
     const translucent = this.visibility === "translucent";
     const visible = this.visibility !== "hidden";
     this.group.visible = visible;
-    this.cap.visible = visible && this.#cut;
+    this.cap.visible = visible && this.#cut && !this.part.open;
     const alpha = translucent ? TRANSLUCENT : 1;
     for (const set of [this.#instanced, this.#deformed]) {
       set.surface.alpha = alpha;
       set.surface.depthWrite = !translucent;
       // Copies next to a deformed mesh are open at the seam, and so is the mesh.
-      const open = this.#cut || this.meshes.length > 0;
+      const open = this.part.open || this.#cut || this.meshes.length > 0;
       set.surface.side = open && !translucent ? THREE.DoubleSide : THREE.FrontSide;
       set.surface.colour.copy(this.#fieldMode ? this.#neutral : this.#colour);
       set.features.alpha = translucent ? 0.25 : 0.5;

@@ -10,6 +10,8 @@ export interface Part {
   name: string;
   kind: PartKind;
   copies: number;
+  /** The surface contains shells: both sides are visible, and it encloses no volume. */
+  open: boolean;
   points: Float32Array;
   triangles: Uint32Array;
   edges: Uint32Array;
@@ -17,7 +19,6 @@ export interface Part {
 
 export interface Parts {
   model: string;
-  fidelity: string;
   parts: Part[];
 }
 
@@ -92,9 +93,9 @@ export function readParts(buffer: ArrayBuffer): Parts {
     checkIndices(file.name, `${name}, triangles`, triangles, points.length / 3);
     checkIndices(file.name, `${name}, edges`, edges, points.length / 3);
     const kind = (KINDS.includes(String(entry.kind)) ? entry.kind : "body") as PartKind;
-    return { index, name, kind, copies, points, triangles, edges };
+    return { index, name, kind, copies, open: entry.open === true, points, triangles, edges };
   });
-  return { model: String(file.header.model ?? ""), fidelity: String(file.header.fidelity ?? ""), parts };
+  return { model: String(file.header.model ?? ""), parts };
 }
 
 function vector(value: Json | undefined): Vector | null {
