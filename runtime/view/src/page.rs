@@ -78,12 +78,13 @@ pub fn page(directory: &Path) -> Result<String, PageError> {
     });
     // `<` cannot end the script element then.
     let data = data.to_string().replace('<', "\\u003c");
+    let script = SCRIPT.replace("</script", "<\\/script");
     let title = escaped(&title);
     Ok(format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{MARK}\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<main id=\"view\"></main>\n\
-         <script type=\"application/json\" id=\"calyx-view\">{data}</script>\n<script>{SCRIPT}</script>\n</body>\n</html>\n"
+         <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
+         <script type=\"application/json\" id=\"calyx-view\">{data}</script>\n<script>{script}</script>\n</body>\n</html>\n"
     ))
 }
 

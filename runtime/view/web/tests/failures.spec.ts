@@ -37,7 +37,7 @@ test("a browser without WebGL gives a message", async ({ page }) => {
   await expect(page.getByRole("alert")).toContainText("WebGL 2 is not available");
 });
 
-test("runs without meshes, without contacts, with one position, without positions", async ({ page }) => {
+test("runs without meshes, without contacts, with one position, without positions", { tag: "@slow" }, async ({ page }) => {
   const problems = await openWith(page, "no_meshes", { meshes: false });
   await expect(page.getByRole("button", { name: /Legend: Contact pressure/ })).toBeVisible();
   await page.getByLabel("Colours").selectOption("von_mises");

@@ -27,7 +27,7 @@ test("the handle of the cutting plane can be dragged, also of a plane along the 
   expect((await state(page)).camera).toEqual(camera);
 });
 
-test("orbit, pan and zoom with the pointer", async ({ page }) => {
+test("orbit, pan and zoom with the pointer", { tag: "@slow" }, async ({ page }) => {
   await open(page);
   const { x, y } = await project(page, "wheel", [0, 0, 0]);
   const first = (await state(page)).camera!;
@@ -90,7 +90,7 @@ test("everything works with the keyboard alone", async ({ page }) => {
   await expect(page.getByRole("dialog")).toHaveCount(0);
 });
 
-test("two viewers with linked cameras", async ({ page }) => {
+test("two viewers with linked cameras", { tag: "@slow" }, async ({ page }) => {
   const problems = await open(page);
   await page.evaluate(async () => {
     const first = window.calyxViewer!;

@@ -60,7 +60,7 @@ test("colours by each field with a legend", async ({ page }) => {
   expect(problems).toEqual([]);
 });
 
-test("limits over all positions, fixed limits and bands", async ({ page }) => {
+test("limits over all positions, fixed limits and bands", { tag: "@slow" }, async ({ page }) => {
   await open(page);
   await button(page, "Settings").click();
   const settings = page.getByRole("complementary", { name: "Settings" });
@@ -140,7 +140,7 @@ test("the animation plays, pauses, steps and displays the time", async ({ page }
   expect(problems).toEqual([]);
 });
 
-test("a part stands still in its own frame", async ({ page }) => {
+test("a part stands still in its own frame", { tag: "@slow" }, async ({ page }) => {
   await open(page);
   const tooth: [number, number, number] = [34e-3, 0, 15e-3];
   const move = async () => {
@@ -189,7 +189,7 @@ test("plots an output with a cursor at the position", async ({ page }) => {
   expect(problems).toEqual([]);
 });
 
-test("exports PNG, SVG and PDF", async ({ page }) => {
+test("exports PNG, SVG and PDF", { tag: "@slow" }, async ({ page }) => {
   await open(page);
   const heads: Record<string, string> = { png: "\x89PNG", svg: "<svg xmlns", pdf: "%PDF-1.4" };
   for (const [format, head] of Object.entries(heads)) {

@@ -133,7 +133,7 @@ test("a model with errors shows the diagnostic, and the page follows the editor"
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("120");
 });
 
-test("the session and params files keep the values of the form", async ({ page, server }) => {
+test("the session and params files keep the values of the form", { tag: "@slow" }, async ({ page, server }) => {
   await page.goto(server.url);
   await switchAutomaticOff(page);
   await page.getByLabel("torque", { exact: true }).fill("321");
@@ -154,7 +154,7 @@ test("the session and params files keep the values of the form", async ({ page, 
   await expect(page.getByRole("alert")).toContainText("params are one object");
 });
 
-test("runs with view files are shown side by side with linked cameras", async ({ page, server }) => {
+test("runs with view files are shown side by side with linked cameras", { tag: "@slow" }, async ({ page, server }) => {
   await page.goto(server.url);
   await switchAutomaticOff(page);
   await run(page, "run-0001");
@@ -186,7 +186,7 @@ test("a change of a param updates the geometry of the model", async ({ page, ser
   await picture(page, "model");
 });
 
-test("a run directory is shown, with or without its model", async ({ page, server }) => {
+test("a run directory is shown, with or without its model", { tag: "@slow" }, async ({ page, server }) => {
   await page.goto(server.url);
   await switchAutomaticOff(page);
   await run(page, "run-0001");
