@@ -195,10 +195,7 @@ export class Core {
 
   setVisibility(names: string[], visibility: Visibility): void {
     const parts = { ...this.state.parts };
-    for (const name of names) {
-      if (visibility === "visible") delete parts[name];
-      else parts[name] = visibility;
-    }
+    for (const name of names) parts[name] = visibility;
     this.update({ parts });
   }
 

@@ -10,7 +10,7 @@ import type { Label } from "./labels.ts";
 import { PartView } from "./part_view.ts";
 import type { DeformedMesh, Part, Position } from "./run_data.ts";
 import type { Scene } from "./scene.ts";
-import type { ViewState, Visibility } from "./state.ts";
+import { type ViewState, visibilityOf } from "./state.ts";
 import { buildSurface } from "./surface.ts";
 import { SurfaceView } from "./surface_view.ts";
 import { displayUnit, formatNumber, roundDown125, STRESS } from "./units.ts";
@@ -221,8 +221,7 @@ export class Display {
     const position = this.position;
     const nodal = isNodal(colours.field);
     for (const view of this.views) {
-      const visibility: Visibility = state.parts[view.part.name] ?? "visible";
-      view.setVisibility(visibility);
+      view.setVisibility(visibilityOf(state, view.part));
       view.setFieldMode(nodal);
       view.setEdges(state.mesh_edges);
     }

@@ -172,3 +172,8 @@ function isCamera(value: unknown): value is CameraState {
     (value.projection === "perspective" || value.projection === "orthographic")
   );
 }
+
+/** Visibility of a part: housings and carriers are translucent at first, because they surround the gears. */
+export function visibilityOf(state: ViewState, part: { name: string; kind: string }): Visibility {
+  return state.parts[part.name] ?? (part.kind === "body" ? "translucent" : "visible");
+}

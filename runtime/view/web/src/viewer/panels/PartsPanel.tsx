@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 import type { Core } from "../core.ts";
 import type { Part, PartKind } from "../run_data.ts";
-import type { Visibility } from "../state.ts";
+import { type Visibility, visibilityOf } from "../state.ts";
 import { Icon, Select, type IconName } from "./ui.tsx";
 
 const GROUPS: { kind: PartKind; label: string }[] = [
@@ -54,7 +54,7 @@ export function PartsPanel({ core }: { core: Core }) {
 function Group({ core, label, parts }: { core: Core; label: string; parts: Part[] }) {
   const [open, setOpen] = useState(true);
   const names = parts.map(({ name }) => name);
-  const states = new Set(names.map((name) => core.state.parts[name] ?? "visible"));
+  const states = new Set(parts.map((part) => visibilityOf(core.state, part)));
   const common = states.size === 1 ? [...states][0]! : "mixed";
   return (
     <div class="cv-group" role="group" aria-label={label}>
@@ -72,7 +72,7 @@ function Group({ core, label, parts }: { core: Core; label: string; parts: Part[
 }
 
 function PartRow({ core, part }: { core: Core; part: Part }) {
-  const visibility = core.state.parts[part.name] ?? "visible";
+  const visibility = visibilityOf(core.state, part);
   return (
     <div class={`cv-row cv-row-${visibility}`}>
       <span class="cv-swatch" style={{ background: core.display?.colours[part.index] }} />
