@@ -1,5 +1,5 @@
-//! The server of `calyx studio`, from the side of a browser and of an attacker: requests are written
-//! to its port as bytes.
+//! The server of `calyx studio`, from the side of a browser and of an attacker: requests are
+//! written to its port as bytes.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;

@@ -80,8 +80,8 @@ enum Command {
     /// Set params, run a model and compare its results in the browser
     ///
     /// Starts a server on this computer, prints its address and opens it in the browser: a form of
-    /// the model's params, its runs with their progress, and their results. The page follows changes
-    /// of the model's file.
+    /// the model's params, its runs with their progress, and their results. The page follows
+    /// changes of the model's file.
     #[command(after_help = studio::EXAMPLES)]
     Studio(studio::Studio),
     /// Regenerate the HTML report of a run

@@ -115,8 +115,8 @@ fn named_param(invalid: &InvalidParam, snapshot: &Snapshot) -> Option<String> {
     snapshot.description.params.iter().any(|param| param.name == name).then(|| name.to_owned())
 }
 
-/// Returns the plan and the predictions, as `calyx explain` prints them; `null` if the model analyses
-/// nothing or has errors.
+/// Returns the plan and the predictions, as `calyx explain` prints them; `null` if the model
+/// analyses nothing or has errors.
 fn plan(checked: &Checked) -> Value {
     let Some(plan) = &checked.plan else { return Value::Null };
     static RATES: OnceLock<Rates> = OnceLock::new();

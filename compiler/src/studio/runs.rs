@@ -315,6 +315,10 @@ impl Runs {
             }
             preview.as_ref().map(|preview| preview.directory.clone()).unwrap_or_default()
         };
+        // The run is listed as soon as its process starts.
+        fs::create_dir_all(&directory).map_err(|error| {
+            RequestError::internal(format!("cannot create {}", directory.display()), &error)
+        })?;
         self.launch(PREVIEW, &directory, values, None)?;
         Ok(true)
     }

@@ -1,4 +1,4 @@
-//! What the studio shows: a model, or the directory of a run and the model that it belongs to.
+//! Subject of the studio: a model, or the directory of a run and the model that it belongs to.
 
 use super::error::StudioError;
 use super::folder::SUFFIX;

@@ -61,8 +61,8 @@ impl Setting {
     }
 }
 
-/// Checks a value for its param alone: kind, dimension, choices, and a range that does not depend on
-/// other params.
+/// Checks a value for its param alone: kind, dimension, choices, and a range that does not depend
+/// on other params.
 ///
 /// # Errors
 /// The name is unknown, or the value is invalid.

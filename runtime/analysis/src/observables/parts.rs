@@ -1,5 +1,5 @@
-//! Parts of a scene for display: outer surfaces of bodies, shafts, elastic bodies and bearings, their
-//! poses at a solved position, and the forces between them.
+//! Parts of a scene for display: outer surfaces of bodies, shafts, elastic bodies and bearings,
+//! their poses at a solved position, and the forces between them.
 
 use super::{Contact, Equilibrium};
 use calyx_contact::solid::Pose;
@@ -129,7 +129,8 @@ pub fn parts(scene: &Mechanism, plan: &Plan, resources: &Resources) -> Result<Ve
     Ok(all)
 }
 
-/// Returns the radius of the shaft under a bearing, or one in proportion to the size of its body, m.
+/// Returns the radius of the shaft under a bearing, or one in proportion to the size of its body,
+/// m.
 fn radius_at(scene: &Mechanism, bearing: &Bearing) -> f64 {
     let of_shaft = scene.connections.iter().find_map(|connection| {
         let own = connection.shaft.as_ref()?;

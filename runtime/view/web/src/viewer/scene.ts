@@ -68,7 +68,7 @@ export class Scene {
     this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(this.width, this.height);
     this.camera.setAspect(this.width / this.height);
-    // Without a frame at once the canvas would flicker while the window is resized.
+    // Without a frame immediately after it, the canvas would flicker while the window is resized.
     this.draw();
   }
 
