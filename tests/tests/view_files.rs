@@ -100,7 +100,7 @@ struct Files {
 
 impl Files {
     fn of(fields: &Fields) -> Files {
-        let parts = content::parts(&fields.parts, "model.cx");
+        let parts = content::parts(&fields.parts, ("model.cx", "mm_N_s"));
         Files { parts, position: content::position((0, 0.0), fields) }
     }
 

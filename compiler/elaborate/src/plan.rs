@@ -100,10 +100,15 @@ impl PlannedWork {
     }
 
     /// Returns the files of the viewer for the scene at time 0, without solving: parts and position.
+    /// The name of the model and its system of units are written into them.
     ///
     /// # Errors
     /// The scene cannot be planned, a frame is NaN, or the computation is interrupted.
-    pub fn view_files(&self, model: &str, resources: &Resources) -> Result<[Vec<u8>; 2], EngineError> {
+    pub fn view_files(
+        &self,
+        model: (&str, &str),
+        resources: &Resources,
+    ) -> Result<[Vec<u8>; 2], EngineError> {
         let planned = if self.in_time { Plan::in_time } else { Plan::new };
         let plan = planned(&*self.scene, self.fidelity, self.structure)?;
         let parts = Arc::new(observables::parts(&self.scene, &plan, resources)?);

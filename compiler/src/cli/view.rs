@@ -27,7 +27,7 @@ pub struct View {
     /// Write the page to this file instead of the directory of the run
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
-    /// Replace a file that is no page of this command
+    /// Replace a file that this command did not write
     #[arg(long)]
     force: bool,
 }
@@ -58,7 +58,7 @@ impl View {
     fn write_file(&self, directory: &Path, file: &Path) -> Result<(), Failure> {
         let text = page_of(directory)?;
         if !self.force && file.exists() && !is_page(file) {
-            let message = format!("{} exists and is no page of `calyx view`", file.display());
+            let message = format!("{} exists, and `calyx view` did not write it", file.display());
             return Err(Failure(message, "choose another name, or replace it with --force", USAGE));
         }
         fs::write(file, text).map_err(|error| unwritable(file, &error))
@@ -88,7 +88,7 @@ fn write_into(directory: &Path, force: bool) -> Result<PathBuf, Failure> {
 fn page_of(directory: &Path) -> Result<String, Failure> {
     let shown = directory.display();
     page::page(directory).map_err(|error| match error {
-        PageError::NoFiles if !directory.exists() => Failure(
+        PageError::NoFiles if !calyx::rt::page::is_run(directory) => Failure(
             format!("there is no run in {shown}"),
             "name the directory that `calyx run` wrote, or its model",
             USAGE,
@@ -112,7 +112,7 @@ fn unwritable(path: &Path, error: &io::Error) -> Failure {
     Failure(format!("cannot write {}: {error}", path.display()), help, MODEL_ERROR)
 }
 
-/// Returns true if a file is a page of this command.
+/// Returns true if this command wrote a file.
 fn is_page(file: &Path) -> bool {
     let mut start = Vec::new();
     let read = fs::File::open(file).and_then(|file| file.take(page::MARK_WITHIN).read_to_end(&mut start));

@@ -4,6 +4,7 @@ use super::error::RequestError;
 use super::model::{Model, Snapshot, diagnostics, rendered};
 use crate::{Checked, check_run_within};
 use axum::http::StatusCode;
+use calyx_abi::description::ModelDescription;
 use calyx_rt::options::rates_file;
 use calyx_rt::params::check_assignment;
 use calyx_rt::{InvalidParam, Override, ParamAssignment};
@@ -92,7 +93,10 @@ pub(crate) fn scene_of(
     let plan = checked.plan.as_ref().ok_or_else(|| {
         RequestError::not_found("the model has errors, or it analyses nothing: it has no scene")
     })?;
-    let files = plan.work.view_files(&snapshot.description.name, &Resources::default());
+    let files = {
+        let ModelDescription { name, units, .. } = &snapshot.description;
+        plan.work.view_files((name, units), &Resources::default())
+    };
     files.map_err(|error| RequestError::new(StatusCode::UNPROCESSABLE_ENTITY, error.message, error.help))
 }
 

@@ -204,9 +204,10 @@ impl Record {
     }
 }
 
-/// Returns the name of the model of a run.
-fn model_of(head: &Value) -> &str {
-    head["model"].as_str().unwrap_or_default()
+/// Returns the name of the model of a run, and its system of units.
+fn model_of(head: &Value) -> (&str, &str) {
+    let text = |key: &str| head[key].as_str().unwrap_or_default();
+    (text("model"), text("units"))
 }
 
 /// Writer of `steps.csv`, one row per position.

@@ -16,8 +16,8 @@ type Pose = ([[f64; 3]; 3], [f64; 3]);
 /// Index of a part that is not displayed.
 const NO_PART: u32 = u32::MAX;
 
-/// Returns the bytes of the file of parts.
-pub fn parts(parts: &[Part], model: &str) -> Vec<u8> {
+/// Returns the bytes of the file of parts of a model with its system of units.
+pub fn parts(parts: &[Part], (model, units): (&str, &str)) -> Vec<u8> {
     let mut arrays = Arrays::default();
     let part = |part: &Part| {
         let surface = &part.surface;
@@ -38,7 +38,7 @@ pub fn parts(parts: &[Part], model: &str) -> Vec<u8> {
         })
     };
     let parts: Vec<Value> = parts.iter().map(part).collect();
-    arrays.file(&json!({ "model": model, "parts": parts }))
+    arrays.file(&json!({ "model": model, "units": units, "parts": parts }))
 }
 
 /// Returns the bytes of the file of a position with its index and time (s).

@@ -18,18 +18,19 @@ const POSITION: [&str; 2] = ["position-", ".bin"];
 pub struct ViewFiles {
     folder: PathBuf,
     model: String,
+    units: String,
 }
 
 impl ViewFiles {
     /// Begins in a run directory, or continues those of an earlier run. The name of the
-    /// model is written into the file of parts.
+    /// model and its system of units are written into the file of parts.
     ///
     /// # Errors
     /// The folder cannot be created.
-    pub fn begin(directory: &Path, model: &str) -> io::Result<ViewFiles> {
+    pub fn begin(directory: &Path, (model, units): (&str, &str)) -> io::Result<ViewFiles> {
         let folder = directory.join(FOLDER);
         fs::create_dir_all(&folder)?;
-        Ok(ViewFiles { folder, model: model.to_owned() })
+        Ok(ViewFiles { folder, model: model.to_owned(), units: units.to_owned() })
     }
 
     /// Writes a position with its index and time (s), and the parts if their file is missing.
@@ -39,7 +40,7 @@ impl ViewFiles {
     pub fn write(&self, (index, time): (usize, f64), fields: &Fields) -> io::Result<()> {
         let parts = self.folder.join(PARTS);
         if index == 0 || !parts.exists() {
-            write_complete(&parts, &content::parts(&fields.parts, &self.model))?;
+            write_complete(&parts, &content::parts(&fields.parts, (&self.model, &self.units)))?;
         }
         write_complete(&self.folder.join(position(index)), &content::position((index, time), fields))
     }
@@ -94,7 +95,7 @@ mod tests {
         assert!(files_of(10_000).all(|name| is_name_of_a_run(&name[FOLDER.len() + 1..])));
         let directory = tempfile::tempdir().unwrap();
         assert!(positions(directory.path()).is_empty());
-        let files = ViewFiles::begin(directory.path(), "pair.cx").unwrap();
+        let files = ViewFiles::begin(directory.path(), ("pair.cx", "mm_N_s")).unwrap();
         for index in [0, 9_999, 10_000, 2] {
             files.write((index, 0.5), &Fields::default()).unwrap();
         }

@@ -190,7 +190,7 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path();
         assert!(matches!(page(path), Err(PageError::NoFiles)));
-        let files = ViewFiles::begin(path, "pair.cx").unwrap();
+        let files = ViewFiles::begin(path, ("pair.cx", "mm_N_s")).unwrap();
         files.write((0, 0.0), &Fields::default()).unwrap();
         files.write((1, 0.25), &Fields::default()).unwrap();
         fs::write(path.join("steps.csv"), "step,time,point,force\n0,0,SAP,1.5\n1,0.25,,\n").unwrap();
@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn a_damaged_file_is_named() {
         let directory = tempfile::tempdir().unwrap();
-        let files = ViewFiles::begin(directory.path(), "pair.cx").unwrap();
+        let files = ViewFiles::begin(directory.path(), ("pair.cx", "mm_N_s")).unwrap();
         files.write((0, 0.0), &Fields::default()).unwrap();
         fs::write(directory.path().join("view/position-0000.bin"), "CALYX").unwrap();
         let message = page(directory.path()).unwrap_err().to_string();

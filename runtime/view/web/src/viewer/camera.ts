@@ -41,7 +41,10 @@ export class OrbitCamera {
   }
 
   get state(): CameraState {
-    return { ...this.#state, target: [...this.#state.target] };
+    const state: CameraState = { ...this.#state, target: [...this.#state.target] };
+    if (this.#fit) state.fitted = true;
+    else delete state.fitted;
+    return state;
   }
 
   /** Sphere around the scene for the clipping distances, and points whose picture `fit` shows. */
@@ -66,6 +69,11 @@ export class OrbitCamera {
   set(state: CameraState, user = false): void {
     this.interrupt();
     this.#state = { ...state, target: [...state.target] };
+    // A fitted picture is fitted to the shape and the parts of this one.
+    if (state.fitted) {
+      Object.assign(this.#state, this.fitted(state.azimuth, state.elevation));
+      this.#fit = true;
+    }
     this.changed(user);
   }
 

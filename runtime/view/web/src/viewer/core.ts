@@ -13,6 +13,7 @@ import { NoWebGlError, Scene } from "./scene.ts";
 import type { ViewSource } from "./source.ts";
 import { completeState, defaultState, type PartialState, type ViewState, type Visibility } from "./state.ts";
 import { ThemeWatcher } from "./theme.ts";
+import { useUnitsOf } from "./units.ts";
 
 export type Status = "empty" | "loading" | "ready" | "failed";
 
@@ -131,6 +132,7 @@ export class Core {
       if (stale()) return;
       this.positions?.dispose();
       this.parts = parts;
+      useUnitsOf(parts.units);
       this.positions = positions;
       positions.onEvict = (position) => display.release(position);
       this.#allLimits.clear();

@@ -13,7 +13,7 @@ import type { Scene } from "./scene.ts";
 import { type ViewState, visibilityOf } from "./state.ts";
 import { buildSurface } from "./surface.ts";
 import { SurfaceView } from "./surface_view.ts";
-import { displayUnit, formatNumber, roundDown125, STRESS } from "./units.ts";
+import { displayUnit, formatNumber, roundDown125, stressUnit } from "./units.ts";
 
 /** Share of the scene's size that the largest displacement takes with an automatic factor. */
 const AUTOMATIC_DEFORMATION = 0.05;
@@ -244,13 +244,14 @@ export class Display {
     if (this.limits) uniforms.limits.value.set(...this.limits);
     fillScaleTexture(this.scene.scaleTexture, colours.scale, colours.bands);
 
-    this.forces.set(position?.forces ?? [], { ...state.forces, radius: this.radius });
+    const names = this.views.map(({ part }) => part.name);
+    this.forces.set(position?.forces ?? [], { ...state.forces, radius: this.radius, names });
     this.applyCut(state);
     const labels = [...this.forces.labels];
     if (position && extremes && state.extremes) {
       // Both labels have the unit of the larger value, as in the legend.
       const size = Math.max(Math.abs(extremes.min.value), Math.abs(extremes.max.value));
-      const unit = FIELDS[colours.field].quantity === "length" ? displayUnit("m", size) : STRESS;
+      const unit = FIELDS[colours.field].quantity === "length" ? displayUnit("m", size) : stressUnit();
       const mark = (extreme: Extreme, kind: "maximum" | "minimum", word: string) => {
         const value = Math.abs(extreme.value) < 1e-9 * size ? 0 : extreme.value * unit.factor;
         const point = this.extremePoint(extreme, position);

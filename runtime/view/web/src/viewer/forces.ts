@@ -13,6 +13,8 @@ export interface ForceOptions {
   bearings: boolean;
   meshes: boolean;
   labels: boolean;
+  /** Names of the parts. */
+  names: string[];
   scale: number;
   /** Radius of the scene, m. The longest arrow has half of it. */
   radius: number;
@@ -57,7 +59,8 @@ export class ForceView {
       this.group.add(arrow);
       const tip = new THREE.Vector3(...force.force).multiplyScalar(length / size).add(new THREE.Vector3(...force.point));
       if (options.labels) {
-        const text = `${force.name ? `${force.name}: ` : ""}${formatValue(size, "N", 3)}`;
+        const on = force.kind === "mesh" ? options.names[force.parts[0] ?? -1] : undefined;
+        const text = `${force.name ? `${force.name}: ` : ""}${formatValue(size, "N", 3)}${on ? ` on ${on}` : ""}`;
         this.labels.push({ text, point: tip, kind: force.kind });
       }
     }

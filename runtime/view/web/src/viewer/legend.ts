@@ -2,7 +2,7 @@
 
 import type { Core } from "./core.ts";
 import { FIELDS } from "./fields.ts";
-import { displayUnit, formatNumber, STRESS, type DisplayUnit } from "./units.ts";
+import { displayUnit, formatNumber, stressUnit, type DisplayUnit } from "./units.ts";
 
 export interface Tick {
   /** Location on the scale, 0 at the lower end. */
@@ -10,10 +10,10 @@ export interface Tick {
   text: string;
 }
 
-/** Unit of the selected field. Stresses are always in MPa; displacements have a suitable prefix. */
+/** Unit of the selected field. Stresses have one unit; displacements have a suitable prefix. */
 export function fieldUnit(core: Core): DisplayUnit {
   const { field } = core.state.colours;
-  if (FIELDS[field].quantity === "stress") return STRESS;
+  if (FIELDS[field].quantity === "stress") return stressUnit();
   if (FIELDS[field].quantity === "none") return { symbol: "", factor: 1 };
   const limits = core.display?.limits;
   return displayUnit("m", limits ? Math.max(Math.abs(limits[0]), Math.abs(limits[1])) : 0);

@@ -150,13 +150,14 @@ export class PartView {
       view.features.renderOrder = view.edges.renderOrder = 100001;
       for (const pair of [view.stencils, view.closures]) {
         pair.forEach((stencil, i) => {
-          stencil.visible = this.#cut;
+          // A surface that encloses no volume has no section.
+          stencil.visible = this.#cut && !this.part.open;
           stencil.renderOrder = first + i;
         });
       }
     }
     this.#seams.meshes.forEach((stencil, i) => {
-      stencil.visible = this.#cut && this.meshes.length > 0;
+      stencil.visible = this.#cut && this.meshes.length > 0 && !this.part.open;
       stencil.renderOrder = first + (i % 2);
     });
   }

@@ -19,6 +19,8 @@ export interface Part {
 
 export interface Parts {
   model: string;
+  /** System of units of the model. */
+  units: string;
   parts: Part[];
 }
 
@@ -95,7 +97,7 @@ export function readParts(buffer: ArrayBuffer): Parts {
     const kind = (KINDS.includes(String(entry.kind)) ? entry.kind : "body") as PartKind;
     return { index, name, kind, copies, open: entry.open === true, points, triangles, edges };
   });
-  return { model: String(file.header.model ?? ""), parts };
+  return { model: String(file.header.model ?? ""), units: String(file.header.units ?? ""), parts };
 }
 
 function vector(value: Json | undefined): Vector | null {

@@ -24,6 +24,8 @@ export interface CameraState {
   elevation: number;
   /** Height of the picture in the plane of the target, m. */
   height: number;
+  /** The picture is fitted: target and height follow its shape. */
+  fitted?: boolean;
 }
 
 export interface ColourState {

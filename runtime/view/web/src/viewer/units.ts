@@ -18,9 +18,24 @@ const PREFIXED: Record<string, [number, string, number][]> = {
   rad: [[0.1, "rad", 1], [1e-4, "mrad", 1e3], [0, "µrad", 1e6]],
 };
 
+const IMPERIAL: Record<string, [number, string, number][]> = {
+  Pa: [[0, "psi", 1 / 6894.757293168361]],
+  m: [[0, "inch", 1 / 0.0254]],
+  N: [[0, "lbf", 1 / 4.4482216152605]],
+  "N m": [[0, "lbf inch", 1 / 0.1129848290276167]],
+};
+
+let imperial = false;
+
+/** Selects the units of a model: `units` of the file of parts, such as `mm_N_s` or `inch_lbf_s`. */
+export function useUnitsOf(units: string): void {
+  imperial = /^(inch|ft|foot)_/.test(units);
+}
+
 /** Chooses the unit in which values up to `magnitude` are displayed. */
 export function displayUnit(unit: string, magnitude: number): DisplayUnit {
-  const steps = PREFIXED[unit.replace("·", " ")];
+  const key = unit.replace("·", " ");
+  const steps = (imperial ? IMPERIAL[key] : undefined) ?? PREFIXED[key];
   if (!steps) return { symbol: unit === "1" ? "" : unit, factor: 1 };
   const size = Math.abs(magnitude);
   // Zero and NaN say nothing about the magnitude; the largest unit is the usual one.
@@ -29,7 +44,11 @@ export function displayUnit(unit: string, magnitude: number): DisplayUnit {
   return { symbol: step[1], factor: step[2] };
 }
 
-export const STRESS: DisplayUnit = { symbol: "MPa", factor: 1e-6 };
+/** Unit of stresses, which is the same for all magnitudes. */
+export function stressUnit(): DisplayUnit {
+  return displayUnit("Pa", 0);
+}
+
 export const MINUS = "−";
 
 /** Formats a number with significant digits, without an exponent where that stays readable. */

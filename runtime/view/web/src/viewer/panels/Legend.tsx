@@ -56,6 +56,7 @@ export function Legend({ core }: { core: Core }) {
         </span>
       </span>
       <span class="cv-range">
+        {field === "contact_pressure" ? "of cells, edges included; " : ""}
         {core.progress !== null ? `reading … ${Math.round(100 * core.progress)} %` : range}
       </span>
     </button>
