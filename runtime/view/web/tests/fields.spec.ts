@@ -6,7 +6,7 @@ import { principalStresses, vonMises } from "../src/viewer/fields.ts";
 import { readParts, readPosition } from "../src/viewer/run_data.ts";
 import { completeState, defaultState } from "../src/viewer/state.ts";
 import { buildSurface } from "../src/viewer/surface.ts";
-import { displayUnit, formatNumber, roundDown125, useUnitsOf } from "../src/viewer/units.ts";
+import { displayUnit, formatNumber, formatValue, roundDown125, useUnitsOf } from "../src/viewer/units.ts";
 import { createFixture } from "./fixture.ts";
 import { cylinder, gearSector } from "./gear_shapes.ts";
 
@@ -104,12 +104,12 @@ test("numbers and units", () => {
   expect(formatNumber(-0.25)).toBe("−0.25");
   expect(formatNumber(NaN)).toBe("no value");
   expect(displayUnit("m", 2e-6).symbol).toBe("µm");
-  expect(displayUnit("Pa", 5e8)).toEqual({ symbol: "MPa", factor: 1e-6   useUnitsOf("inch_lbf_s");
+  expect(displayUnit("Pa", 5e8)).toEqual({ symbol: "MPa", factor: 1e-6 });
+  useUnitsOf("inch_lbf_s");
   expect(formatValue(6894757.293168361, "Pa")).toBe("1000 psi");
   expect(formatValue(0.0254, "m")).toBe("1 inch");
   useUnitsOf("mm_N_s");
   expect(formatValue(2.5e8, "Pa")).toBe("250 MPa");
-});
   expect([1, 3, 7, 0.04, 1234].map(roundDown125)).toEqual([1, 2, 5, 0.02, 1000]);
 });
 
