@@ -1,6 +1,13 @@
 // Bundles the viewer and the studio into `dist/`. The bundles are committed: a machine that has only
 // a Rust toolchain embeds them, and CI checks that they match the sources.
+import { readFileSync } from "node:fs";
 import { build } from "esbuild";
+
+// Copies of the libraries must contain their licences.
+const licences = ["three", "preact", "uplot"].map((name) => {
+  const text = readFileSync(new URL(`node_modules/${name}/LICENSE`, import.meta.url), "utf8").trim();
+  return `/*! ${name}\n\n${text.replaceAll("*/", "* /")}\n*/`;
+});
 
 await build({
   entryPoints: { viewer: "src/viewer.tsx", studio: "src/studio.tsx" },
@@ -10,8 +17,8 @@ await build({
   format: "iife",
   target: "es2022",
   charset: "utf8",
-  // The licences of the libraries stay in the bundle.
-  legalComments: "eof",
+  legalComments: "none",
+  footer: { js: licences.join("\n") },
   jsx: "automatic",
   jsxImportSource: "preact",
   logLevel: "warning",
