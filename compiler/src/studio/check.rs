@@ -42,7 +42,9 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::
         .partition(|(checked, _)| checked.is_ok());
     for (checked, assignment) in invalid {
         if let Err(invalid) = checked {
-            errors.insert(assignment.name, reason(&invalid));
+            let is_missing = values.get(&assignment.name).is_some_and(|text| text.trim().is_empty());
+            let found = if is_missing { missing() } else { reason(&invalid) };
+            errors.insert(assignment.name, found);
         }
     }
     let given: Vec<ParamAssignment> = valid.into_iter().map(|(_, assignment)| assignment).collect();
@@ -98,6 +100,11 @@ pub(crate) fn scene_of(
         plan.work.view_files((name, units), &Resources::default())
     };
     files.map_err(|error| RequestError::new(StatusCode::UNPROCESSABLE_ENTITY, error.message, error.help))
+}
+
+/// Returns the error of an empty field.
+fn missing() -> Value {
+    json!({ "code": null, "message": "a value is missing", "help": "enter a value, or reset the param to its default" })
 }
 
 fn reason(invalid: &InvalidParam) -> Value {

@@ -87,6 +87,12 @@ pub fn serve(options: Options, ready: impl FnOnce(&str)) -> Result<(), StudioErr
 }
 
 async fn serve_here(options: Options, ready: impl FnOnce(&str)) -> Result<(), StudioError> {
+    if let Some(folder) = options.subject.model.as_deref().map(folder::of_model).filter(|path| path.is_file())
+    {
+        let message =
+            format!("{} is a file, and the studio stores runs in a folder of this name", folder.display());
+        return Err(StudioError::with_help(message, "rename or move the file"));
+    }
     let shown = format!("{}:{}", options.listen, options.port);
     let unbound = |error: io::Error| StudioError::new(format!("cannot listen on {shown}"), &error);
     let listener = TcpListener::bind((options.listen.as_str(), options.port)).await.map_err(unbound)?;

@@ -148,6 +148,8 @@ export interface RunFile {
   positions?: number;
   source: { sha256: string };
   outputs?: Record<string, OutputSummary>;
+  /** Outputs of a run that has not finished. */
+  columns?: Record<string, { display: { unit: string; factor: number } }>;
   warnings?: string[];
   ignored_inputs?: Record<string, string>;
   refused_outputs?: Record<string, string>;
@@ -219,6 +221,16 @@ export async function modelScene(params: Record<string, string>, signal?: AbortS
   const scene = await send<{ parts: string; position: string }>("POST", "/api/scene", { params }, signal);
   const decoded = (text: string): ArrayBuffer => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
   return { parts: decoded(scene.parts), position: decoded(scene.position) };
+}
+
+/** Sends a session so that the request outlives the page. */
+export async function sendSession(session: Session): Promise<void> {
+  await request("/api/session", {
+    method: "PUT",
+    keepalive: true,
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify(session),
+  });
 }
 
 export async function send<T>(method: "POST" | "PUT", path: string, body: unknown, signal?: AbortSignal): Promise<T> {

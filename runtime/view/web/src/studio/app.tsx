@@ -48,7 +48,7 @@ export function App({ studio }: { studio: Studio }): JSX.Element {
 function useKeys(studio: Studio): void {
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => {
-      if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && studio.check?.runnable) void studio.run();
+      if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && studio.canRun) void studio.run();
     };
     window.addEventListener("keydown", onKey);
     return () => window.removeEventListener("keydown", onKey);
@@ -93,7 +93,12 @@ function ThemeMenu(): JSX.Element {
 
 function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
   if (!studio.isConnected) {
-    return <div class="notice error" role="alert">The studio does not respond. Start <code>calyx studio</code> again and open its address.</div>;
+    const command = `calyx studio ${fileName(studio.model?.model ?? "")}`.trim();
+    return (
+      <div class="notice error" role="alert">
+        <span>The studio has ended. Start <code>{command}</code> again and open the address that it prints.</span>
+      </div>
+    );
   }
   if (!studio.notice) return null;
   return (

@@ -105,6 +105,7 @@ function Compared({ runs, places }: { runs: Results[]; places: string[] }): JSX.
           {STATISTICS.map(([key, label]) => <option key={key} value={key}>{label}</option>)}
         </select>
       </label>
+      <p class="muted small-text">Changes are relative to {runName(runs[0]?.id ?? "")}.</p>
       <div class="scroll" tabIndex={0} role="region" aria-label="Table of compared outputs">
         <table class="outputs" data-testid="compared">
           <thead>

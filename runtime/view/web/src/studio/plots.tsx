@@ -85,7 +85,8 @@ function outputNames(shown: Results[]): string[] {
 
 /** Unit of display and its SI value. */
 function displayOf(studio: Studio, results: Results, name: string): { unit: string; factor: number } {
-  const display = results.run?.outputs?.[name]?.display;
+  // An unfinished run describes its columns only.
+  const display = results.run?.outputs?.[name]?.display ?? results.run?.columns?.[name]?.display;
   const declared = studio.model?.outputs.find((output) => output.name === name);
   return { unit: display?.unit ?? declared?.unit ?? "SI", factor: display?.factor ?? declared?.factor ?? 1 };
 }

@@ -10,21 +10,20 @@ import { Text } from "./text.tsx";
 export function RunPanel({ studio }: { studio: Studio }): JSX.Element | null {
   if (studio.withoutModel) return null;
   const { check, model } = studio;
-  const canRun = Boolean(check?.runnable) && !studio.isStarting;
   const running = studio.runs.filter((run) => run.status === "running");
   return (
     <section class="panel" aria-labelledby="run-heading">
       <h2 id="run-heading">Run</h2>
       <PlanSummary studio={studio} />
       <div class="run-row">
-        <button type="button" class="primary" disabled={!canRun} onClick={() => void studio.run()}>Run</button>
+        <button type="button" class="primary" disabled={!studio.canRun} onClick={() => void studio.run()}>Run</button>
         <label class="switch">
           <input
             type="checkbox"
             checked={studio.settings.automatic}
             onChange={(event) => studio.setAutomatic(event.currentTarget.checked)}
           />
-          Run after changes if below 1 s
+          Run after changes if the predicted time is below 1 s
         </label>
       </div>
       {check?.refused && (
@@ -109,6 +108,10 @@ function Ended({ studio, id }: { studio: Studio; id: string }): JSX.Element | nu
   const others = warnings.filter((text) => ![...texts].some((known) => text.includes(known)));
   const all = [...shown, ...others.map((message) => ({ severity: "warning" as const, code: null, message, help: null }))];
   if (results.status === "finished" && all.length === 0) return null;
+  if (results.status === "cancelled") {
+    const solved = results.run?.positions ?? 0;
+    return <div class="ended"><p>{runName(id)}: cancelled after {solved} {solved === 1 ? "position" : "positions"}</p></div>;
+  }
   return (
     <div class="ended">
       <p>{runName(id)}: {results.status}{results.message && shown.length === 0 ? `, ${results.message}` : ""}</p>

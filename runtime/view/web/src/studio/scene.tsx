@@ -201,5 +201,6 @@ function reasonOf(studio: Studio, hasRun: boolean, isRunning: boolean): string {
   if (isRunning) return "This run has not written view files yet.";
   if (hasRun) return "This run has no view files.";
   if (studio.model?.broken) return "The model has errors.";
+  if (studio.check && !studio.check.runnable) return "The params in the form have errors.";
   return "Run the model to see its parts.";
 }

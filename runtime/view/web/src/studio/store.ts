@@ -14,7 +14,9 @@ import {
   modelScene,
   ofRun,
   send,
+  sendSession,
 } from "./api.ts";
+import { runName } from "./format.ts";
 
 /** Values that differ from the defaults, as typed. */
 export type Values = Record<string, string>;
@@ -38,7 +40,7 @@ export interface ViewSettings {
 export const AUTOMATIC_LIMIT = 1;
 const CHECK_DELAY = 180;
 const RESULTS_DELAY = 700;
-const SESSION_DELAY = 800;
+const SESSION_DELAY = 300;
 
 export class Studio {
   model: Model | null = null;
@@ -66,7 +68,6 @@ export class Studio {
   #checkAbort: AbortController | null = null;
   #isLoaded = false;
   #previewed = "";
-  /** Version of a model without geometry. */
   /** Runs that were started after the last list. */
   #started = new Set<string>();
 
@@ -88,12 +89,13 @@ export class Studio {
       if (about.opened) this.settings.selected = [about.opened];
     });
     this.#isLoaded = true;
+    window.addEventListener("pagehide", () => this.#saveNow());
     this.#follow();
   }
 
   async #restoreSession(): Promise<void> {
     const session = await get<Session>("/api/session");
-    this.values = { ...session.params };
+    this.values = stored(session.params);
     const view = (session.view ?? {}) as Partial<ViewSettings>;
     if (typeof view.automatic === "boolean") this.settings.automatic = view.automatic;
     if (typeof view.linked === "boolean") this.settings.linked = view.linked;
@@ -153,6 +155,10 @@ export class Studio {
       for (const id of [...this.#started]) {
         if (known.has(id)) this.#started.delete(id);
         else known.add(id);
+      }
+      const gone = this.settings.selected.filter((id) => !known.has(id) && before.has(id) && id !== "preview");
+      if (gone.length > 0) {
+        this.notice = { message: `${gone.map(runName).join(", ")}: the directory was deleted`, help: "" };
       }
       this.settings.selected = this.settings.selected.filter((id) => known.has(id));
       for (const id of Object.keys(this.results)) if (!known.has(id)) delete this.results[id];
@@ -249,6 +255,11 @@ export class Studio {
     });
     if (this.#checkAbort === abort) this.isChecking = false;
     this.#changed();
+  }
+
+  /** True if a run can start. */
+  get canRun(): boolean {
+    return this.isConnected && !this.isStarting && Boolean(this.check?.runnable);
   }
 
   /** True if the check predicts a time in which the model may run after each change. */
@@ -369,9 +380,19 @@ export class Studio {
   #saveSession(): void {
     if (!this.#isLoaded || this.withoutModel) return;
     window.clearTimeout(this.#sessionTimer);
-    this.#sessionTimer = window.setTimeout(() => {
-      const session: Session = { version: 1, params: this.values, view: { ...this.settings } };
-      void this.#try(() => send("PUT", "/api/session", session));
-    }, SESSION_DELAY);
+    this.#sessionTimer = window.setTimeout(() => this.#saveNow(), SESSION_DELAY);
   }
+
+  /** Saves the session if a save is due. */
+  #saveNow(): void {
+    if (this.#sessionTimer === 0) return;
+    window.clearTimeout(this.#sessionTimer);
+    this.#sessionTimer = 0;
+    void this.#try(() => sendSession({ version: 1, params: stored(this.values), view: { ...this.settings } }));
+  }
+}
+
+/** Values that a session keeps: an empty field has none. */
+function stored(values: Values): Values {
+  return Object.fromEntries(Object.entries(values).filter(([, text]) => text.trim() !== ""));
 }

@@ -25,7 +25,7 @@ async function serious(page: Page): Promise<string[]> {
 const row = (page: Page, id: string) => page.locator(`[data-run="${id}"]`);
 
 async function switchAutomaticOff(page: Page): Promise<void> {
-  await page.getByLabel("Run after changes if below 1 s").uncheck();
+  await page.getByLabel("Run after changes if the predicted time is below 1 s").uncheck();
 }
 
 /** Starts a run and waits until the list shows its end. */
