@@ -194,6 +194,8 @@ fn a_form_is_checked_run_and_read() {
 
     // Each param has its own error, and `run` rejects the same values.
     let wrong = json!({ "torque": "600", "steps": "2.5", "torqe": "1" });
+    let empty = server.post("/api/check", json!({ "torque": " " })).json();
+    assert_eq!(empty["errors"]["torque"]["message"], "a value is missing", "{empty}");
     let check = server.post("/api/check", wrong.clone()).json();
     assert_eq!(check["runnable"], false);
     assert!(check["errors"]["torque"]["message"].as_str().expect("an error").contains("outside its range"));
@@ -422,6 +424,20 @@ fn runs_are_cancelled_listed_and_may_be_deleted() {
     let record =
         fs::read_to_string(directory.path().join(format!("pair.cx.studio/{id}.json"))).expect("a record");
     assert!(record.contains("\"status\": \"cancelled\""), "{record}");
+}
+
+#[test]
+fn a_file_in_place_of_the_folder_is_named() {
+    let (directory, _) = folder_with(PAIR);
+    fs::write(directory.path().join("pair.cx.studio"), "notes").expect("a file");
+    let ended = Command::new(env!("CARGO_BIN_EXE_calyx"))
+        .current_dir(directory.path())
+        .args(["studio", "--no-browser", "pair.cx"])
+        .output()
+        .expect("calyx starts");
+    let text = String::from_utf8_lossy(&ended.stderr);
+    assert!(text.contains("pair.cx.studio is a file") && text.contains("rename or move the file"), "{text}");
+    assert_eq!(ended.status.code(), Some(1));
 }
 
 #[test]
