@@ -5,6 +5,7 @@ use super::runs::Runs;
 use axum::body::{Body, Bytes};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
+use calyx_rt::view::files::{FOLDER, PARTS, index_of, positions};
 use futures_util::stream;
 use serde_json::{Value, json};
 use std::fs;
@@ -32,16 +33,9 @@ const REPORT_POLICY: &str =
 fn type_of(name: &str) -> Option<&'static str> {
     let known = FILES.iter().find(|(known, _)| *known == name).map(|(_, kind)| *kind);
     known.or_else(|| {
-        let view = name.strip_prefix("view/")?;
-        (view == "parts.bin" || position_of(view).is_some()).then_some("application/octet-stream")
+        let view = name.strip_prefix(FOLDER)?.strip_prefix('/')?;
+        (view == PARTS || index_of(view).is_some()).then_some("application/octet-stream")
     })
-}
-
-/// Returns the position of a file of the viewer, `position-0012.bin`.
-fn position_of(name: &str) -> Option<usize> {
-    let digits = name.strip_prefix("position-")?.strip_suffix(".bin")?;
-    let is_number = (4..=9).contains(&digits.len()) && digits.bytes().all(|byte| byte.is_ascii_digit());
-    is_number.then(|| digits.parse().ok()).flatten()
 }
 
 /// Returns the path of a file of a run: a regular file inside the directory, also after following
@@ -87,15 +81,12 @@ pub(crate) async fn send(runs: &Runs, id: &str, name: &str) -> Result<Response, 
 /// There is no such run, or the directory cannot be read.
 pub(crate) fn view(runs: &Runs, id: &str) -> Result<Value, RequestError> {
     let directory = runs.existing(id)?;
-    let entries = fs::read_dir(directory.join("view")).into_iter().flatten().flatten();
-    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-    let mut positions: Vec<usize> = names.filter_map(|name| position_of(&name)).collect();
-    positions.sort_unstable();
+    let positions: Vec<usize> = positions(&directory).iter().filter_map(|name| index_of(name)).collect();
     let times = super::results::times(&directory)?;
     let time = |position: usize| times.get(position).copied().flatten();
     let listed: Vec<Value> =
         positions.iter().map(|&position| json!({ "position": position, "time": time(position) })).collect();
-    let parts = directory.join("view/parts.bin").is_file();
+    let parts = directory.join(FOLDER).join(PARTS).is_file();
     Ok(json!({ "parts": parts, "positions": listed }))
 }
 
