@@ -429,14 +429,26 @@ fn runs_are_cancelled_listed_and_may_be_deleted() {
 #[test]
 fn a_file_in_place_of_the_folder_is_named() {
     let (directory, _) = folder_with(PAIR);
-    fs::write(directory.path().join("pair.cx.studio"), "notes").expect("a file");
+    let folder = directory.path().join("pair.cx.studio");
+    for is_link in [false, true] {
+        let _ = fs::remove_file(&folder);
+        match is_link {
+            false => fs::write(&folder, "notes").expect("a file"),
+            true => std::os::unix::fs::symlink("missing", &folder).expect("a link"),
+        }
+        check_refused(directory.path());
+    }
+}
+
+/// Checks that the studio does not start without a place for its folder.
+fn check_refused(directory: &Path) {
     let ended = Command::new(env!("CARGO_BIN_EXE_calyx"))
-        .current_dir(directory.path())
+        .current_dir(directory)
         .args(["studio", "--no-browser", "pair.cx"])
         .output()
         .expect("calyx starts");
     let text = String::from_utf8_lossy(&ended.stderr);
-    assert!(text.contains("pair.cx.studio is a file") && text.contains("rename or move the file"), "{text}");
+    assert!(text.contains("pair.cx.studio is not a folder") && text.contains("rename or move it"), "{text}");
     assert_eq!(ended.status.code(), Some(1));
 }
 

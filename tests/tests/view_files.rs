@@ -210,3 +210,22 @@ fn meshes_are_the_solved_ones() {
         }
     }
 }
+
+/// A bearing that the analysis leaves out may separate: it has no position then, and the run does
+/// not fail because of its picture.
+#[test]
+fn parts_without_a_position_do_not_end_a_run() {
+    let idle =
+        "var flag = gears.body(\"flag\", pinion, frame := Translate(1e29 * (Time / (1 s)) ^ 9 * mm * e1));
+var idle = gears.bearing(\"idle\", flag, radial_stiffness = 2e8 N/m);
+output";
+    let model = PAIR
+        .replacen("output", idle, 1)
+        .replace("to = 0 s, count = 1", "from = 0.001 s, to = 0.002 s, count = 2");
+    let fields = fields_of(&model, "rigid");
+    let files = Files::of(&fields);
+    let shapes = files.shapes();
+    assert_eq!(shapes.len(), 4);
+    let has_position = shapes.iter().map(|shape| shape.pose.iter().all(|number| number.is_finite()));
+    assert_eq!(has_position.collect::<Vec<_>>(), [true, true, true, false]);
+}

@@ -99,11 +99,11 @@ impl PlannedWork {
         self.estimates
     }
 
-    /// Returns the files of the viewer for the scene at time 0, without solving: parts and position.
-    /// The name of the model and its system of units are written into them.
+    /// Returns the files of the viewer for the scene at time 0, without solving: parts and
+    /// position. The name of the model and its system of units are written into them.
     ///
     /// # Errors
-    /// The scene cannot be planned, a frame is NaN, or the computation is interrupted.
+    /// The scene cannot be planned, or the computation is interrupted.
     pub fn view_files(
         &self,
         model: (&str, &str),
@@ -112,7 +112,7 @@ impl PlannedWork {
         let planned = if self.in_time { Plan::in_time } else { Plan::new };
         let plan = planned(&*self.scene, self.fidelity, self.structure)?;
         let parts = Arc::new(observables::parts(&self.scene, &plan, resources)?);
-        let poses = observables::prescribed_poses(&self.scene, &parts, 0.0)?;
+        let poses = observables::prescribed_poses(&self.scene, &parts, 0.0);
         let fields = Fields { parts, poses, ..Fields::default() };
         Ok([content::parts(&fields.parts, model), content::position((0, 0.0), &fields)])
     }

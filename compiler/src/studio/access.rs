@@ -5,8 +5,8 @@
 //!   Programs send it as `Authorization: Bearer TOKEN`.
 //! - `Host` must name the address listened on. A foreign domain that resolves to this machine (DNS
 //!   rebinding) is refused, because it cannot make a browser send another `Host`.
-//! - `Origin`, if sent, must be that of the page. `Sec-Fetch-Site`, if sent, must be `same-origin` or
-//!   `none`; only the page itself may be opened from elsewhere, and then needs the token.
+//! - `Origin`, if sent, must be that of the page. `Sec-Fetch-Site`, if sent, must be `same-origin`
+//!   or `none`; only the page itself may be opened from elsewhere, and then needs the token.
 
 use super::Studio;
 use super::error::RequestError;

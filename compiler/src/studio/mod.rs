@@ -1,8 +1,8 @@
 //! Local web server of `calyx studio`: a form made from the params of a model, runs of it, their
 //! progress and their results, for a page in a browser.
 //!
-//! - Routes and their JSON: [`api`]. One event stream announces changes of the model, of the list of
-//!   runs, and progress: browsers open at most six connections to a server.
+//! - Routes and their JSON: [`api`]. One event stream announces changes of the model, of the list
+//!   of runs, and progress: browsers open at most six connections to a server.
 //! - Each run is a process of its own, `calyx run` with `--progress json` ([`process`]): a run that
 //!   fails or exceeds the memory does not end the studio, and its results are those of the command
 //!   line, to the last bit.
@@ -87,11 +87,11 @@ pub fn serve(options: Options, ready: impl FnOnce(&str)) -> Result<(), StudioErr
 }
 
 async fn serve_here(options: Options, ready: impl FnOnce(&str)) -> Result<(), StudioError> {
-    if let Some(folder) = options.subject.model.as_deref().map(folder::of_model).filter(|path| path.is_file())
-    {
+    let folder = options.subject.model.as_deref().map(folder::of_model);
+    if let Some(folder) = folder.filter(|path| !path.is_dir() && path.symlink_metadata().is_ok()) {
         let message =
-            format!("{} is a file, and the studio stores runs in a folder of this name", folder.display());
-        return Err(StudioError::with_help(message, "rename or move the file"));
+            format!("{} is not a folder, and the studio stores runs in one of this name", folder.display());
+        return Err(StudioError::with_help(message, "rename or move it"));
     }
     let shown = format!("{}:{}", options.listen, options.port);
     let unbound = |error: io::Error| StudioError::new(format!("cannot listen on {shown}"), &error);

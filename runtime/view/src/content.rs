@@ -44,8 +44,10 @@ pub fn parts(parts: &[Part], (model, units): (&str, &str)) -> Vec<u8> {
 /// Returns the bytes of the file of a position with its index and time (s).
 pub fn position((index, time): (usize, f64), fields: &Fields) -> Vec<u8> {
     let mut arrays = Arrays::default();
-    let poses: Vec<Pose> = fields.poses.iter().map(|pose| (pose.rotation, pose.origin)).collect();
-    let rows = poses.iter().map(|(rotation, origin)| {
+    let poses: Vec<Option<Pose>> =
+        fields.poses.iter().map(|pose| pose.map(|pose| (pose.rotation, pose.origin))).collect();
+    let rows = poses.iter().map(|pose| {
+        let Some((rotation, origin)) = pose else { return [f64::NAN; 12] };
         let mut row = [0.0; 12];
         row[..9].copy_from_slice(rotation.as_flattened());
         row[9..].copy_from_slice(origin);
@@ -113,22 +115,25 @@ struct Deformed<'a> {
     skin: Skin,
 }
 
-fn meshes(arrays: &mut Arrays, fields: &Fields, poses: &[Pose]) -> Vec<Value> {
+fn meshes(arrays: &mut Arrays, fields: &Fields, poses: &[Option<Pose>]) -> Vec<Value> {
     let mut all = Vec::new();
+    let placed = |is_own: &dyn Fn(&Part) -> bool| {
+        let part = fields.parts.iter().position(is_own)?;
+        Some((part, poses.get(part)?.as_ref()?))
+    };
     for body in &fields.bodies {
-        let is_own = |part: &Part| part.of == PartOf::Body(body.number);
-        let Some(part) = fields.parts.iter().position(is_own) else { continue };
+        let Some((part, pose)) = placed(&|part| part.of == PartOf::Body(body.number)) else { continue };
         let ends = ends(&fields.parts[part]);
         for sector in &body.sectors {
             let extruded = is_plane(sector).then(|| extruded(sector, ends));
             let mesh = of_sector(extruded.as_ref().unwrap_or(sector), part);
-            all.push(written(arrays, &mesh, &poses[part]));
+            all.push(written(arrays, &mesh, pose));
         }
     }
     for body in &fields.elastic_bodies {
         let is_own = |part: &Part| matches!(part.of, PartOf::Connection(_)) && part.name == body.body;
-        let Some(part) = fields.parts.iter().position(is_own) else { continue };
-        all.push(written(arrays, &elastic_body(body, part), &poses[part]));
+        let Some((part, pose)) = placed(&is_own) else { continue };
+        all.push(written(arrays, &elastic_body(body, part), pose));
     }
     all
 }

@@ -6,7 +6,7 @@ export default defineConfig({
   // The software renderer uses all cores.
   workers: 1,
   reporter: [["list"]],
-  expect: { timeout: 20_000, toHaveScreenshot: { maxDiffPixelRatio: 0.02 } },
+  expect: { timeout: 20_000, toHaveScreenshot: { maxDiffPixelRatio: 0.005 } },
   use: {
     viewport: { width: 1280, height: 800 },
     launchOptions: {

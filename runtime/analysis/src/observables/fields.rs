@@ -32,8 +32,8 @@ pub struct Fields {
     /// Parts with their outer surfaces, if requested
     /// ([`crate::options::AnalysisOptions::parts`]); equal at all positions.
     pub parts: Arc<Vec<Part>>,
-    /// Pose of each part.
-    pub poses: Vec<Pose>,
+    /// Pose of each part; `None` for a part that has no position, see [`Equilibrium::poses`].
+    pub poses: Vec<Option<Pose>>,
     /// Forces of bearings and meshes, if parts are requested.
     pub forces: Vec<PartForce>,
     /// Bodies without a mesh, with the reason, phrased to follow the name.
@@ -154,12 +154,11 @@ impl Equilibrium<'_> {
     /// Returns all fields, including the requested meshes of bodies and parts.
     ///
     /// # Errors
-    /// Those of [`Equilibrium::deformed`], [`Equilibrium::deformed_elastic_bodies`] and
-    /// [`Equilibrium::poses`].
+    /// Those of [`Equilibrium::deformed`] and [`Equilibrium::deformed_elastic_bodies`].
     pub(crate) fn fields_with(self, shown: &Displayed) -> Result<Fields, EngineError> {
         let mut fields = self.fields();
         if let Some(parts) = &shown.parts {
-            fields.poses = self.poses(parts)?;
+            fields.poses = self.poses(parts);
             fields.forces = self.part_forces();
             fields.parts = parts.clone();
         }

@@ -141,11 +141,9 @@ fn radius_at(scene: &Mechanism, bearing: &Bearing) -> f64 {
     of_shaft.unwrap_or_else(|| MARK * scene.bodies[bearing.body.0].prototype.enclosing_radius())
 }
 
-/// Returns the poses of parts by the prescribed motions of a scene at a time (s), without solving.
-///
-/// # Errors
-/// A frame is NaN, or parts that belong together have separated.
-pub fn prescribed_poses(scene: &Mechanism, parts: &[Part], time: f64) -> Result<Vec<Pose>, EngineError> {
+/// Returns the poses of parts by the prescribed motions of a scene at a time (s), without solving;
+/// `None` as in [`Equilibrium::poses`].
+pub fn prescribed_poses(scene: &Mechanism, parts: &[Part], time: f64) -> Vec<Option<Pose>> {
     let pose = |part: &Part| match part.of {
         PartOf::Body(index) => {
             let body = &scene.bodies[index];
@@ -154,7 +152,7 @@ pub fn prescribed_poses(scene: &Mechanism, parts: &[Part], time: f64) -> Result<
         PartOf::Connection(index) => connection_pose(scene, index, time),
         PartOf::Bearing(index) => bearing_pose(scene, index, time),
     };
-    parts.iter().map(pose).collect()
+    parts.iter().map(|part| pose(part).ok()).collect()
 }
 
 fn connection_pose(scene: &Mechanism, index: usize, time: f64) -> Result<Pose, EngineError> {
@@ -172,13 +170,12 @@ fn bearing_pose(scene: &Mechanism, index: usize, time: f64) -> Result<Pose, Engi
 }
 
 impl Equilibrium<'_> {
-    /// Returns the poses of parts: their coordinates in those of ground. The pose of a part that
-    /// takes no part in the analysis is that of its prescribed motion.
-    ///
-    /// # Errors
-    /// A frame is NaN.
-    pub fn poses(self, parts: &[Part]) -> Result<Vec<Pose>, EngineError> {
-        parts.iter().map(|part| self.pose(part.of)).collect()
+    /// Returns the poses of parts: their coordinates in those of ground. A part that is left out of
+    /// the analysis has the pose of its prescribed motion. It may have none, if its frame is NaN or
+    /// the races of a bearing have separated: this is no error, because results do not depend on
+    /// it.
+    pub fn poses(self, parts: &[Part]) -> Vec<Option<Pose>> {
+        parts.iter().map(|part| self.pose(part.of).ok()).collect()
     }
 
     fn pose(self, of: PartOf) -> Result<Pose, EngineError> {

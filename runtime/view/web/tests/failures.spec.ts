@@ -37,6 +37,17 @@ test("a browser without WebGL gives a message", async ({ page }) => {
   await expect(page.getByRole("alert")).toContainText("WebGL 2 is not available");
 });
 
+test("a part without a position is not displayed", async ({ page }) => {
+  const triangles = () => page.evaluate(() => window.calyxViewer!.triangles);
+  await openWith(page, "all_parts", { meshes: false });
+  const all = await triangles();
+  const problems = await openWith(page, "lost_part", { meshes: false, lost: "wheel" });
+  expect(await triangles()).toBeLessThan(0.8 * all);
+  await page.getByLabel("Fixed frame").selectOption("wheel");
+  await button(page, "Next position").click();
+  expect(problems).toEqual([]);
+});
+
 test("runs without meshes, without contacts, with one position, without positions", { tag: "@slow" }, async ({ page }) => {
   const problems = await openWith(page, "no_meshes", { meshes: false });
   await expect(page.getByRole("button", { name: /Legend: Contact pressure/ })).toBeVisible();

@@ -20,6 +20,8 @@ export interface FixtureOptions {
   contacts?: boolean;
   /** Stresses of the nodes in the bore are NaN. */
   unknown?: boolean;
+  /** Name of a part that has no position. */
+  lost?: string | null;
 }
 
 export interface Fixture {
@@ -180,7 +182,7 @@ function wheelMesh(writer: ArrayWriter) {
 }
 
 export function createFixture(options: FixtureOptions = {}): Fixture {
-  const { positions: count = 3, meshes = true, contacts = true, unknown = true } = options;
+  const { positions: count = 3, meshes = true, contacts = true, unknown = true, lost = null } = options;
   const shapes = partShapes();
   const writer = new ArrayWriter();
   const parts = writer.finish({
@@ -203,7 +205,8 @@ export function createFixture(options: FixtureOptions = {}): Fixture {
     const header = {
       position,
       time,
-      poses: file.add("f64", 12, shapes.flatMap(({ name, x }) => pose(name === "pinion" ? pinion : name === "wheel" ? wheel : 0, x))),
+      poses: file.add("f64", 12, shapes.flatMap(({ name, x }) =>
+        name === lost ? Array<number>(12).fill(NaN) : pose(name === "pinion" ? pinion : name === "wheel" ? wheel : 0, x))),
       ...(contacts
         ? {
             contacts: {

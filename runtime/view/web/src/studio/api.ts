@@ -223,13 +223,17 @@ export async function modelScene(params: Record<string, string>, signal?: AbortS
   return { parts: decoded(scene.parts), position: decoded(scene.position) };
 }
 
-/** Sends a session so that the request outlives the page. */
+/** Largest body of a request that outlives its page, bytes; browsers refuse more than 64 kB. */
+const LONGEST_KEPT = 60_000;
+
+/** Sends a session. The request outlives the page if the session is short enough. */
 export async function sendSession(session: Session): Promise<void> {
+  const text = JSON.stringify(session);
   await request("/api/session", {
     method: "PUT",
-    keepalive: true,
+    keepalive: new Blob([text]).size < LONGEST_KEPT,
     headers: { "Content-Type": "application/json" },
-    body: JSON.stringify(session),
+    body: text,
   });
 }
 

@@ -24,9 +24,10 @@ export function App({ studio }: { studio: Studio }): JSX.Element {
     <>
       <Header studio={studio} />
       <NoticeBar studio={studio} />
-      <main class={`columns ${model?.broken ? "broken" : ""}`}>
+      <main class="columns">
         <aside class="left" aria-label="Params">
-          {model?.broken ? <Rendered text={model.rendered} isError /> : <Form studio={studio} />}
+          {model?.broken && <Rendered text={model.rendered} isError />}
+          {(!model?.broken || model.params.length > 0) && <Form studio={studio} />}
         </aside>
         <div class="centre">
           <Scene studio={studio} />
@@ -93,10 +94,9 @@ function ThemeMenu(): JSX.Element {
 
 function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
   if (!studio.isConnected) {
-    const command = `calyx studio ${fileName(studio.model?.model ?? "")}`.trim();
     return (
       <div class="notice error" role="alert">
-        <span>The studio has ended. Start <code>{command}</code> again and open the address that it prints.</span>
+        <span>The studio has ended. Start <code>{studio.command}</code> again and open the address that it prints.</span>
       </div>
     );
   }

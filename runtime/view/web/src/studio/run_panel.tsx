@@ -73,7 +73,7 @@ function Running({ studio, run }: { studio: Studio; run: RunSummary }): JSX.Elem
     <div class="progress-card">
       <div class="progress-head">
         <span>{runName(run.id)}</span>
-        <button type="button" class="quiet" onClick={() => void studio.cancel(run.id)} aria-label={`Cancel ${runName(run.id)}`}>
+        <button type="button" class="quiet" disabled={!studio.isConnected} onClick={() => void studio.cancel(run.id)} aria-label={`Cancel ${runName(run.id)}`}>
           Cancel
         </button>
       </div>
@@ -110,7 +110,12 @@ function Ended({ studio, id }: { studio: Studio; id: string }): JSX.Element | nu
   if (results.status === "finished" && all.length === 0) return null;
   if (results.status === "cancelled") {
     const solved = results.run?.positions ?? 0;
-    return <div class="ended"><p>{runName(id)}: cancelled after {solved} {solved === 1 ? "position" : "positions"}</p></div>;
+    return (
+      <div class="ended">
+        <p>{runName(id)}: cancelled, {solved} {solved === 1 ? "position was" : "positions were"} solved</p>
+        <Messages messages={all.filter((message) => message.severity === "warning")} />
+      </div>
+    );
   }
   return (
     <div class="ended">

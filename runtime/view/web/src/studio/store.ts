@@ -64,6 +64,11 @@ export class Studio {
   #listeners = new Set<() => void>();
   #checkTimer = 0;
   #sessionTimer = 0;
+  #isUnsaved = false;
+  /** True until the values of the session are compared with the model. */
+  #isRestored = false;
+  /** Path of the model in the command that starts the studio. */
+  #subject = "";
   #resultsTimers = new Map<string, number>();
   #checkAbort: AbortController | null = null;
   #isLoaded = false;
@@ -85,17 +90,23 @@ export class Studio {
     await this.#try(async () => {
       const about = await get<{ model: string | null; opened: string | null }>("/api/studio");
       this.withoutModel = about.model === null;
+      this.#subject = about.model ?? "";
       if (!this.withoutModel) await this.#restoreSession();
       if (about.opened) this.settings.selected = [about.opened];
     });
     this.#isLoaded = true;
+    // A page that is closed or hidden may not run again.
     window.addEventListener("pagehide", () => this.#saveNow());
+    document.addEventListener("visibilitychange", () => {
+      if (document.visibilityState === "hidden") this.#saveNow();
+    });
     this.#follow();
   }
 
   async #restoreSession(): Promise<void> {
     const session = await get<Session>("/api/session");
-    this.values = stored(session.params);
+    this.values = { ...session.params };
+    this.#isRestored = true;
     const view = (session.view ?? {}) as Partial<ViewSettings>;
     if (typeof view.automatic === "boolean") this.settings.automatic = view.automatic;
     if (typeof view.linked === "boolean") this.settings.linked = view.linked;
@@ -110,6 +121,7 @@ export class Studio {
     const events = new EventSource("/api/events");
     events.onopen = () => {
       this.isConnected = true;
+      this.#saveNow();
       this.#changed();
     };
     events.onerror = () => {
@@ -130,11 +142,19 @@ export class Studio {
     if (this.withoutModel) return;
     await this.#try(async () => {
       const model = await get<Model>("/api/model");
-      this.model = model;
       if (model.broken) {
+        // The form and the units remain those of the last model without errors.
+        const { params, outputs, doc } = this.model ?? model;
+        this.model = { ...model, params, outputs, doc };
+        this.#checkAbort?.abort();
         this.check = null;
+        this.isChecking = false;
         return;
       }
+      this.model = model;
+      // A session of another version may have empty values.
+      if (this.#isRestored) this.values = this.#storedValues();
+      this.#isRestored = false;
       const known = new Set(model.params.map((param) => param.name));
       const dropped = Object.keys(this.values).filter((name) => !known.has(name));
       for (const name of dropped) delete this.values[name];
@@ -262,6 +282,13 @@ export class Studio {
     return this.isConnected && !this.isStarting && Boolean(this.check?.runnable);
   }
 
+  /** Command that starts this studio. */
+  get command(): string {
+    const subject = this.#subject || (this.runs.find((run) => run.id === "opened")?.directory ?? "");
+    const quoted = /^[\w./@%+,:=-]*$/.test(subject) ? subject : `'${subject.replaceAll("'", "'\\''")}'`;
+    return `calyx studio ${quoted}`.trim();
+  }
+
   /** True if the check predicts a time in which the model may run after each change. */
   get isQuick(): boolean {
     return this.check?.plan != null && this.check.plan.time < AUTOMATIC_LIMIT;
@@ -379,20 +406,30 @@ export class Studio {
 
   #saveSession(): void {
     if (!this.#isLoaded || this.withoutModel) return;
+    this.#isUnsaved = true;
     window.clearTimeout(this.#sessionTimer);
     this.#sessionTimer = window.setTimeout(() => this.#saveNow(), SESSION_DELAY);
   }
 
-  /** Saves the session if a save is due. */
+  /** Saves the session if it has changed. A save that failed is repeated with the next change or connection. */
   #saveNow(): void {
-    if (this.#sessionTimer === 0) return;
     window.clearTimeout(this.#sessionTimer);
-    this.#sessionTimer = 0;
-    void this.#try(() => sendSession({ version: 1, params: stored(this.values), view: { ...this.settings } }));
+    if (!this.#isUnsaved) return;
+    this.#isUnsaved = false;
+    const session: Session = { version: 1, params: this.#storedValues(), view: { ...this.settings } };
+    void this.#try(async () => {
+      try {
+        await sendSession(session);
+      } catch (error) {
+        this.#isUnsaved = true;
+        throw error;
+      }
+    });
   }
-}
 
-/** Values that a session keeps: an empty field has none. */
-function stored(values: Values): Values {
-  return Object.fromEntries(Object.entries(values).filter(([, text]) => text.trim() !== ""));
+  /** Values that a session keeps: an empty field has none, unless its param is a text. */
+  #storedValues(): Values {
+    const isStored = ([name, text]: [string, string]) => text.trim() !== "" || this.param(name)?.kind === "text";
+    return Object.fromEntries(Object.entries(this.values).filter(isStored));
+  }
 }

@@ -86,7 +86,7 @@ export class Display {
     const pose = poseMatrix(this.#reference, view.part.index, new THREE.Matrix4());
     const { min, max } = view.copies.box;
     const points: THREE.Vector3[] = [];
-    if (view.part.points.length === 0) return points;
+    if (view.part.points.length === 0 || !hasPose(this.#reference, view.part.index)) return points;
     if (view.part.copies > 1) {
       let r = 0;
       const p = view.part.points;
@@ -118,6 +118,7 @@ export class Display {
     }
     this.views.forEach((view, i) => {
       poseMatrix(position?.poses ?? null, i, view.group.matrix);
+      view.setPresent(hasPose(position?.poses ?? null, i));
       view.setMeshes(views[i]!, replaced[i]!);
     });
   }
@@ -292,7 +293,8 @@ export class Display {
     const { root } = this.scene;
     root.matrix.identity();
     const index = this.views.findIndex((view) => view.part.name === state.frame);
-    if (index >= 0 && this.position && this.#reference) {
+    const isPlaced = (poses: Float64Array | null | undefined) => poses && hasPose(poses, index);
+    if (index >= 0 && this.position && isPlaced(this.#reference) && isPlaced(this.position.poses)) {
       poseMatrix(this.#reference, index, root.matrix);
       root.matrix.multiply(poseMatrix(this.position.poses, index, this.#matrix).invert());
     }
@@ -366,9 +368,14 @@ interface Extreme {
 const target = new THREE.Vector3();
 const toCentre = new THREE.Vector3();
 
-/** Writes the pose of a part into a matrix; the identity if there are no poses. */
+/** Returns whether a part has a position; all have one if there are no poses. */
+function hasPose(poses: Float64Array | null, part: number): boolean {
+  return !poses || poses.subarray(12 * part, 12 * part + 12).every(Number.isFinite);
+}
+
+/** Writes the pose of a part into a matrix; the identity if there is none. */
 export function poseMatrix(poses: Float64Array | null, part: number, matrix: THREE.Matrix4): THREE.Matrix4 {
-  if (!poses) return matrix.identity();
+  if (!poses || !hasPose(poses, part)) return matrix.identity();
   const [a, b, c, d, e, f, g, h, i, x, y, z] = poses.subarray(12 * part, 12 * part + 12);
   return matrix.set(a!, b!, c!, x!, d!, e!, f!, y!, g!, h!, i!, z!, 0, 0, 0, 1);
 }

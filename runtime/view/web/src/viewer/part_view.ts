@@ -24,6 +24,7 @@ export class PartView {
   readonly radius: number;
   meshes: SurfaceView[] = [];
   visibility: Visibility = "visible";
+  present = true;
 
   #instanced: MaterialSet;
   #deformed: MaterialSet;
@@ -121,9 +122,15 @@ export class PartView {
     this.refresh();
   }
 
+  /** A part without a position is not displayed. */
+  setPresent(present: boolean): void {
+    this.present = present;
+    this.refresh();
+  }
+
   private refresh(): void {
     const translucent = this.visibility === "translucent";
-    const visible = this.visibility !== "hidden";
+    const visible = this.visibility !== "hidden" && this.present;
     this.group.visible = visible;
     this.cap.visible = visible && this.#cut && !this.part.open;
     const alpha = translucent ? TRANSLUCENT : 1;
@@ -164,7 +171,7 @@ export class PartView {
 
   /** Leaves out the copies outside of the picture. Returns the number of triangles that are drawn. */
   prepare(frustum: THREE.Frustum, pixelsPerMetre: (centre: THREE.Vector3) => number): number {
-    if (this.visibility === "hidden") return 0;
+    if (!this.group.visible) return 0;
     const { sphere } = this.copies;
     let count = 0;
     let hash = 0;

@@ -149,7 +149,7 @@ export function pick(
   };
   for (const view of views) {
     // Translucent parts do not hide the parts behind them, so the pointer ignores them.
-    if (view.visibility !== "visible") continue;
+    if (view.visibility !== "visible" || !view.present) continue;
     inverse.copy(view.group.matrixWorld).invert();
     origin.copy(ray.origin).applyMatrix4(inverse);
     direction.copy(ray.direction).transformDirection(inverse);

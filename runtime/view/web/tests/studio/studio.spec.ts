@@ -122,14 +122,18 @@ test("a long run shows its progress and is cancelled", async ({ page, server }) 
 
 test("a model with errors shows the diagnostic, and the page follows the editor", async ({ page, server }) => {
   await page.goto(server.url);
-  await expect(page.getByLabel("torque", { exact: true })).toBeVisible();
+  await page.getByLabel("torque", { exact: true }).fill("150");
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeEnabled();
   server.write(PAIR.replace("torque = torque", "torque = torqe"));
   await expect(page.getByLabel("Diagnostics of the model")).toContainText("torqe");
   await expect(page.getByLabel("Diagnostics of the model")).toContainText("pair.cx:");
-  await expect(page.getByLabel("torque", { exact: true })).toHaveCount(0);
+  // The form and its values remain.
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("150");
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeDisabled();
   await picture(page, "broken");
   expect(await serious(page)).toEqual([]);
   server.write(PAIR.replace("param torque = 100 N*m", "param torque = 120 N*m"));
+  await page.getByRole("button", { name: /^Reset torque/ }).click();
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("120");
 });
 
