@@ -188,18 +188,19 @@ function ModelView({ studio, scene }: { studio: Studio; scene: ModelScene }): JS
 
 /** The reason why there is no picture. */
 function NoScene({ studio, runs }: { studio: Studio; runs: RunSummary[] }): JSX.Element {
-  const isRunning = runs[0]?.status === "running" || runs[0]?.status === "elsewhere";
+  const status = runs[0]?.status;
   return (
     <div class="no-scene">
-      <p>{reasonOf(studio, runs.length > 0, isRunning)}</p>
-      {runs.length > 0 && !isRunning && <p class="muted">Runs of older versions have none. Run the model again for a 3-D view.</p>}
+      <p>{reasonOf(studio, status)}</p>
+      {status === "finished" && <p class="muted">Runs without positions, and runs of older versions, have none.</p>}
     </div>
   );
 }
 
-function reasonOf(studio: Studio, hasRun: boolean, isRunning: boolean): string {
-  if (isRunning) return "This run has not written view files yet.";
-  if (hasRun) return "This run has no view files.";
+function reasonOf(studio: Studio, status: RunSummary["status"] | undefined): string {
+  if (status === "running" || status === "elsewhere") return "This run has not written view files yet.";
+  if (status === "finished") return "This run has no view files.";
+  if (status) return "This run ended before its first position.";
   if (studio.model?.broken) return "The model has errors.";
   if (studio.check && !studio.check.runnable) return "The params in the form have errors.";
   return "Run the model to see its parts.";
