@@ -133,7 +133,7 @@ pub use calyx_model::{
     mesh_carrier, motion, observed, pairs, plan, position, prototype, resources, rigid, shaft,
     spline_contact, target,
 };
-pub use calyx_numerics::{error, interrupt, vec3};
+pub use calyx_numerics::{error, interrupt, stress, vec3};
 pub use calyx_rolling as rolling;
 pub use calyx_solve::{integration, restraint_check, step, system, vibrations};
 pub use calyx_structure as structure;

@@ -7,10 +7,11 @@ use calyx_runtime::elastic::assembly::System;
 use calyx_runtime::elastic::attachment::{Attachment, Connection, Region, attach};
 use calyx_runtime::elastic::import::{NastranOptions, Units, Unreadable, read_nastran};
 use calyx_runtime::elastic::modes::{Request, natural_modes};
-use calyx_runtime::elastic::stress::{nodal_stresses_of, von_mises};
+use calyx_runtime::elastic::stress::nodal_stresses_of;
 use calyx_runtime::elastic::{FixedComponents, NodalLoad, Resources, statics};
 use calyx_runtime::elastic_body::{ElasticBody, FiniteElementBody, MassReduction};
 use calyx_runtime::interrupt::Interrupt;
+use calyx_runtime::stress::von_mises;
 use std::collections::BTreeMap;
 use std::fs;
 use std::sync::Arc;
@@ -104,11 +105,14 @@ fn check_interior(body: &FiniteElementBody, motions: &[[f64; 6]], whole: &[[f64;
         let difference = size(&mut (0..3).map(|k| found[k] - expected[k]));
         assert!(difference < 1e-8 * largest, "{found:?} instead of {expected:?}");
     }
-    let stresses = nodal_stresses_of(body.model(), whole).expect("valid");
-    let highest = size(&mut stresses.iter().flatten().map(|stress| von_mises(*stress)));
+    let stresses = nodal_stresses_of(body.model(), whole).expect("valid").stresses;
+    let of_meshed = || stresses.iter().filter(|stress| !stress[0].is_nan());
+    let highest = size(&mut of_meshed().map(|stress| von_mises(*stress)));
     assert!(highest > 1e5, "{highest}");
     for (found, expected) in deformed.stresses.iter().zip(&stresses) {
-        let Some(expected) = expected else { continue };
+        if expected[0].is_nan() {
+            continue;
+        }
         let difference = size(&mut (0..6).map(|k| found[k] - expected[k]));
         assert!(difference < 1e-6 * highest, "{found:?} instead of {expected:?}");
     }

@@ -4,11 +4,14 @@
 
 use calyx::rt::view::array_file::ArrayFile;
 use calyx::rt::view::content;
+use calyx::rt::view::mesh::Meshes;
 use calyx::{Engine, Module, check_text};
 use calyx_rt::Instance;
 use calyx_runtime::observables::{Fields, PartOf};
 use calyx_runtime::vec3::{cross, dot, length, minus, plus};
 use serde_json::Value;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex};
 
 type Vector = [f64; 3];
@@ -65,7 +68,7 @@ struct Shape {
 impl Shape {
     /// Returns a point of a copy in ground coordinates.
     fn at(&self, copy: usize, [x, y, z]: Vector) -> Vector {
-        let (sine, cosine) = (std::f64::consts::TAU * copy as f64 / self.copies as f64).sin_cos();
+        let (sine, cosine) = (TAU * copy as f64 / self.copies as f64).sin_cos();
         self.to_ground([cosine * x - sine * y, sine * x + cosine * y, z])
     }
 
@@ -92,16 +95,19 @@ impl Shape {
     }
 }
 
-/// Content of both files of a position.
+/// Content of the files of a position.
 struct Files {
     parts: Vec<u8>,
     position: Vec<u8>,
+    meshes: BTreeMap<String, Vec<u8>>,
 }
 
 impl Files {
     fn of(fields: &Fields) -> Files {
         let parts = content::parts(&fields.parts, ("model.cx", "mm_N_s"));
-        Files { parts, position: content::position((0, 0.0), fields) }
+        let mut meshes = Meshes::default();
+        let position = content::position((0, 0.0), fields, &mut meshes);
+        Files { parts, position, meshes: meshes.take_new().into_iter().collect() }
     }
 
     fn shapes(&self) -> Vec<Shape> {
@@ -170,7 +176,7 @@ fn contacts_lie_on_both_gears_and_carry_the_load() {
 }
 
 /// The nodes of meshes have the positions, displacements and stresses of the fields that the VTU
-/// files contain.
+/// files contain. Teeth of a gear share meshes, and the cells of a mesh fill its outer surface.
 #[test]
 fn meshes_are_the_solved_ones() {
     for (fidelity, spur) in [("medium", false), ("plane", true)] {
@@ -186,29 +192,54 @@ fn meshes_are_the_solved_ones() {
             .flat_map(|body| body.sectors.iter().map(move |sector| (body, sector)))
             .collect();
         assert_eq!(meshes.len(), sectors.len());
+        // Of each gear a finer mesh near the contact and a coarser one.
+        assert_eq!(files.meshes.len(), 4, "{fidelity}");
         for (mesh, (body, sector)) in meshes.iter().zip(sectors) {
             let part = mesh["part"].as_u64().expect("a number") as usize;
             assert_eq!(fields.parts[part].of, PartOf::Body(body.number));
-            assert_eq!(mesh["copies"], serde_json::json!([sector.tooth]));
-            let points = rows::<3>(&position, &mesh["points"]);
+            assert_eq!(mesh["copy"], sector.tooth);
+            let shape = read(&files.meshes[mesh["mesh"].as_str().expect("a name")]);
+            let points = rows::<3>(&shape, &shape.header["points"]);
+            let volumes = volumes(&shape, &points);
+            assert!((volumes[0] / volumes[1] - 1.0).abs() < 1e-5, "{fidelity}: {volumes:?}");
             let displacements = rows::<3>(&position, &mesh["displacements"]);
             let stresses = rows::<6>(&position, &mesh["stresses"]);
+            let errors = rows::<1>(&position, &mesh["stress_errors"]);
+            assert_eq!([displacements.len(), stresses.len(), errors.len()], [points.len(); 3]);
             let largest = displacements.iter().map(|v| length(*v)).fold(0.0, f64::max);
             let near = |a: Vector, b: Vector| {
                 let [a, b] = if spur { [[a[0], a[1], 0.0], [b[0], b[1], 0.0]] } else { [a, b] };
                 length(minus(a, b)) < 1e-7
             };
             for (index, point) in points.iter().enumerate().step_by(7) {
-                let ground = shapes[part].to_ground(*point);
+                let ground = shapes[part].at(sector.tooth as usize, *point);
                 let node = sector.points.iter().position(|&other| near(other, ground)).expect("a node");
                 let expected = length(sector.displacements[node]);
                 assert!((length(displacements[index]) - expected).abs() <= 1e-6 * largest.max(1e-12));
                 // The trace does not depend on the axes.
                 let trace = |stress: &[f64; 6]| stress[0] + stress[1] + stress[2];
                 assert!((trace(&stresses[index]) - trace(&sector.stresses[node])).abs() < 200.0);
+                assert!((errors[index][0] - sector.stress_errors[node]).abs() < 200.0);
             }
         }
     }
+}
+
+/// Returns the volume that the outer surface of a mesh encloses, and that of its hexahedra, m³.
+fn volumes(mesh: &ArrayFile<'_>, points: &[Vector]) -> [f64; 2] {
+    let at = |k: f64| points[k as usize];
+    let triple = |[a, b, c]: [Vector; 3]| dot(a, cross(b, c)) / 6.0;
+    let triangles = rows::<3>(mesh, &mesh.header["triangles"]);
+    let enclosed = triangles.iter().map(|row| triple(row.map(at))).sum();
+    // Each face of a hexahedron as two triangles, as in the outer surface.
+    let faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+    let of_cell = |row: &[f64; 8]| -> f64 {
+        let face = |[a, b, c, d]: [usize; 4]| {
+            triple([a, b, c].map(|k| at(row[k]))) + triple([a, c, d].map(|k| at(row[k])))
+        };
+        faces.map(face).iter().sum()
+    };
+    [enclosed, rows::<8>(mesh, &mesh.header["hexahedra"]).iter().map(of_cell).sum()]
 }
 
 /// A bearing that the analysis leaves out may separate: it has no position then, and the run does

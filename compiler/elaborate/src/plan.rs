@@ -9,6 +9,7 @@ use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 use calyx_report::view::content;
+use calyx_report::view::mesh::Meshes;
 use calyx_runtime::bearing::Support;
 use calyx_runtime::connection::{Attachment, ElasticConnection};
 use calyx_runtime::cost::Task;
@@ -114,7 +115,10 @@ impl PlannedWork {
         let parts = Arc::new(observables::parts(&self.scene, &plan, resources)?);
         let poses = observables::prescribed_poses(&self.scene, &parts, 0.0);
         let fields = Fields { parts, poses, ..Fields::default() };
-        Ok([content::parts(&fields.parts, model), content::position((0, 0.0), &fields)])
+        Ok([
+            content::parts(&fields.parts, model),
+            content::position((0, 0.0), &fields, &mut Meshes::default()),
+        ])
     }
 
     pub(crate) fn task(&self) -> Task<'_> {

@@ -6,6 +6,7 @@ use axum::body::{Body, Bytes};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use calyx_rt::view::files::{FOLDER, PARTS, index_of, positions};
+use calyx_rt::view::mesh;
 use futures_util::stream;
 use serde_json::{Value, json};
 use std::fs;
@@ -34,7 +35,8 @@ fn type_of(name: &str) -> Option<&'static str> {
     let known = FILES.iter().find(|(known, _)| *known == name).map(|(_, kind)| *kind);
     known.or_else(|| {
         let view = name.strip_prefix(FOLDER)?.strip_prefix('/')?;
-        (view == PARTS || index_of(view).is_some()).then_some("application/octet-stream")
+        (view == PARTS || mesh::is_name(view) || index_of(view).is_some())
+            .then_some("application/octet-stream")
     })
 }
 
@@ -96,9 +98,14 @@ mod tests {
 
     #[test]
     fn only_listed_names_may_be_read() {
-        for name in
-            ["run.json", "steps.csv", "view/parts.bin", "view/position-0000.bin", "view/position-12345.bin"]
-        {
+        for name in [
+            "run.json",
+            "steps.csv",
+            "view/parts.bin",
+            "view/position-0000.bin",
+            "view/position-12345.bin",
+            "view/mesh-0123456789abcdef.bin",
+        ] {
             assert!(type_of(name).is_some(), "{name}");
         }
         for name in [
@@ -109,6 +116,7 @@ mod tests {
             "view/../run.json",
             "view/position-.bin",
             "view/position-00a0.bin",
+            "view/mesh-0.bin",
             "view/position-0000.bin/x",
             "/etc/passwd",
             "view//parts.bin",

@@ -1,27 +1,25 @@
 //! Stresses of a deformed model at its nodes.
 
 use crate::error::ElementError;
-use crate::model::{ElasticModel, Element, ElementKind};
+use crate::model::{ElasticModel, Element, ElementKind, ShellShape, SolidShape};
 use crate::shell::{ShellElement, surface_stresses};
 use crate::solid::{SolidElement, nodal_stresses};
+use calyx_numerics::stress::{ElementStresses, NodalStresses, Stress, von_mises};
 use rayon::prelude::*;
 
-/// Stresses xx, yy, zz, yz, zx, xy, Pa, along the basic axes.
-pub type Stress = [f64; 6];
-
-/// Returns the stress at each node of a model, the mean of those of the elements at the node, from
-/// the displacements and rotations of the nodes, m and rad, along the basic axes. `None` for nodes
-/// without solids and shells.
+/// Returns the stresses at the nodes of a model and their estimated errors, from the displacements
+/// and rotations of the nodes, m and rad, along the basic axes. NaN at nodes without solids and
+/// shells.
 ///
-/// At a node of shells it is the stress on the outer surface with the larger von Mises stress. If
-/// solids and shells share a node, the stress is that of the solids.
+/// At a node of shells it is the stress on the outer surface with the larger von Mises stress, with
+/// the larger error of both. If solids and shells share a node, the stress is that of the solids.
 ///
 /// # Errors
 /// An element is degenerate.
 pub fn nodal_stresses_of(
     model: &ElasticModel,
     displacements: &[[f64; 6]],
-) -> Result<Vec<Option<Stress>>, ElementError> {
+) -> Result<NodalStresses, ElementError> {
     let of_elements: Vec<Option<OfElement>> = model
         .elements
         .par_iter()
@@ -30,48 +28,47 @@ pub fn nodal_stresses_of(
                 .map_err(|error| error.within(format_args!("element {}", element.label)))
         })
         .collect::<Result<_, _>>()?;
-    let count = model.nodes.len();
-    let mut solids = vec![([0.0; 6], 0_usize); count];
-    let mut shells = vec![([[0.0; 6]; 2], 0_usize); count];
-    for (element, found) in model.elements.iter().zip(of_elements) {
-        match found {
-            Some(OfElement::Solid(stresses)) => {
-                for (&node, stress) in element.nodes.iter().zip(stresses) {
-                    add(&mut solids[node].0, &stress);
-                    solids[node].1 += 1;
-                }
-            }
-            Some(OfElement::Shell(stresses)) => {
-                for (&node, surfaces) in element.nodes.iter().zip(stresses) {
-                    surfaces.iter().zip(&mut shells[node].0).for_each(|(stress, sum)| add(sum, stress));
-                    shells[node].1 += 1;
-                }
-            }
-            None => {}
+    let points: Vec<[f64; 3]> = model.nodes.iter().map(|node| node.position).collect();
+    let elements = || model.elements.iter().zip(&of_elements);
+    let solids = elements().filter_map(|(element, found)| match found {
+        Some(OfElement::Solid(stresses)) => Some(at_nodes_of(element, stresses)),
+        _ => None,
+    });
+    let mut found = NodalStresses::averaged(&points, solids);
+    let [below, above] = [0, 1].map(|surface: usize| {
+        let shells = elements().filter_map(|(element, found)| match found {
+            Some(OfElement::Shell(surfaces)) => Some(at_nodes_of(element, &surfaces[surface])),
+            _ => None,
+        });
+        NodalStresses::averaged(&points, shells)
+    });
+    for (node, stress) in found.stresses.iter_mut().enumerate() {
+        let [lower, upper] = [&below, &above].map(|surface| surface.stresses[node]);
+        if stress[0].is_nan() {
+            *stress = if von_mises(lower) > von_mises(upper) { lower } else { upper };
+            found.errors[node] = below.errors[node].max(above.errors[node]);
         }
     }
-    let mean = |sum: &Stress, count: usize| sum.map(|part| part / count as f64);
-    let at_node = |(solid, shell): (&(Stress, usize), &([Stress; 2], usize))| match (solid.1, shell.1) {
-        (0, 0) => None,
-        (0, count) => {
-            let [below, above] = shell.0.each_ref().map(|sum| mean(sum, count));
-            Some(if von_mises(below) > von_mises(above) { below } else { above })
-        }
-        (count, _) => Some(mean(&solid.0, count)),
-    };
-    Ok(solids.iter().zip(&shells).map(at_node).collect())
+    Ok(found)
 }
 
-/// Computes the von Mises stress.
-pub fn von_mises([xx, yy, zz, yz, zx, xy]: Stress) -> f64 {
-    let direct = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
-    (0.5 * direct + 3.0 * (yz * yz + zx * zx + xy * xy)).sqrt()
+fn at_nodes_of<'a>(element: &'a Element, stresses: &'a [Stress]) -> ElementStresses<'a> {
+    let quadratic = match &element.kind {
+        ElementKind::Solid(shape) => {
+            matches!(shape, SolidShape::Hexahedron20 | SolidShape::Wedge15 | SolidShape::Tetrahedron10)
+        }
+        ElementKind::Shell { shape, .. } => {
+            matches!(shape, ShellShape::Triangle6 | ShellShape::Quadrilateral8 | ShellShape::Quadrilateral9)
+        }
+        _ => false,
+    };
+    ElementStresses { nodes: &element.nodes, stresses, quadratic }
 }
 
 /// Stresses at the nodes of an element; of a shell on both surfaces.
 enum OfElement {
     Solid(Vec<Stress>),
-    Shell(Vec<[Stress; 2]>),
+    Shell([Vec<Stress>; 2]),
 }
 
 fn of_element(
@@ -100,12 +97,11 @@ fn of_element(
                 added_mass: *added_mass,
             };
             let moved: Vec<[f64; 6]> = moved.collect();
-            surface_stresses(&shell, &moved).map(|stresses| Some(OfElement::Shell(stresses)))
+            let both = surface_stresses(&shell, &moved)?;
+            Ok(Some(OfElement::Shell(
+                [0, 1].map(|surface: usize| both.iter().map(|own| own[surface]).collect()),
+            )))
         }
         _ => Ok(None),
     }
-}
-
-fn add(sum: &mut Stress, stress: &Stress) {
-    sum.iter_mut().zip(stress).for_each(|(sum, part)| *sum += part);
 }

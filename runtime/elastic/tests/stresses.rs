@@ -3,8 +3,9 @@
 use crate::meshes::{SHAPES, block, nodes, steel};
 use calyx_elastic::model::ShellShape;
 use calyx_elastic::shell::{ShellElement, surface_stresses};
-use calyx_elastic::stress::{nodal_stresses_of, von_mises};
+use calyx_elastic::stress::nodal_stresses_of;
 use calyx_elastic::{ElasticModel, Element, ElementKind};
+use calyx_numerics::stress::{Stress, von_mises};
 
 /// Asserts that stresses agree up to rounding.
 fn close(what: &str, found: [f64; 6], expected: [f64; 6]) {
@@ -39,10 +40,54 @@ fn uniform_strain_of_solids_has_the_stress_of_hookes_law() {
         };
         let displacements: Vec<[f64; 6]> = model.nodes.iter().map(|node| moved(node.position)).collect();
         let found = nodal_stresses_of(&model, &displacements).expect("valid");
-        assert_eq!(found.len(), model.nodes.len());
-        for stress in found {
-            close(&format!("{shape:?}"), stress.expect("a node of solids"), expected);
+        assert_eq!(found.stresses.len(), model.nodes.len());
+        for (stress, error) in found.stresses.into_iter().zip(found.errors) {
+            close(&format!("{shape:?}"), stress, expected);
+            assert!(error < 1e-9 * von_mises(expected), "{shape:?}: {error}");
         }
+    }
+}
+
+/// Returns the displacement of a smooth field at a point, and its stress.
+fn waves(at: [f64; 3]) -> ([f64; 3], Stress) {
+    let directions = [[0.7, 0.4, -0.3], [-0.5, 0.6, 0.4], [0.3, -0.5, 0.8]];
+    let phase = |k: usize| 0.3 * k as f64 + (0..3).map(|axis| directions[k][axis] * at[axis]).sum::<f64>();
+    let gradient = |k: usize, axis: usize| 1e-4 * directions[k][axis] * phase(k).cos();
+    let (modulus, ratio) = (206e9, 0.3);
+    let shear = 0.5 * modulus / (1.0 + ratio);
+    let trace: f64 = (0..3).map(|k| gradient(k, k)).sum();
+    let direct = |k: usize| 2.0 * shear * (gradient(k, k) + ratio / (1.0 - 2.0 * ratio) * trace);
+    let tangential = |a: usize, b: usize| shear * (gradient(a, b) + gradient(b, a));
+    let stress = [direct(0), direct(1), direct(2), tangential(1, 2), tangential(2, 0), tangential(0, 1)];
+    ([0, 1, 2].map(|k| 1e-4 * phase(k).sin()), stress)
+}
+
+/// The largest estimated error is at least the largest error, at most 2.5 times as large, falls as
+/// the elements become smaller, and no node has an error of more than 1.4 times its estimate.
+#[test]
+fn estimated_errors_of_stresses_follow_the_errors() {
+    for shape in SHAPES {
+        let largest = |count: usize| {
+            let size = 2.0 / count as f64;
+            let model = block(shape, [count; 3], |at| at.map(|k| size * k));
+            let field: Vec<_> = model.nodes.iter().map(|node| waves(node.position)).collect();
+            let moved: Vec<[f64; 6]> = field.iter().map(|&([x, y, z], _)| [x, y, z, 0.0, 0.0, 0.0]).collect();
+            let found = nodal_stresses_of(&model, &moved).expect("valid");
+            let mut largest = [0.0_f64; 3];
+            for ((_, exact), (stress, estimate)) in field.iter().zip(found.stresses.iter().zip(found.errors))
+            {
+                let error = von_mises(std::array::from_fn(|k| stress[k] - exact[k]));
+                largest = [largest[0].max(error), largest[1].max(estimate), largest[2].max(error / estimate)];
+            }
+            largest
+        };
+        let sizes = [3, 6].map(largest);
+        for [error, estimate, ratio] in sizes {
+            assert!((1.0..2.5).contains(&(estimate / error)), "{shape:?}: {estimate} for {error}");
+            assert!(ratio < 1.4, "{shape:?}: {ratio}");
+        }
+        let [error, estimate] = [0, 1].map(|k: usize| sizes[0][k] / sizes[1][k]);
+        assert!(estimate > 0.7 * error, "{shape:?}: {estimate} instead of {error}");
     }
 }
 
@@ -129,7 +174,9 @@ fn nodes_have_the_larger_stress_of_both_surfaces() {
     let strain = stretch + 0.5 * THICKNESS * curvature;
     let plane = 206e9 / (1.0 - 0.09);
     let expected = [plane * strain, 0.3 * plane * strain, 0.0, 0.0, 0.0, 0.0];
-    found[..4].iter().for_each(|stress| close("node", stress.expect("a node of shells"), expected));
-    assert_eq!(found[4], None);
+    found.stresses[..4].iter().for_each(|&stress| close("node", stress, expected));
+    assert!(found.stresses[4].iter().all(|part| part.is_nan()));
+    // A single element has no estimate.
+    assert!(found.errors.iter().all(|error| error.is_nan()));
     assert!((von_mises(expected) / (plane * strain) - 0.79_f64.sqrt()).abs() < 1e-12);
 }

@@ -10,6 +10,7 @@ pub mod fourier;
 pub mod interpolation;
 pub mod interrupt;
 pub mod quadrature;
+pub mod stress;
 pub mod vec2;
 pub mod vec3;
 

@@ -5,3 +5,4 @@ mod dense;
 mod fourier;
 mod interpolation;
 mod interrupt;
+mod stress;

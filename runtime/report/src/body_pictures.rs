@@ -162,6 +162,7 @@ mod tests {
             number,
             displacements: points.iter().map(|point| [1e-5 * point[0], 0.0, 0.0]).collect(),
             stresses: points.iter().map(|point| [stress * point[0], 0.0, 0.0, 0.0, 0.0, 0.0]).collect(),
+            stress_errors: vec![0.0; points.len()],
             cells: vec![(CellShape::Solid(SolidShape::Hexahedron8), (0..8).collect())],
             points,
         }

@@ -175,7 +175,7 @@ impl Record {
             table.write(index, &solved.row)?;
         }
         let journal = Journal::resume(directory, found)?;
-        let view = ViewFiles::begin(directory, model_of(head))?;
+        let view = ViewFiles::resume(directory, model_of(head))?;
         let directory = directory.to_owned();
         Ok(Record { directory, table, tables, stresses, pattern, bearings, vtu, view, journal })
     }

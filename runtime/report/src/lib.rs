@@ -28,7 +28,6 @@ pub mod summary_table;
 pub mod sweep;
 #[cfg(feature = "pages")]
 pub mod tradeoff;
-mod von_mises;
 pub mod vtu;
 
 pub use calyx_view as view;

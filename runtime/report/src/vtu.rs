@@ -180,6 +180,7 @@ mod tests {
             points: (0..cell.len()).map(|k| [0.1 * k as f64, 0.0, 0.0]).collect(),
             displacements: vec![[1e-6, 0.0, -2.5e-7]; cell.len()],
             stresses: vec![[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]; cell.len()],
+            stress_errors: vec![0.25; cell.len()],
             cells: vec![cell],
             elements: vec![0],
         };
@@ -200,6 +201,7 @@ mod tests {
         assert_eq!(numbers(&text, "Name=\"stress\"")[..6], [1.0, 2.0, 3.0, 6.0, 4.0, 5.0]);
         let von_mises = (0.5 * (1.0 + 1.0 + 4.0) + 3.0 * (16.0 + 25.0 + 36.0_f64)).sqrt();
         assert_eq!(numbers(&text, "Name=\"von_mises\"")[..1], single(&[von_mises]));
+        assert_eq!(numbers(&text, "Name=\"stress_error\"")[..2], [0.25, 0.25]);
         assert_eq!(numbers(&text, "Name=\"body\""), [2.0, 2.0]);
         assert_eq!(numbers(&text, "Name=\"tooth\""), [0.0, 7.0]);
         assert_eq!(numbers(&text, "Name=\"offsets\""), [4.0, 12.0]);
@@ -228,6 +230,7 @@ mod tests {
             ],
             displacements: vec![[1e-6, 2e-6, 3e-6]; 20],
             stresses,
+            stress_errors: vec![f64::NAN; 20],
             points,
         };
         let grid = bodies(&Fields { elastic_bodies: vec![body], ..fields(1) });

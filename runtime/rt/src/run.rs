@@ -400,8 +400,8 @@ impl Written {
             }
         };
         directory.claim_all(fields.map(body_pictures::files_of).unwrap_or_default())?;
-        if fields.is_some() {
-            directory.claim_all(view::files::files_of(index))?;
+        if let Some(fields) = fields {
+            directory.claim_all(view::files::files_of(index, fields))?;
         }
         if details.vtu {
             directory.claim_all(vtu::files_of(index))?;

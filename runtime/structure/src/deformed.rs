@@ -19,6 +19,7 @@ use crate::mesh_cells::Outline;
 use calyx_fe::solid::{ABSENT, FaceSet, SolidModel};
 use calyx_fe::{EdgeChain, PlaneModel, SparseVector};
 use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::stress::{NodalStresses, Stress, rotated};
 use elements::Elements;
 use ring::{ConstrainedSector, SolvedRing};
 use std::collections::BTreeMap;
@@ -73,7 +74,9 @@ pub struct DeformedSector {
     /// Elastic displacements of the points, m.
     pub displacements: Vec<[f64; 3]>,
     /// Stresses at the points: xx, yy, zz, yz, zx, xy, Pa.
-    pub stresses: Vec<[f64; 6]>,
+    pub stresses: Vec<Stress>,
+    /// Estimated errors of the stresses ([`NodalStresses::errors`]), Pa.
+    pub stress_errors: Vec<f64>,
 }
 
 /// Body with a mesh that can be evaluated. See the module documentation.
@@ -304,10 +307,11 @@ impl Mesh {
         };
         let outline = &self.outlines[outline];
         let nodes = || outline.nodes.iter().copied();
-        let stresses = if moved.iter().any(|&moved| moved != 0.0) {
+        let NodalStresses { stresses, errors } = if moved.iter().any(|&moved| moved != 0.0) {
             self.elements.stresses(moved)
         } else {
-            vec![[0.0; 6]; self.nodes.len()]
+            let count = self.nodes.len();
+            NodalStresses { stresses: vec![[0.0; 6]; count], errors: vec![0.0; count] }
         };
         let rotation = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
         DeformedSector {
@@ -316,20 +320,8 @@ impl Mesh {
             cells: outline.cells.clone(),
             elements: outline.elements.clone(),
             displacements: nodes().map(displacement).collect(),
-            stresses: nodes().map(|node| rotated_tensor(&rotation, stresses[node])).collect(),
+            stresses: nodes().map(|node| rotated(&rotation, stresses[node])).collect(),
+            stress_errors: nodes().map(|node| errors[node]).collect(),
         }
     }
-}
-
-/// Transforms a symmetric tensor, xx, yy, zz, yz, zx, xy, to new axes; the rows of `rotation` are
-/// the components of the new axes along the old ones.
-pub fn rotated_tensor(rotation: &[[f64; 3]; 3], [xx, yy, zz, yz, zx, xy]: [f64; 6]) -> [f64; 6] {
-    let tensor = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
-    let at = |a: usize, b: usize| {
-        (0..3)
-            .flat_map(|k| (0..3).map(move |l| (k, l)))
-            .map(|(k, l)| rotation[a][k] * tensor[k][l] * rotation[b][l])
-            .sum()
-    };
-    [at(0, 0), at(1, 1), at(2, 2), at(1, 2), at(2, 0), at(0, 1)]
 }

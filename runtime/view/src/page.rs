@@ -3,11 +3,13 @@
 
 use crate::array_file::ArrayFile;
 use crate::files::{FOLDER, PARTS, positions};
+use crate::mesh;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::{error, fmt, fs};
@@ -57,24 +59,27 @@ pub fn page(directory: &Path) -> Result<String, PageError> {
         return Err(PageError::NoFiles);
     }
     let run = run_of(directory)?;
-    let position = |name: &String| {
-        let (path, bytes) = read(&folder, name)?;
-        let file = ArrayFile::read(&bytes).map_err(|error| unreadable(&path, error))?;
-        let [index, time] = ["position", "time"].map(|key| file.header[key].clone());
-        Ok(
-            json!({ "position": index, "time": time, "data": compressed(&bytes).map_err(|error| unreadable(&path, error))? }),
-        )
-    };
-    let positions = names.iter().map(position).collect::<Result<Vec<Value>, PageError>>()?;
-    let (path, parts) = read(&folder, PARTS)?;
-    ArrayFile::read(&parts).map_err(|error| unreadable(&path, error))?;
+    let mut meshes = BTreeMap::new();
+    let mut positions = Vec::new();
+    for name in &names {
+        let (header, data) = embedded(&folder, name)?;
+        for mesh in header["meshes"].as_array().into_iter().flatten() {
+            let mesh = mesh["mesh"].as_str().filter(|mesh| mesh::is_name(mesh)).unwrap_or_default();
+            if !meshes.contains_key(mesh) {
+                meshes.insert(mesh.to_owned(), embedded(&folder, mesh)?.1);
+            }
+        }
+        positions.push(json!({ "position": header["position"], "time": header["time"], "data": data }));
+    }
+    let (_, parts) = embedded(&folder, PARTS)?;
     let title = run["model"].as_str().map_or("Calyx", file_name).to_owned();
     let data = json!({
         "title": title,
         "provenance": provenance(&run),
         "outputs": outputs(directory, &run)?,
-        "parts": compressed(&parts).map_err(|error| unreadable(&path, error))?,
+        "parts": parts,
         "positions": positions,
+        "meshes": meshes,
     });
     // `<` cannot end the script element then.
     let data = data.to_string().replace('<', "\\u003c");
@@ -92,10 +97,13 @@ fn unreadable(path: &Path, error: impl Into<Box<dyn error::Error + Send + Sync>>
     PageError::Unreadable { path: path.to_owned(), error: error.into() }
 }
 
-fn read(folder: &Path, name: &str) -> Result<(PathBuf, Vec<u8>), PageError> {
+/// Returns the header of an array file, and the compressed file.
+fn embedded(folder: &Path, name: &str) -> Result<(Value, String), PageError> {
     let path = folder.join(name);
     let bytes = fs::read(&path).map_err(|error| unreadable(&path, error))?;
-    Ok((path, bytes))
+    let header = ArrayFile::read(&bytes).map_err(|error| unreadable(&path, error))?.header;
+    let data = compressed(&bytes).map_err(|error| unreadable(&path, error))?;
+    Ok((header, data))
 }
 
 /// Reads `run.json`; null for a run that has not finished.
@@ -190,7 +198,7 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         let path = directory.path();
         assert!(matches!(page(path), Err(PageError::NoFiles)));
-        let files = ViewFiles::begin(path, ("pair.cx", "mm_N_s")).unwrap();
+        let mut files = ViewFiles::begin(path, ("pair.cx", "mm_N_s")).unwrap();
         files.write((0, 0.0), &Fields::default()).unwrap();
         files.write((1, 0.25), &Fields::default()).unwrap();
         fs::write(path.join("steps.csv"), "step,time,point,force\n0,0,SAP,1.5\n1,0.25,,\n").unwrap();
@@ -215,7 +223,7 @@ mod tests {
     #[test]
     fn a_damaged_file_is_named() {
         let directory = tempfile::tempdir().unwrap();
-        let files = ViewFiles::begin(directory.path(), ("pair.cx", "mm_N_s")).unwrap();
+        let mut files = ViewFiles::begin(directory.path(), ("pair.cx", "mm_N_s")).unwrap();
         files.write((0, 0.0), &Fields::default()).unwrap();
         fs::write(directory.path().join("view/position-0000.bin"), "CALYX").unwrap();
         let message = page(directory.path()).unwrap_err().to_string();

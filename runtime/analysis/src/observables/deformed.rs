@@ -16,9 +16,9 @@ use calyx_model::plan::Plan;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::stress::{Stress, rotated};
 use calyx_numerics::vec3::plus;
 use calyx_solve::system::Bodies;
-use calyx_structure::rotated_tensor;
 use calyx_structure::{BodyLoads, DeformedSector, MeshedBody, VisualizationMesh};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -49,7 +49,9 @@ pub struct SectorField {
     /// Elastic displacement of each point relative to the body's frame, m.
     pub displacements: Vec<[f64; 3]>,
     /// Stresses xx, yy, zz, yz, zx, xy at each point, Pa.
-    pub stresses: Vec<[f64; 6]>,
+    pub stresses: Vec<Stress>,
+    /// Estimated errors of the stresses as von Mises stresses, Pa.
+    pub stress_errors: Vec<f64>,
 }
 
 /// Mesh of an elastic body of any shape, in ground coordinates.
@@ -68,7 +70,10 @@ pub struct ElasticBodyField {
     pub displacements: Vec<[f64; 3]>,
     /// Stresses xx, yy, zz, yz, zx, xy at each point, Pa; of a shell on the outer surface with the
     /// larger von Mises stress. NaN at points without solids and shells.
-    pub stresses: Vec<[f64; 6]>,
+    pub stresses: Vec<Stress>,
+    /// Estimated errors of the stresses as von Mises stresses, Pa; NaN where there is no estimate,
+    /// as for nominal stresses of shafts.
+    pub stress_errors: Vec<f64>,
 }
 
 /// Factorized meshes of the bodies of a scene that have one.
@@ -231,11 +236,8 @@ impl Equilibrium<'_> {
                 cells: sector.cells,
                 elements: sector.elements,
                 displacements: sector.displacements.into_iter().map(|by| pose.direction(by)).collect(),
-                stresses: sector
-                    .stresses
-                    .into_iter()
-                    .map(|own| rotated_tensor(&pose.rotation, own))
-                    .collect(),
+                stresses: sector.stresses.into_iter().map(|own| rotated(&pose.rotation, own)).collect(),
+                stress_errors: sector.stress_errors,
             };
             let sectors = mesh.deformed(loads, &meshed.interrupt)?.into_iter().map(placed).collect();
             fields.push(BodyField { body: body.name.clone(), number: index, sectors });
@@ -262,6 +264,7 @@ fn placed(
         points: deformed.points.into_iter().map(point).collect(),
         cells: deformed.cells,
         displacements: deformed.displacements.into_iter().map(|by| state.to_ground(by)).collect(),
-        stresses: deformed.stresses.into_iter().map(|own| rotated_tensor(&rotation, own)).collect(),
+        stresses: deformed.stresses.into_iter().map(|own| rotated(&rotation, own)).collect(),
+        stress_errors: deformed.stress_errors,
     }
 }

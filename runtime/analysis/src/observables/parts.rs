@@ -14,7 +14,7 @@ use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{Vector, plus};
 use calyx_structure::outer_surface::OuterSurface;
-use std::collections::BTreeMap;
+use rayon::prelude::*;
 
 /// Radius of the mark of a bearing relative to the size of its body, if no shaft determines it.
 const MARK: f64 = 0.2;
@@ -87,26 +87,10 @@ pub enum ForceOf {
 /// Those of the interrupt. A body that cannot be meshed has no shape.
 pub fn parts(scene: &Mechanism, plan: &Plan, resources: &Resources) -> Result<Vec<Part>, EngineError> {
     let mut all = Vec::new();
-    let mut shared: BTreeMap<usize, OuterSurface> = BTreeMap::new();
-    let structures = plan.structures(scene);
-    for (index, body) in scene.bodies.iter().enumerate() {
-        let known = structures[index].and_then(|number| shared.get(&number).cloned());
-        let surface = match known {
-            Some(surface) => Some(surface),
-            None => {
-                let options = &plan.bodies[index].options;
-                let found = resources.install(|| {
-                    body.prototype.outer_surface(options, plan.three_dimensional, &resources.interrupt)
-                });
-                resources.interrupt.check()?;
-                found.ok().flatten()
-            }
-        };
+    for (index, surface) in body_surfaces(scene, plan, resources)?.into_iter().enumerate() {
         let Some(surface) = surface else { continue };
-        if let Some(number) = structures[index] {
-            shared.insert(number, surface.clone());
-        }
-        all.push(Part { name: body.name.clone(), kind: PartKind::Gear, of: PartOf::Body(index), surface });
+        let name = scene.bodies[index].name.clone();
+        all.push(Part { name, kind: PartKind::Gear, of: PartOf::Body(index), surface });
     }
     for (index, connection) in scene.connections.iter().enumerate() {
         let of_shaft = connection.shaft.as_ref().map(|own| (PartKind::Shaft, own.shaft.outer_surface()));
@@ -127,6 +111,32 @@ pub fn parts(scene: &Mechanism, plan: &Plan, resources: &Resources) -> Result<Ve
         all.push(Part { name, kind: PartKind::Bearing, of: PartOf::Bearing(index), surface });
     }
     Ok(all)
+}
+
+/// Returns the outer surface of each body, by several threads; `None` without a shape. Bodies that
+/// share a structure share a surface.
+fn body_surfaces(
+    scene: &Mechanism,
+    plan: &Plan,
+    resources: &Resources,
+) -> Result<Vec<Option<OuterSurface>>, EngineError> {
+    let structures = plan.structures(scene);
+    let first_alike = |index: usize| {
+        let number = structures[index]?;
+        structures.iter().position(|other| *other == Some(number))
+    };
+    let own = |index: usize| {
+        if first_alike(index).is_some_and(|first| first != index) || resources.interrupt.check().is_err() {
+            return None;
+        }
+        let (prototype, options) = (&scene.bodies[index].prototype, &plan.bodies[index].options);
+        prototype.outer_surface(options, plan.three_dimensional, &resources.interrupt).ok().flatten()
+    };
+    let found: Vec<Option<OuterSurface>> =
+        resources.install(|| (0..scene.bodies.len()).into_par_iter().map(own).collect());
+    resources.interrupt.check()?;
+    let of_body = |index: usize| found[first_alike(index).unwrap_or(index)].clone();
+    Ok((0..scene.bodies.len()).map(of_body).collect())
 }
 
 /// Returns the radius of the shaft under a bearing, or one in proportion to the size of its body,

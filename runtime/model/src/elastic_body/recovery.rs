@@ -11,12 +11,13 @@ use super::rigid_links::carried;
 use calyx_elastic::assembly::System;
 use calyx_elastic::check::{determinate_support, parts};
 use calyx_elastic::model::{ShellShape, SolidShape};
-use calyx_elastic::stress::{Stress, nodal_stresses_of};
+use calyx_elastic::stress::nodal_stresses_of;
 use calyx_elastic::{
     ElasticModel, Element, ElementKind, FixedComponents, NodalLoad, Node, Resources, statics,
 };
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
+use calyx_numerics::stress::{NodalStresses, Stress};
 use calyx_numerics::vec3::{Vector, minus};
 use calyx_structure::outer_surface::{Cell, CellKind};
 
@@ -76,6 +77,8 @@ pub struct DeformedElasticBody {
     pub displacements: Vec<Vector>,
     /// Stress at each node ([`nodal_stresses_of`]), Pa; NaN at nodes without solids and shells.
     pub stresses: Vec<Stress>,
+    /// Estimated error of each stress as a von Mises stress, Pa; NaN where there is no estimate.
+    pub stress_errors: Vec<f64>,
 }
 
 /// Solutions of a body under unit forces on its attachments.
@@ -162,13 +165,17 @@ impl Recovery {
         }
         let refused =
             |error: calyx_elastic::ElementError| EngineError::new("E0992", error.message, error.help);
-        let stresses = nodal_stresses_of(&self.model, &all).map_err(refused)?;
+        let NodalStresses { mut stresses, mut errors } =
+            nodal_stresses_of(&self.model, &all).map_err(refused)?;
+        stresses.truncate(self.shown);
+        errors.truncate(self.shown);
         let shown = &self.model.nodes[..self.shown];
         Ok(DeformedElasticBody {
             points: shown.iter().map(|node| node.position).collect(),
             cells: self.cells(),
             displacements: all[..self.shown].iter().map(|&[x, y, z, ..]| [x, y, z]).collect(),
-            stresses: stresses.into_iter().take(self.shown).map(|at| at.unwrap_or([f64::NAN; 6])).collect(),
+            stresses,
+            stress_errors: errors,
         })
     }
 

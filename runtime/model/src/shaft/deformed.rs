@@ -24,6 +24,7 @@ impl Shaft {
             cells: Vec::new(),
             displacements: Vec::new(),
             stresses: Vec::new(),
+            stress_errors: Vec::new(),
         };
         for ends in self.stretches(stations).windows(2) {
             let (start, length) = (ends[0], ends[1] - ends[0]);
@@ -60,6 +61,7 @@ impl Shaft {
                 found.cells.extend(cells_between([0, 1].map(|k| first + (ring + k) * points), is_solid));
             }
         }
+        found.stress_errors = vec![f64::NAN; found.points.len()];
         found
     }
 

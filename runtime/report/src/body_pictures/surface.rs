@@ -1,8 +1,8 @@
 //! Outer surface of a meshed body: faces that belong to one cell only, shells, and beams as lines.
 
-use crate::von_mises::von_mises;
 use calyx_runtime::elastic_body::CellShape;
 use calyx_runtime::observables::{BodyField, ElasticBodyField, Fields};
+use calyx_runtime::stress::von_mises;
 use calyx_runtime::structure::outer_surface::{Cell, CellKind, outer_faces};
 
 /// Outer surface of a body. Faces have their corners only; those between them are straight.

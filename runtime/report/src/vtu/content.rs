@@ -5,10 +5,10 @@ use super::grid::{
     QUADRATIC_TETRAHEDRON, QUADRATIC_TRIANGLE, QUADRATIC_WEDGE, QUADRILATERAL, TETRAHEDRON, TRIANGLE, VERTEX,
     Values, WEDGE,
 };
-use crate::von_mises::von_mises;
 use calyx_runtime::elastic::model::{ShellShape, SolidShape};
 use calyx_runtime::elastic_body::CellShape;
 use calyx_runtime::observables::Fields;
+use calyx_runtime::stress::von_mises;
 
 /// Returns every cell of every contact patch, with its pressure and teeth.
 pub fn contact(fields: &Fields) -> Grid {
@@ -74,13 +74,14 @@ pub fn root_stress(fields: &Fields) -> Grid {
 /// Returns the undeformed meshes of bodies, with displacements and stresses.
 pub fn bodies(fields: &Fields) -> Grid {
     let mut grid = Grid { short: true, ..Grid::default() };
-    let [mut displacements, mut stresses, mut equivalents, mut bodies, mut teeth]: [Vec<f64>; 5] =
+    let [mut displacements, mut stresses, mut equivalents, mut errors, mut bodies, mut teeth]: [Vec<f64>; 6] =
         Default::default();
     for body in &fields.bodies {
         for sector in &body.sectors {
             let first = grid.points.len();
             grid.points.extend(&sector.points);
             displacements.extend(sector.displacements.as_flattened());
+            errors.extend(&sector.stress_errors);
             for &stress in &sector.stresses {
                 let [xx, yy, zz, yz, zx, xy] = stress;
                 // Component order of a symmetric tensor in VTK.
@@ -99,6 +100,7 @@ pub fn bodies(fields: &Fields) -> Grid {
         let first = grid.points.len();
         grid.points.extend(&body.points);
         displacements.extend(body.displacements.as_flattened());
+        errors.extend(&body.stress_errors);
         for &stress in &body.stresses {
             let [xx, yy, zz, yz, zx, xy] = stress;
             stresses.extend([xx, yy, zz, xy, yz, zx]);
@@ -120,6 +122,7 @@ pub fn bodies(fields: &Fields) -> Grid {
         Values { name: "displacement", components: 3, numbers: displacements },
         Values { name: "stress", components: 6, numbers: stresses },
         Values::scalars("von_mises", equivalents),
+        Values::scalars("stress_error", errors),
     ];
     grid.cell_values = vec![Values::scalars("body", bodies), Values::scalars("tooth", teeth)];
     grid

@@ -10,6 +10,7 @@ use calyx_fe::material::Plane;
 use calyx_fe::solid::{SolidElementPoint, SolidModel};
 use calyx_fe::{ElementPoint, PlaneModel};
 use calyx_numerics::quadrature::gauss_legendre;
+use calyx_numerics::stress::{ElementStresses, NodalStresses, Stress};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -21,6 +22,8 @@ struct Kind {
     samples: Vec<[f64; 3]>,
     /// Weight of each sampling point at each node.
     weights: Vec<Vec<f64>>,
+    /// True if stresses are at most linear along every coordinate.
+    quadratic: bool,
 }
 
 /// Element with the derivatives of its shape functions at the sampling points.
@@ -39,7 +42,8 @@ struct Law {
 
 /// Elements of a mesh. See the module documentation.
 pub(super) struct Elements {
-    nodes: usize,
+    /// Nodes of the mesh, m; z = 0 in a plane mesh.
+    points: Vec<[f64; 3]>,
     dofs_per_node: usize,
     law: Law,
     elements: Vec<Element>,
@@ -74,7 +78,8 @@ impl Elements {
             Plane::Stress => -ratio / (1.0 - ratio),
         };
         let law = Law { lame: lame(model.material.youngs_modulus, ratio), across };
-        Self { nodes: model.mesh.nodes.len(), dofs_per_node: 2, law, elements }
+        let points = model.mesh.nodes.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+        Self { points, dofs_per_node: 2, law, elements }
     }
 
     /// Builds the elements of a three-dimensional mesh, without those that have no material.
@@ -94,7 +99,7 @@ impl Elements {
             elements.push(Element { kind: kind.clone(), nodes: element.nodes.clone(), gradients });
         }
         let law = Law { lame: model.lame(), across: 0.0 };
-        Self { nodes: model.mesh.nodes.len(), dofs_per_node: 3, law, elements }
+        Self { points: model.mesh.nodes.clone(), dofs_per_node: 3, law, elements }
     }
 
     /// Returns all elements by their cells, and by one cell each.
@@ -106,27 +111,33 @@ impl Elements {
         })
     }
 
-    /// Returns the stresses xx, yy, zz, yz, zx, xy at all nodes under displacements, Pa.
-    pub fn stresses(&self, displacements: &[f64]) -> Vec<[f64; 6]> {
-        let mut sums = vec![([0.0; 6], 0_u32); self.nodes];
-        for element in &self.elements {
-            let samples: Vec<[f64; 6]> = element
+    /// Returns the stresses at all nodes under displacements.
+    pub fn stresses(&self, displacements: &[f64]) -> NodalStresses {
+        let at_nodes = |element: &Element| -> Vec<Stress> {
+            let samples: Vec<Stress> = element
                 .gradients
                 .iter()
                 .map(|shapes| self.stress(&element.nodes, shapes, displacements))
                 .collect();
-            for (&node, weights) in element.nodes.iter().zip(&element.kind.weights) {
-                let (sum, count) = &mut sums[node];
-                *count += 1;
+            let extrapolated = |weights: &Vec<f64>| {
+                let mut stress = [0.0; 6];
                 for (weight, sample) in weights.iter().zip(&samples) {
-                    sum.iter_mut().zip(sample).for_each(|(sum, part)| *sum += weight * part);
+                    stress.iter_mut().zip(sample).for_each(|(sum, part)| *sum += weight * part);
                 }
-            }
-        }
-        sums.into_iter().map(|(sum, count)| sum.map(|part| part / f64::from(count.max(1)))).collect()
+                stress
+            };
+            element.kind.weights.iter().map(extrapolated).collect()
+        };
+        let of_elements: Vec<Vec<Stress>> = self.elements.iter().map(at_nodes).collect();
+        let elements = self.elements.iter().zip(&of_elements).map(|(element, stresses)| ElementStresses {
+            nodes: &element.nodes,
+            stresses,
+            quadratic: element.kind.quadratic,
+        });
+        NodalStresses::averaged(&self.points, elements)
     }
 
-    fn stress(&self, nodes: &[usize], shapes: &[[f64; 3]], displacements: &[f64]) -> [f64; 6] {
+    fn stress(&self, nodes: &[usize], shapes: &[[f64; 3]], displacements: &[f64]) -> Stress {
         let mut g = [[0.0; 3]; 3];
         for (&node, shape) in nodes.iter().zip(shapes) {
             let moved = &displacements[self.dofs_per_node * node..][..self.dofs_per_node];
@@ -170,7 +181,8 @@ impl Kind {
             let factors = tensor([0, 1, 2].map(|axis| along[axis].as_slice()));
             factors.into_iter().map(|[a, b, c]| a * b * c).collect()
         };
-        Kind { cells: cells(&places), weights: places.iter().map(weights).collect(), samples }
+        let quadratic = points.contains(&2) && points.iter().all(|&count| count <= 2);
+        Kind { cells: cells(&places), weights: places.iter().map(weights).collect(), samples, quadratic }
     }
 }
 
@@ -185,7 +197,8 @@ fn through(points: &[f64], x: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tests::bodies::{COARSE, STEEL, toothed_sector};
+    use crate::tests::bodies::{COARSE, Divisions, STEEL, toothed_sector};
+    use calyx_numerics::stress::von_mises;
 
     /// Stretched plate in plane stress: the elements have an out-of-plane strain, and no
     /// out-of-plane stress. In plane strain there is such a stress.
@@ -200,7 +213,7 @@ mod tests {
             (Plane::Strain, [1.0 - ratio, ratio, ratio].map(|part| part * constrained)),
         ] {
             let plate = PlaneModel::new(sector.mesh.clone(), STEEL, plane);
-            for found in Elements::plane(&plate).stresses(&moved) {
+            for found in Elements::plane(&plate).stresses(&moved).stresses {
                 let expected = [along, beside, across, 0.0, 0.0, 0.0];
                 assert!(
                     found
@@ -209,6 +222,38 @@ mod tests {
                         .all(|(found, expected)| (found - expected).abs() < 1e-9 * along)
                 );
             }
+        }
+    }
+
+    /// On a sector in which a smooth field is interpolated, the largest estimated error is at least
+    /// the largest error, and no more than six times as large.
+    #[test]
+    fn estimated_errors_of_stresses_bound_the_errors() {
+        for divisions in [COARSE, Divisions { rim: 6, tooth_root: 6, flank: 20, thickness: 16, ..COARSE }] {
+            let (sector, _) = toothed_sector(12, 1.0, divisions);
+            let size = sector.mesh.nodes.iter().fold(0.0_f64, |size, [x, y]| size.max(x.hypot(*y)));
+            let [kx, ky] = [7.0 / size, 5.0 / size];
+            let field = |[x, y]: [f64; 2]| [(kx * x + ky * y).sin(), (ky * x - kx * y).cos()];
+            let moved: Vec<f64> = sector.mesh.nodes.iter().flat_map(|&at| field(at)).collect();
+            let elements = Elements::plane(&PlaneModel::new(sector.mesh.clone(), STEEL, Plane::Strain));
+            let found = elements.stresses(&moved);
+            let [lambda, mu] = elements.law.lame;
+            let [mut largest, mut estimated, mut ratio] = [0.0_f64; 3];
+            for (&[x, y], (stress, estimate)) in
+                sector.mesh.nodes.iter().zip(found.stresses.iter().zip(&found.errors))
+            {
+                let (along, across) = ((kx * x + ky * y).cos(), -(ky * x - kx * y).sin());
+                let [xx, xy, yx, yy] = [kx * along, ky * along, ky * across, -kx * across];
+                let mean = lambda * (xx + yy);
+                let exact = [mean + 2.0 * mu * xx, mean + 2.0 * mu * yy, mean, 0.0, 0.0, mu * (xy + yx)];
+                let error = von_mises(std::array::from_fn(|k| stress[k] - exact[k]));
+                largest = largest.max(error);
+                estimated = estimated.max(*estimate);
+                ratio = ratio.max(error / estimate);
+            }
+            println!("{largest:e} {estimated:e} {ratio}");
+            assert!((1.0..6.0).contains(&(estimated / largest)), "{largest:e} {estimated:e}");
+            assert!(ratio < 1.5, "{ratio}");
         }
     }
 }

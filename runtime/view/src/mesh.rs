@@ -1,0 +1,236 @@
+//! Content of the files of meshes, and the values of a position at their nodes.
+//!
+//! A mesh is written once. Positions refer to it by its name, which is a hash of its part and
+//! connectivity, so that a run that is resumed finds the meshes of the earlier one. All teeth of a
+//! gear share a mesh.
+
+use crate::array_file::Arrays;
+use calyx_runtime::contact::solid::Pose;
+use calyx_runtime::observables::{ElasticBodyField, Fields, Part, PartOf, SectorField};
+use calyx_runtime::stress::rotated;
+use calyx_runtime::structure::outer_surface::{Cell, CellKind, Skin};
+use calyx_runtime::vec3::{Vector, dot, minus};
+use serde_json::{Value, json};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::collections::hash_map::DefaultHasher;
+use std::f64::consts::TAU;
+use std::hash::{Hash, Hasher};
+
+/// Coordinates below this fraction of the size of a mesh are zero but for rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Beginning and end of the names of meshes.
+const NAME: [&str; 2] = ["mesh-", ".bin"];
+
+/// Returns true if a mesh may have this file name.
+pub fn is_name(name: &str) -> bool {
+    let hash = name.strip_prefix(NAME[0]).and_then(|rest| rest.strip_suffix(NAME[1]));
+    let is_digit = |byte: u8| byte.is_ascii_digit() || (b'a'..=b'f').contains(&byte);
+    hash.is_some_and(|hash| hash.len() == 16 && hash.bytes().all(is_digit))
+}
+
+/// Returns the names of the meshes that a position refers to, in order, with repetitions.
+pub fn names(fields: &Fields) -> Vec<String> {
+    deformed(fields).iter().map(Deformed::name).collect()
+}
+
+/// Meshes of a run.
+#[derive(Debug, Default)]
+pub struct Meshes {
+    /// Points of each mesh, as nodes of its cells, by file name.
+    nodes: BTreeMap<String, Vec<usize>>,
+    /// Files of meshes that have been added and not been taken.
+    new: Vec<(String, Vec<u8>)>,
+}
+
+impl Meshes {
+    /// Returns the names and contents of the meshes that were added since the last call.
+    pub fn take_new(&mut self) -> Vec<(String, Vec<u8>)> {
+        std::mem::take(&mut self.new)
+    }
+
+    /// Adds the values of a position at the points of its meshes to `arrays`, and returns the
+    /// references to them.
+    pub(crate) fn values(&mut self, arrays: &mut Arrays, fields: &Fields) -> Vec<Value> {
+        let of_mesh = |mesh: &Deformed<'_>| {
+            let name = mesh.name();
+            let nodes = self.nodes.entry(name.clone()).or_insert_with(|| {
+                let (nodes, file) = mesh.file();
+                self.new.push((name.clone(), file));
+                nodes
+            });
+            mesh.values(&name, nodes, arrays)
+        };
+        deformed(fields).iter().map(of_mesh).collect()
+    }
+}
+
+/// Mesh of a part at a position, in ground coordinates.
+struct Deformed<'a> {
+    part: usize,
+    /// Copy of the shape of the part that this mesh replaces.
+    copy: u32,
+    /// Angle of this copy about the z axis of the part, rad.
+    angle: f64,
+    pose: &'a Pose,
+    field: Field<'a>,
+}
+
+enum Field<'a> {
+    Sector(Cow<'a, SectorField>),
+    Body(&'a ElasticBodyField),
+}
+
+/// Returns the meshes of a position.
+fn deformed(fields: &Fields) -> Vec<Deformed<'_>> {
+    let placed = |is_own: &dyn Fn(&Part) -> bool| {
+        let part = fields.parts.iter().position(is_own)?;
+        Some((part, fields.poses.get(part)?.as_ref()?))
+    };
+    let mut all = Vec::new();
+    for body in &fields.bodies {
+        let Some((part, pose)) = placed(&|part| part.of == PartOf::Body(body.number)) else { continue };
+        let shape = &fields.parts[part];
+        let pitch = TAU / f64::from(shape.surface.copies.max(1));
+        all.extend(body.sectors.iter().map(|sector| {
+            let is_plane = sector.cells.iter().any(|cell| cell.len() == 4);
+            let shown =
+                if is_plane { Cow::Owned(extruded(sector, ends(shape))) } else { Cow::Borrowed(sector) };
+            let angle = f64::from(sector.tooth) * pitch;
+            Deformed { part, copy: sector.tooth, angle, pose, field: Field::Sector(shown) }
+        }));
+    }
+    for body in &fields.elastic_bodies {
+        let is_own = |part: &Part| matches!(part.of, PartOf::Connection(_)) && part.name == body.body;
+        let Some((part, pose)) = placed(&is_own) else { continue };
+        all.push(Deformed { part, copy: 0, angle: 0.0, pose, field: Field::Body(body) });
+    }
+    all
+}
+
+impl Deformed<'_> {
+    fn cells(&self) -> Vec<Cell<'_>> {
+        match &self.field {
+            Field::Sector(sector) => {
+                let all = sector.cells.iter().zip(&sector.elements);
+                let kind = CellKind::Hexahedron;
+                all.map(|(corners, &element)| Cell { kind, corners, element }).collect()
+            }
+            Field::Body(body) => {
+                let all = body.cells.iter().enumerate();
+                all.map(|(index, (shape, nodes))| shape.cell(nodes, index)).collect()
+            }
+        }
+    }
+
+    fn points(&self) -> &[[f64; 3]] {
+        match &self.field {
+            Field::Sector(sector) => &sector.points,
+            Field::Body(body) => &body.points,
+        }
+    }
+
+    fn name(&self) -> String {
+        let mut hasher = DefaultHasher::new();
+        self.part.hash(&mut hasher);
+        for cell in self.cells() {
+            (cell.kind as u8, cell.corners, cell.element).hash(&mut hasher);
+        }
+        format!("{}{:016x}{}", NAME[0], hasher.finish(), NAME[1])
+    }
+
+    /// Returns the matrix from ground coordinates to those of the part.
+    fn to_part(&self) -> [Vector; 3] {
+        [0, 1, 2].map(|axis: usize| self.pose.rotation.map(|row| row[axis]))
+    }
+
+    /// Returns the nodes of the points of the mesh, and its file.
+    fn file(&self) -> (Vec<usize>, Vec<u8>) {
+        let cells = self.cells();
+        let skin = Skin::new(cells.iter().copied(), |_| false);
+        let mut nodes: Vec<usize> = cells.iter().flat_map(|cell| cell.corners).copied().collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let place = |node: usize| nodes.partition_point(|&other| other < node) as u32;
+        let of_skin = |point: u32| place(skin.nodes[point as usize]);
+        let (sine, cosine) = self.angle.sin_cos();
+        let to_part = self.to_part();
+        let in_copy = |node: usize| {
+            let [x, y, z] = product(&to_part, minus(self.points()[node], self.pose.origin));
+            [cosine * x + sine * y, cosine * y - sine * x, z]
+        };
+        let mut points: Vec<Vector> = nodes.iter().map(|&node| in_copy(node)).collect();
+        let size = points.as_flattened().iter().fold(0.0_f64, |size, part| size.max(part.abs()));
+        for part in points.as_flattened_mut() {
+            if part.abs() < ROUNDING * size {
+                *part = 0.0;
+            }
+        }
+        let mut arrays = Arrays::default();
+        let header = json!({
+            "open": skin.open,
+            "points": arrays.single(points),
+            "triangles": arrays.indices(skin.triangles.iter().map(|row| row.map(of_skin))),
+            "edges": arrays.indices(skin.edges.iter().map(|row| row.map(of_skin))),
+            "tetrahedra": arrays.indices(corners::<4>(&cells, CellKind::Tetrahedron, place)),
+            "wedges": arrays.indices(corners::<6>(&cells, CellKind::Wedge, place)),
+            "hexahedra": arrays.indices(corners::<8>(&cells, CellKind::Hexahedron, place)),
+        });
+        (nodes, arrays.file(&header))
+    }
+
+    /// Adds the values at nodes to `arrays`, and returns the references to them.
+    fn values(&self, name: &str, nodes: &[usize], arrays: &mut Arrays) -> Value {
+        let (displacements, stresses, errors) = match &self.field {
+            Field::Sector(sector) => (&sector.displacements, &sector.stresses, &sector.stress_errors),
+            Field::Body(body) => (&body.displacements, &body.stresses, &body.stress_errors),
+        };
+        let (to_part, nodes) = (self.to_part(), || nodes.iter());
+        json!({
+            "mesh": name,
+            "part": self.part,
+            "copy": self.copy,
+            "displacements": arrays.single(nodes().map(|&node| product(&to_part, displacements[node]))),
+            "stresses": arrays.single(nodes().map(|&node| rotated(&to_part, stresses[node]))),
+            "stress_errors": arrays.single(nodes().map(|&node| [errors[node]])),
+        })
+    }
+}
+
+/// Returns the corners of all cells of a kind, as indices of points.
+fn corners<const N: usize>(
+    cells: &[Cell<'_>],
+    kind: CellKind,
+    place: impl Fn(usize) -> u32,
+) -> impl Iterator<Item = [u32; N]> {
+    let of_kind = cells.iter().filter(move |cell| cell.kind == kind && cell.corners.len() == N);
+    of_kind.map(move |cell| std::array::from_fn(|k| place(cell.corners[k])))
+}
+
+fn product(rows: &[Vector; 3], v: Vector) -> Vector {
+    rows.map(|row| dot(row, v))
+}
+
+/// Returns the axial ends of a part in its coordinates, m.
+fn ends(part: &Part) -> [f64; 2] {
+    let z = part.surface.points.iter().map(|point| point[2]);
+    z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
+}
+
+/// Extrudes a plane sector between two axial positions: plane strain is the same in all sections.
+fn extruded(sector: &SectorField, ends: [f64; 2]) -> SectorField {
+    let count = sector.points.len();
+    let points = ends.iter().flat_map(|&z| sector.points.iter().map(move |&[x, y, _]| [x, y, z])).collect();
+    let cell =
+        |cell: &Vec<usize>| cell.iter().copied().chain(cell.iter().map(|corner| corner + count)).collect();
+    SectorField {
+        tooth: sector.tooth,
+        points,
+        cells: sector.cells.iter().map(cell).collect(),
+        elements: sector.elements.clone(),
+        displacements: sector.displacements.repeat(2),
+        stresses: sector.stresses.repeat(2),
+        stress_errors: sector.stress_errors.repeat(2),
+    }
+}
