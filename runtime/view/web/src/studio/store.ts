@@ -62,6 +62,8 @@ export class Studio {
   isStarting = false;
 
   #listeners = new Set<() => void>();
+  /** Stream of events; null while the page is hidden. */
+  #events: EventSource | null = null;
   #checkTimer = 0;
   #sessionTimer = 0;
   #isUnsaved = false;
@@ -98,7 +100,14 @@ export class Studio {
     // A page that is closed or hidden may not run again.
     window.addEventListener("pagehide", () => this.#saveNow());
     document.addEventListener("visibilitychange", () => {
-      if (document.visibilityState === "hidden") this.#saveNow();
+      if (document.visibilityState === "hidden") {
+        this.#saveNow();
+        // A browser opens six connections to a server, for all of its pages.
+        this.#events?.close();
+        this.#events = null;
+      } else if (!this.#events) {
+        this.#follow();
+      }
     });
     this.#follow();
   }
@@ -119,6 +128,7 @@ export class Studio {
   /** The stream begins with both kinds of event, so that it also loads the page. */
   #follow(): void {
     const events = new EventSource("/api/events");
+    this.#events = events;
     events.onopen = () => {
       this.isConnected = true;
       this.#saveNow();

@@ -56,6 +56,8 @@ export interface StudioServer {
   open(subject: string): Promise<string>;
   /** Adds files of the viewer to a run. */
   addView(id: string): void;
+  /** Ends the first studio without giving it time to end its runs. */
+  kill(): Promise<void>;
 }
 
 async function start(folder: string, subject: string): Promise<[ChildProcess, string]> {
@@ -72,6 +74,13 @@ async function start(folder: string, subject: string): Promise<[ChildProcess, st
   return [child, url ?? ""];
 }
 
+async function end(child: ChildProcess, signal: "SIGINT" | "SIGKILL"): Promise<void> {
+  if (child.exitCode !== null || child.signalCode !== null) return;
+  const ended = new Promise((resolve) => child.once("exit", resolve));
+  child.kill(signal);
+  await ended;
+}
+
 /** A test with a server, and a page that shows it. */
 export const test = base.extend<{ server: StudioServer }>({
   server: async ({ page }, use) => {
@@ -81,7 +90,7 @@ export const test = base.extend<{ server: StudioServer }>({
     const children = [child];
     // The bundles of this folder, so that a change of the page needs no new build of the command.
     for (const [name, contentType] of [["studio.js", "text/javascript"], ["studio.css", "text/css"]] as const) {
-      await page.route(`**/${name}`, (route) => route.fulfill({ contentType, body: readFileSync(join(WEB, "dist", name)) }));
+      await page.context().route(`**/${name}`, (route) => route.fulfill({ contentType, body: readFileSync(join(WEB, "dist", name)) }));
     }
     const problems: string[] = [];
     page.on("pageerror", (error) => problems.push(String(error)));
@@ -94,6 +103,7 @@ export const test = base.extend<{ server: StudioServer }>({
         children.push(other);
         return address;
       },
+      kill: () => end(child, "SIGKILL"),
       addView: (id) => {
         const fixture = createFixture({ positions: 3 });
         const view = join(folder, "pair.cx.studio", id, "view");
@@ -104,10 +114,7 @@ export const test = base.extend<{ server: StudioServer }>({
         }
       },
     });
-    for (const each of children) {
-      each.kill("SIGINT");
-      await new Promise((resolve) => each.once("exit", resolve));
-    }
+    for (const each of children) await end(each, "SIGINT");
     rmSync(folder, { recursive: true, force: true });
     if (problems.length > 0) throw new Error(`errors in the page: ${problems.join("; ")}`);
   },
