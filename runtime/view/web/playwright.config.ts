@@ -1,4 +1,5 @@
 import { defineConfig } from "@playwright/test";
+import { CHROMIUM, FIREFOX } from "./tests/browsers.ts";
 
 export default defineConfig({
   testDir: "tests",
@@ -7,13 +8,22 @@ export default defineConfig({
   workers: 1,
   reporter: [["list"]],
   expect: { timeout: 20_000, toHaveScreenshot: { maxDiffPixelRatio: 0.005 } },
+  // Both browsers have the same reference pictures.
+  snapshotPathTemplate: "{testDir}/{testFileDir}/{testFileName}-snapshots/{arg}{-snapshotSuffix}{ext}",
   use: {
     viewport: { width: 1280, height: 800 },
-    launchOptions: {
-      executablePath: process.env.CALYX_CHROMIUM || "/usr/bin/chromium",
-      args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-    },
     // Movements of the camera would make tests wait.
     contextOptions: { reducedMotion: "reduce" },
   },
+  projects: [
+    { name: "chromium", use: { browserName: "chromium", launchOptions: CHROMIUM } },
+    ...(FIREFOX
+      ? [{
+          name: "firefox",
+          use: { browserName: "firefox" as const, launchOptions: FIREFOX },
+          // Controls and the positions of letters differ from those of Chromium.
+          expect: { toHaveScreenshot: { maxDiffPixelRatio: 0.03 } },
+        }]
+      : []),
+  ],
 });

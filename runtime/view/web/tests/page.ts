@@ -1,8 +1,10 @@
 // Helpers of the tests in a browser.
 
+import { existsSync, readFileSync, readdirSync, rmSync, statSync } from "node:fs";
+import { join } from "node:path";
 import { expect, type Page } from "@playwright/test";
+import { DOWNLOADS } from "./browsers.ts";
 import { createFixture, embeddedData, writePage, type FixtureOptions } from "./fixture.ts";
-
 
 export const fixture = createFixture();
 export const pageAddress = writePage("spur_pair", embeddedData(fixture));
@@ -71,3 +73,19 @@ export async function centreOfColour(page: Page, colour: [number, number, number
 
 export const project = async (page: Page, part: string, point: [number, number, number]) =>
   (await page.evaluate(([p, q]) => window.calyxViewer!.project(p, q), [part, point] as const))!;
+
+/** Name and content of the file that a page saves. */
+export async function savedFile(page: Page, save: () => Promise<unknown>): Promise<{ name: string; bytes: Buffer }> {
+  if (page.context().browser()?.browserType().name() === "chromium") {
+    const [download] = await Promise.all([page.waitForEvent("download"), save()]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  }
+  // Playwright reports no download in Firefox if a page saves what it has made itself, but Firefox saves it.
+  const files = () => (existsSync(DOWNLOADS) ? readdirSync(DOWNLOADS) : []);
+  for (const name of files()) rmSync(join(DOWNLOADS, name), { recursive: true });
+  await save();
+  const isComplete = () => files().length === 1 && statSync(join(DOWNLOADS, files()[0]!)).size > 0;
+  await expect.poll(isComplete).toBe(true);
+  const name = files()[0]!;
+  return { name, bytes: readFileSync(join(DOWNLOADS, name)) };
+}

@@ -11,7 +11,8 @@ import { createFixture } from "../fixture.ts";
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const WEB = join(HERE, "../..");
-const CALYX = process.env.CALYX ?? join(WEB, "../../../target/release/calyx");
+/** Path of the command. */
+export const CALYX = process.env.CALYX ?? join(WEB, "../../../target/release/calyx");
 
 /** A pair in closed form, which is solved in a moment. */
 export const PAIR = `/// A spur pair in closed form.
@@ -60,7 +61,8 @@ export interface StudioServer {
   kill(): Promise<void>;
 }
 
-async function start(folder: string, subject: string): Promise<[ChildProcess, string]> {
+/** Starts a studio and returns its address with the token. */
+export async function start(folder: string, subject: string): Promise<[ChildProcess, string]> {
   const child = spawn(CALYX, ["studio", subject, "--no-browser"], {
     cwd: folder,
     env: { ...process.env, CALYX_CACHE: "off" },
@@ -74,7 +76,8 @@ async function start(folder: string, subject: string): Promise<[ChildProcess, st
   return [child, url ?? ""];
 }
 
-async function end(child: ChildProcess, signal: "SIGINT" | "SIGKILL"): Promise<void> {
+/** Ends a studio and waits for it. */
+export async function end(child: ChildProcess, signal: "SIGINT" | "SIGKILL"): Promise<void> {
   if (child.exitCode !== null || child.signalCode !== null) return;
   const ended = new Promise((resolve) => child.once("exit", resolve));
   child.kill(signal);

@@ -5,6 +5,7 @@ import { mkdirSync, readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
+import { savedFile } from "../page.ts";
 import { PAIR, expect, test } from "./server.ts";
 
 /** Folder for pictures to look at; none by default. */
@@ -144,9 +145,8 @@ test("the session and params files keep the values of the form", { tag: "@slow" 
   await page.waitForResponse((response) => response.url().endsWith("/api/session") && response.request().method() === "PUT");
   await page.reload();
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("321");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save" }).click()]);
-  const saved = JSON.parse(readFileSync((await download.path()) ?? "", "utf8"));
-  expect(saved).toEqual({ torque: 321, tip_relief: 10, relieve_gear: true, steps: 8, fidelity: "analytic" });
+  const { bytes } = await savedFile(page, () => page.getByRole("button", { name: "Save" }).click());
+  expect(JSON.parse(bytes.toString())).toEqual({ torque: 321, tip_relief: 10, relieve_gear: true, steps: 8, fidelity: "analytic" });
   await page.getByLabel("Params file").setInputFiles({
     name: "case.toml",
     mimeType: "text/plain",
@@ -175,18 +175,25 @@ test("runs with view files are shown side by side with linked cameras", { tag: "
 });
 
 test("a change of a param updates the geometry of the model", async ({ page, server }) => {
-  const requested: unknown[] = [];
-  page.on("request", (request) => {
-    if (request.url().endsWith("/api/scene")) requested.push(request.postDataJSON());
+  // Playwright does not read the bodies of requests in Firefox.
+  await page.addInitScript(() => {
+    const original = window.fetch;
+    const bodies: unknown[] = [];
+    Object.assign(window, { bodies });
+    window.fetch = (path, options) => {
+      if (path === "/api/scene") bodies.push(JSON.parse(String(options?.body)));
+      return original(path, options);
+    };
   });
+  const requested = () => page.evaluate(() => (window as unknown as { bodies: unknown[] }).bodies.at(-1));
   await page.goto(server.url);
   await switchAutomaticOff(page);
   await expect(page.locator(".viewer canvas")).toHaveCount(1);
   await page.getByLabel("torque", { exact: true }).fill("150");
-  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "150" } });
+  await expect.poll(requested).toEqual({ params: { torque: "150" } });
   await run(page, "run-0001");
   await page.getByLabel("torque", { exact: true }).fill("160");
-  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "160" } });
+  await expect.poll(requested).toEqual({ params: { torque: "160" } });
   await picture(page, "model");
 });
 
