@@ -7,6 +7,7 @@ import { readParts, readPosition } from "../src/viewer/run_data.ts";
 import { completeState, defaultState } from "../src/viewer/state.ts";
 import { buildSurface } from "../src/viewer/surface.ts";
 import { displayUnit, formatNumber, formatValue, roundDown125, useUnitsOf } from "../src/viewer/units.ts";
+import { ArrayWriter } from "./array_writer.ts";
 import { createFixture } from "./fixture.ts";
 import { cylinder, gearSector } from "./gear_shapes.ts";
 
@@ -70,6 +71,13 @@ test("array files are read, and damaged ones name the file and the reason", () =
   other.set([1, 2, 3], 0);
   expect(() => ArrayFile.parse("a.bin", buffer(other))).toThrow("a.bin: not an array file");
   expect(() => readPosition("p.bin", buffer(data), parts.parts.slice(1))).toThrow(/8 poses for 7 parts/);
+});
+
+test("a number of copies that needs more memory than there is is refused", () => {
+  for (const copies of [1e9, 1e15, 0, -1, 1.5, "many"]) {
+    const file = new ArrayWriter().finish({ parts: [{ name: "a", copies, points: null, triangles: null }] });
+    expect(() => readParts(buffer(file))).toThrow("parts.bin: a: the number of copies is not valid");
+  }
 });
 
 test("surfaces have sharp edges where faces meet at an angle and smooth normals elsewhere", () => {

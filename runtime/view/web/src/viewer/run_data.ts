@@ -63,6 +63,8 @@ export interface Position {
   bytes: number;
 }
 
+/** Largest number of copies of a shape; a damaged file could request more memory than there is. */
+const MOST_COPIES = 100_000;
 const KINDS: readonly string[] = ["gear", "shaft", "bearing", "body"];
 
 function record(value: Json | undefined): { [key: string]: Json } | null {
@@ -88,7 +90,7 @@ export function readParts(buffer: ArrayBuffer): Parts {
     if (!entry) throw new FileError(file.name, `part ${index} is not an object`);
     const name = typeof entry.name === "string" ? entry.name : `part ${index}`;
     const copies = Number(entry.copies ?? 1);
-    if (!Number.isInteger(copies) || copies < 1) throw new FileError(file.name, `${name}: the number of copies is not valid`);
+    if (!Number.isInteger(copies) || copies < 1 || copies > MOST_COPIES) throw new FileError(file.name, `${name}: the number of copies is not valid`);
     const points = file.f32(entry.points, 3, `${name}, points`);
     const triangles = file.u32(entry.triangles, 3, `${name}, triangles`);
     const edges = entry.edges ? file.u32(entry.edges, 2, `${name}, edges`) : new Uint32Array();
