@@ -22,7 +22,7 @@ export default defineConfig({
           name: "firefox",
           use: { browserName: "firefox" as const, launchOptions: FIREFOX },
           // Controls and the positions of letters differ from those of Chromium, by 0.009 of the pixels.
-          expect: { toHaveScreenshot: { maxDiffPixelRatio: 0.012 } },
+          expect: { timeout: 20_000, toHaveScreenshot: { maxDiffPixelRatio: 0.012 } },
         }]
       : []),
   ],

@@ -99,7 +99,7 @@ test("two studios of a model list the runs of each other", { tag: "@slow" }, asy
   await openWithoutAutomatic(other, await server.open("pair.cx"));
   await Promise.all([runButton(page).click(), runButton(other).click()]);
   for (const each of [page, other]) {
-    for (const id of ["run-0001", "run-0002"]) await expect(row(each, id)).toContainText("finished");
+    for (const id of ["run-0001", "run-0002"]) await expect(row(each, id)).toContainText("finished", { timeout: 60_000 });
   }
   const folders = readdirSync(join(server.folder, "pair.cx.studio")).filter((name) => /^run-\d+$/.test(name));
   expect(folders).toEqual(["run-0001", "run-0002"]);
