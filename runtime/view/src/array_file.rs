@@ -191,7 +191,7 @@ mod tests {
             ArrayFile::read(&bytes).unwrap_err().to_string()
         };
         assert_eq!(with(0, b'X'), "the file is no array file");
-        assert_eq!(with(8, 2), "the file has version 2 of the format, not 1");
+        assert_eq!(with(8, 3), "the file has version 3 of the format, not 2");
         assert_eq!(with(15, 255), "the file is truncated");
         let file = ArrayFile::read(&bytes).unwrap();
         for reference in [
