@@ -3,7 +3,7 @@
 import { expect, test } from "@playwright/test";
 import { ArrayFile } from "../src/viewer/array_file.ts";
 import { principalStresses, vonMises } from "../src/viewer/fields.ts";
-import { readParts, readPosition } from "../src/viewer/run_data.ts";
+import { readMeshShape, readParts, readPosition } from "../src/viewer/run_data.ts";
 import { completeState, defaultState } from "../src/viewer/state.ts";
 import { buildSurface } from "../src/viewer/surface.ts";
 import { displayUnit, formatNumber, formatValue, roundDown125, useUnitsOf } from "../src/viewer/units.ts";
@@ -54,23 +54,29 @@ test("the von Mises stress of uniaxial tension, pure shear and pressure", () => 
   expect(vonMises(-3e8, -3e8, -3e8, 0, 0, 0)).toBe(0);
 });
 
-test("array files are read, and damaged ones name the file and the reason", () => {
+test("array files are read, and damaged ones name the file and the reason", async () => {
   const fixture = createFixture();
   const parts = readParts(buffer(fixture.parts));
   expect(parts.parts.map(({ name }) => name).slice(0, 2)).toEqual(["pinion", "wheel"]);
   const data = fixture.positions[1]!.data;
-  const position = readPosition("position-0001.bin", buffer(data), parts.parts);
-  expect(position.meshes[0]!.points.length).toBe(fixture.meshPoints.length);
+  const meshes = async (name: string) => readMeshShape(name, buffer(fixture.meshes[name]!));
+  const position = await readPosition("position-0001.bin", buffer(data), parts.parts, meshes);
+  expect(position.meshes[0]!.shape.points.length).toBe(fixture.meshPoints.length);
   expect(position.forces.length).toBe(5);
   for (const length of [0, 10, 40, 300, data.length - 4]) {
-    expect(() => readPosition("position-0001.bin", buffer(data.slice(0, length)), parts.parts)).toThrow(/^position-0001\.bin: .*truncated/);
+    await expect(readPosition("position-0001.bin", buffer(data.slice(0, length)), parts.parts, meshes)).rejects.toThrow(/^position-0001\.bin: .*truncated/);
   }
   const other = data.slice();
   other[8] = 7;
   expect(() => ArrayFile.parse("a.bin", buffer(other))).toThrow("a.bin: version 7 of the format is not supported");
+  other[8] = 1;
+  expect(() => ArrayFile.parse("a.bin", buffer(other))).toThrow("a.bin: written by an older version of Calyx: run the model again");
   other.set([1, 2, 3], 0);
   expect(() => ArrayFile.parse("a.bin", buffer(other))).toThrow("a.bin: not an array file");
-  expect(() => readPosition("p.bin", buffer(data), parts.parts.slice(1))).toThrow(/8 poses for 7 parts/);
+  await expect(readPosition("p.bin", buffer(data), parts.parts.slice(1), meshes)).rejects.toThrow(/8 poses for 7 parts/);
+  // A missing mesh is reported; everything else is displayed.
+  const without = await readPosition("p.bin", buffer(data), parts.parts, () => Promise.reject(new Error("no such file")));
+  expect([without.meshes.length, without.problem, without.forces.length]).toEqual([0, "no such file", 5]);
 });
 
 test("a number of copies that needs more memory than there is is refused", () => {

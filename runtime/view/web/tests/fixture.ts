@@ -5,7 +5,7 @@ import { gzipSync } from "node:zlib";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { ArrayWriter } from "./array_writer.ts";
+import { ArrayWriter, meshFile } from "./array_writer.ts";
 import { baseRadius, cylinder, gearSector, halfAngle, ring, type GearData, type Shape } from "./gear_shapes.ts";
 
 const HERE = dirname(fileURLToPath(import.meta.url));
@@ -27,6 +27,8 @@ export interface FixtureOptions {
 export interface Fixture {
   parts: Uint8Array;
   positions: { position: number; time: number; data: Uint8Array }[];
+  /** Files of meshes by name. */
+  meshes: Record<string, Uint8Array>;
   /** Points of the pinion's mesh, three per node. */
   meshPoints: number[];
 }
@@ -81,11 +83,13 @@ function pose(angle: number, x: number): number[] {
 }
 
 /** Contact cells on the pinion's teeth along the line of action. */
-function contactCells(phase: number) {
+export function contactCells(phase: number) {
   const corners: number[] = [];
   const pressures: number[] = [];
   const parts: number[] = [];
   const teeth: number[] = [];
+  const edges: number[] = [];
+  const surfaces: number[] = [];
   const centres: [number, number, number][] = [];
   const base = baseRadius(PINION);
   const pitch = 0.5 * PINION.module * PINION.teeth;
@@ -112,10 +116,13 @@ function contactCells(phase: number) {
         pressures.push(u + v < 1 ? 9.5e8 * Math.sqrt(1 - u - v) : 0);
         parts.push(0, 1);
         teeth.push(tooth, partner);
+        // The outermost row of each contact touches with the edge.
+        edges.push(i === across - 1 ? 1 : 0);
+        surfaces.push(1, 0);
       }
     }
   }
-  return { corners, pressures, parts, teeth, centres };
+  return { corners, pressures, parts, teeth, edges, surfaces, centres };
 }
 
 /** Normal force of the fixture's contact cells, N: arc length by width by pressure. */
@@ -128,57 +135,59 @@ export function contactLoad(phase: number): number {
   }, 0);
 }
 
-function rotated(points: number[], angle: number): number[] {
-  const c = Math.cos(angle);
-  const s = Math.sin(angle);
-  return points.map((_, i) => {
-    const o = i - (i % 3);
-    const [x, y] = [points[o]!, points[o + 1]!];
-    return i % 3 === 0 ? c * x - s * y : i % 3 === 1 ? s * x + c * y : points[i]!;
-  });
-}
+const PINION_MESH = gearSector(PINION, 4, 6, 4);
+const WHEEL_MESH = gearSector(WHEEL, 4, 6, 4);
+const WHEEL_COPY = 17;
+
+/** Estimated stress error of the fixture: linear in z. */
+export const stressError = (z: number): number => 2e7 + 1e9 * z;
 
 /** Deformed mesh of the pinion's tooth 0. */
 function pinionMesh(writer: ArrayWriter, unknown: boolean) {
-  const { points, triangles, edges } = gearSector(PINION, 4, 6, 4);
+  const { points } = PINION_MESH;
   const displacements: number[] = [];
   const stresses: number[] = [];
+  const errors: number[] = [];
   for (let i = 0; i < points.length; i += 3) {
     const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
     displacements.push(...displacement(x, y, z));
     const none = unknown && Math.hypot(x, y) < PINION.bore + 1e-6;
     stresses.push(none ? NaN : uniaxialStress(x, y, z), ...(none ? [NaN, NaN, NaN, NaN, NaN] : [0, 0, 0, 0, 0]));
+    errors.push(none ? NaN : stressError(z));
   }
-  return mesh(writer, 0, [0], points, displacements, stresses, triangles, edges);
+  return mesh(writer, 0, 0, meshFile(PINION_MESH).name, displacements, stresses, errors);
 }
 
 function mesh(
-  writer: ArrayWriter, part: number, copies: number[], points: number[], displacements: number[], stresses: number[],
-  triangles: number[], edges: number[],
+  writer: ArrayWriter, part: number, copy: number, name: string, displacements: number[], stresses: number[], errors: number[],
 ) {
   return {
+    mesh: name,
     part,
-    copies,
-    points: writer.add("f32", 3, points),
+    copy,
     displacements: writer.add("f32", 3, displacements),
     stresses: writer.add("f32", 6, stresses),
-    triangles: writer.add("u32", 3, triangles),
-    edges: writer.add("u32", 2, edges),
+    stress_errors: writer.add("f32", 1, errors),
   };
 }
 
-/** Deformed mesh of the wheel's tooth 17, which meshes with the pinion's tooth 0. */
+/** Deformed mesh of the wheel's tooth that meshes with the pinion's tooth 0. */
 function wheelMesh(writer: ArrayWriter) {
-  const shape = gearSector(WHEEL, 4, 6, 4);
-  const points = rotated(shape.points, (2 * Math.PI * 17) / WHEEL.teeth);
+  const { points } = WHEEL_MESH;
+  const angle = (2 * Math.PI * WHEEL_COPY) / WHEEL.teeth;
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
   const displacements: number[] = [];
   const stresses: number[] = [];
+  const errors: number[] = [];
   for (let i = 0; i < points.length; i += 3) {
-    displacements.push(...displacement(points[i]!, points[i + 1]!, points[i + 2]!).map((u) => -0.4 * u));
-    const depth = (Math.hypot(points[i]!, points[i + 1]!) - 62.5e-3) / 4.4e-3;
+    // Displacements are given in coordinates of the part, at the place of the copy.
+    const [x, y, z] = [c * points[i]! - s * points[i + 1]!, s * points[i]! + c * points[i + 1]!, points[i + 2]!];
+    displacements.push(...displacement(x, y, z).map((u) => -0.4 * u));
+    const depth = (Math.hypot(x, y) - 62.5e-3) / 4.4e-3;
     stresses.push(-2.4e8 * Math.exp(-depth * depth), 0, 0, 0, 0, 0);
+    errors.push(1e7);
   }
-  return mesh(writer, 1, [17], points, displacements, stresses, shape.triangles, shape.edges);
+  return mesh(writer, 1, WHEEL_COPY, meshFile(WHEEL_MESH).name, displacements, stresses, errors);
 }
 
 export function createFixture(options: FixtureOptions = {}): Fixture {
@@ -212,6 +221,8 @@ export function createFixture(options: FixtureOptions = {}): Fixture {
             contacts: {
               corners: file.add("f32", 12, cells.corners),
               pressures: file.add("f32", 1, cells.pressures),
+              edges: file.add("u32", 1, cells.edges),
+              surfaces: file.add("u32", 2, cells.surfaces),
               parts: file.add("u32", 2, cells.parts),
               teeth: file.add("u32", 2, cells.teeth),
             },
@@ -226,7 +237,8 @@ export function createFixture(options: FixtureOptions = {}): Fixture {
     };
     return { position, time, data: file.finish(header) };
   });
-  return { parts, positions, meshPoints: gearSector(PINION, 4, 6, 4).points };
+  const files = meshes ? [meshFile(PINION_MESH), meshFile(WHEEL_MESH)] : [];
+  return { parts, positions, meshes: Object.fromEntries(files.map(({ name, data }) => [name, data])), meshPoints: PINION_MESH.points };
 }
 
 const base64 = (bytes: Uint8Array) => gzipSync(bytes).toString("base64");
@@ -249,6 +261,7 @@ export function embeddedData(fixture: Fixture, title = "Spur pair") {
     },
     parts: base64(fixture.parts),
     positions: fixture.positions.map(({ position, time, data }) => ({ position, time, data: base64(data) })),
+    meshes: Object.fromEntries(Object.entries(fixture.meshes).map(([name, data]) => [name, base64(data)])),
   };
 }
 

@@ -110,6 +110,7 @@ test("two viewers with linked cameras", { tag: "@slow" }, async ({ page }) => {
       parts: () => read(data.parts),
       positions: async () => data.positions,
       position: (index) => read(data.positions[index].data),
+      mesh: (name) => read(data.meshes[name]),
     });
     first.linkCamera(second);
     (window as unknown as { second: typeof second }).second = second;

@@ -13,8 +13,40 @@ import { embeddedData, writePage } from "./fixture.ts";
 import { PLANET, PLANETS, RING, housingMesh, largeScene, planet, poses, ring, type SolidMesh } from "./large_scene.ts";
 
 const FRAMES = Number(process.env.CALYX_FRAMES ?? 12);
-/** Longest time in which a picture appears, ms. */
-const TARGET = 5000;
+const RING = { teeth: 1000, module: 1e-3, width: 40e-3, bore: 0.45 };
+const PLANET = { teeth: 60, module: 1e-3, width: 40e-3, bore: 10e-3 };
+const PLANETS = 12;
+
+const ring = gearSector(RING, 6, 14, 4);
+const planet = gearSector(PLANET, 6, 14, 4);
+const radius = 0.5e-3 * (RING.teeth + PLANET.teeth);
+const poses = Array.from({ length: PLANETS + 1 }, (_, i) => {
+  const a = (2 * Math.PI * (i - 1)) / PLANETS;
+  return [1, 0, 0, 0, 1, 0, 0, 0, 1, i ? radius * Math.cos(a) : 0, i ? radius * Math.sin(a) : 0, 0];
+});
+
+function fixture() {
+  const parts = new ArrayWriter();
+  const list = poses.map((_, i) => {
+    const shape = i ? planet : ring;
+    return {
+      name: i ? `planet ${i}` : "ring",
+      kind: "gear",
+      copies: i ? PLANET.teeth : RING.teeth,
+      points: parts.add("f32", 3, shape.points),
+      triangles: parts.add("u32", 3, shape.triangles),
+      edges: parts.add("u32", 2, shape.edges),
+    };
+  });
+  const position = new ArrayWriter();
+  const header = { position: 0, time: 0, poses: position.add("f64", 12, poses.flat()), forces: [], meshes: [] };
+  return {
+    parts: parts.finish({ model: "ring.cx", parts: list }),
+    positions: [{ position: 0, time: 0, data: position.finish(header) }],
+    meshes: {},
+    meshPoints: [],
+  };
+}
 
 /** The same triangles as instances, with a simple material. */
 const BARE = `

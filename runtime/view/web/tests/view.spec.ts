@@ -229,6 +229,7 @@ test("a run that is still being written grows, and a reload keeps the state", as
       parts: () => read(data.parts),
       positions: async () => data.positions.slice(0, run.written),
       position: (index) => read(data.positions[index].data),
+      mesh: (name) => read(data.meshes[name]),
     });
   });
   await expect(page.getByText("No positions yet")).toBeVisible();

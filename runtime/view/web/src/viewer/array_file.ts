@@ -1,7 +1,7 @@
 // Array files: a JSON header and the arrays it refers to. docs/view-files.md describes the format.
 
 const MAGIC = "CALYXARR";
-const VERSION = 1;
+const VERSION = 2;
 const PREFIX = 16;
 
 /** A file that cannot be read. The message names the file and the reason. */
@@ -43,7 +43,8 @@ export class ArrayFile {
     const magic = new TextDecoder("latin1").decode(new Uint8Array(buffer, 0, 8));
     if (magic !== MAGIC) throw new FileError(name, `not an array file: it does not begin with ${MAGIC}`);
     const version = view.getUint32(8, true);
-    if (version !== VERSION) {
+    if (version < VERSION) throw new FileError(name, "written by an older version of Calyx: run the model again");
+    if (version > VERSION) {
       throw new FileError(name, `version ${version} of the format is not supported; this viewer reads version ${VERSION}`);
     }
     const length = view.getUint32(12, true);

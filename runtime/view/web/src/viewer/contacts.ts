@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { ViewMaterial, type SharedUniforms } from "./materials.ts";
 import type { Contacts } from "./run_data.ts";
+import type { CellChoice } from "./state.ts";
 
 export class ContactView {
   /** In ground coordinates. */
@@ -13,6 +14,12 @@ export class ContactView {
   #behind: THREE.Mesh;
   #contacts: Contacts | null = null;
   #ghost: ViewMaterial;
+  #key = "";
+  #marked = -1;
+  #mark = new THREE.LineLoop(
+    new THREE.BufferGeometry(),
+    new THREE.LineBasicMaterial({ color: "#e07b1f", transparent: true, depthTest: false }),
+  );
 
   constructor(shared: SharedUniforms) {
     const front = new ViewMaterial(shared, ["FIELD"], { side: THREE.DoubleSide });
@@ -35,6 +42,25 @@ export class ContactView {
     this.#behind = meshes[1]!;
     this.#behind.renderOrder = 99999;
     meshes[0]!.renderOrder = 5;
+    this.#mark.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(12), 3));
+    this.#mark.frustumCulled = false;
+    this.#mark.matrixAutoUpdate = false;
+    this.#mark.renderOrder = 250000;
+    this.#mark.visible = false;
+    this.group.add(this.#mark);
+  }
+
+  /** Marks a cell; -1 for none. Returns whether the picture has changed. */
+  mark(cell: number): boolean {
+    if (cell === this.#marked) return false;
+    this.#marked = cell;
+    const contacts = this.#contacts;
+    this.#mark.visible = contacts !== null && cell >= 0 && cell < contacts.count;
+    if (!this.#mark.visible) return true;
+    const position = this.#mark.geometry.getAttribute("position") as THREE.BufferAttribute;
+    (position.array as Float32Array).set(contacts!.corners.subarray(12 * cell, 12 * cell + 12));
+    position.needsUpdate = true;
+    return true;
   }
 
   /** Sets the distance by which cells are drawn in front of the flanks, m. */
@@ -51,9 +77,12 @@ export class ContactView {
     return this.#contacts;
   }
 
-  /** Draws the loaded cells of the contacts that `visible` accepts. */
-  set(contacts: Contacts | null, visible: (cell: number) => boolean): void {
+  /** Draws the loaded cells of the contacts that `visible` accepts. `key` changes whenever `visible` does. */
+  set(contacts: Contacts | null, key: string, visible: (cell: number) => boolean): void {
+    if (contacts === this.#contacts && key === this.#key) return;
     this.#contacts = contacts;
+    this.#key = key;
+    this.mark(-1);
     this.#geometry.dispose();
     this.group.visible = contacts !== null;
     if (!contacts) return;
@@ -75,8 +104,14 @@ export class ContactView {
 
   dispose(): void {
     this.#geometry.dispose();
+    this.#mark.geometry.dispose();
     for (const material of this.materials) material.dispose();
   }
+}
+
+/** Returns whether a cell belongs to the displayed ones. */
+export function isChosen(contacts: Contacts, cell: number, choice: CellChoice): boolean {
+  return choice === "all" || (contacts.edges[cell] !== 0) === (choice === "edges");
 }
 
 /** Sum of pressure times area over the cells of each pair of gears, N. */

@@ -129,12 +129,15 @@ export class Core {
         notice = `The list of positions cannot be read: ${reason(error)}`;
       }
       const first = positions.list.length > 0 ? await positions.load(0).catch((error) => ((notice = reason(error)), null)) : null;
-      if (stale()) return;
+      if (stale()) {
+        positions.dispose();
+        return;
+      }
+      if (first?.problem) notice = first.problem;
       this.positions?.dispose();
       this.parts = parts;
       useUnitsOf(parts.units);
       this.positions = positions;
-      positions.onEvict = (position) => display.release(position);
       this.#allLimits.clear();
       this.notice = notice;
       display.setParts(parts.parts, first);
@@ -211,7 +214,7 @@ export class Core {
     try {
       const position = await positions.load(wanted);
       if (positions !== this.positions || this.state.position !== wanted) return;
-      this.notice = "";
+      this.notice = position.problem && `${position.problem}. The mesh is not displayed.`;
       if (display.position !== position) display.setPosition(position);
       this.probe = null;
       this.apply();
@@ -225,7 +228,7 @@ export class Core {
 
   private limitsKey(): string {
     const hidden = Object.entries(this.state.parts).filter(([, v]) => v === "hidden");
-    return JSON.stringify([this.state.colours.field, hidden.map(([name]) => name).sort()]);
+    return JSON.stringify([this.state.colours.field, this.state.colours.cells, hidden.map(([name]) => name).sort()]);
   }
 
   /** Searches all positions for the limits of the selected field. */

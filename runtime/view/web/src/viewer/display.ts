@@ -2,17 +2,17 @@
 
 import * as THREE from "three";
 import { fillScaleTexture, partColour } from "./colours.ts";
-import { ContactView } from "./contacts.ts";
+import { ContactView, isChosen } from "./contacts.ts";
 import { CutView } from "./cut.ts";
 import { FIELDS, isNodal, nodalValues, rangeOf, surfaceNodes, type NodalField } from "./fields.ts";
 import { ForceView } from "./forces.ts";
 import type { Label } from "./labels.ts";
+import { MeshViews, type MeshView } from "./mesh_view.ts";
 import { PartView } from "./part_view.ts";
-import type { DeformedMesh, Part, Position } from "./run_data.ts";
+import { displacedPoint, type DeformedMesh, type Part, type Position } from "./run_data.ts";
 import type { Scene } from "./scene.ts";
 import { type ViewState, visibilityOf } from "./state.ts";
-import { buildSurface } from "./surface.ts";
-import { SurfaceView } from "./surface_view.ts";
+import type { Plane } from "./section.ts";
 import { displayUnit, formatNumber, roundDown125, stressUnit } from "./units.ts";
 
 /** Share of the scene's size that the largest displacement takes with an automatic factor. */
@@ -36,9 +36,15 @@ export class Display {
   readonly centre = new THREE.Vector3();
   radius = 1;
 
-  #prepared = new WeakMap<Position, { views: SurfaceView[]; field: NodalField | null }>();
+  /** Duration of the last computation of sections, ms. */
+  sectionTime = 0;
+
+  #meshViews = new MeshViews();
+  /** Views of the displayed position's meshes, in its order. */
+  #shownMeshes: MeshView[] = [];
   #values = new WeakMap<DeformedMesh, Map<NodalField, Float64Array>>();
-  #masks = new WeakMap<DeformedMesh, Uint8Array>();
+  #largest = new WeakMap<Position, number>();
+  #withSections = { edges: false };
   #reference: Float64Array | null = null;
   #matrix = new THREE.Matrix4();
   #cutOn = false;
@@ -106,39 +112,19 @@ export class Display {
   setPosition(position: Position | null): void {
     this.position = position;
     this.meshes = this.views.map(() => []);
-    const views: SurfaceView[][] = this.views.map(() => []);
+    const views: MeshView[][] = this.views.map(() => []);
     const replaced = this.views.map(() => new Set<number>());
-    if (position) {
-      const { views: prepared } = this.prepare(position);
-      position.meshes.forEach((mesh, i) => {
-        this.meshes[mesh.part]!.push(mesh);
-        views[mesh.part]!.push(prepared[i]!);
-        for (const copy of mesh.copies) replaced[mesh.part]!.add(copy);
-      });
-    }
+    this.#shownMeshes = this.#meshViews.display(position?.meshes ?? [], (part) => this.views[part]!.meshMaterials);
+    position?.meshes.forEach((mesh, i) => {
+      this.meshes[mesh.part]!.push(mesh);
+      views[mesh.part]!.push(this.#shownMeshes[i]!);
+      replaced[mesh.part]!.add(mesh.copy);
+    });
     this.views.forEach((view, i) => {
       poseMatrix(position?.poses ?? null, i, view.group.matrix);
       view.setPresent(hasPose(position?.poses ?? null, i));
       view.setMeshes(views[i]!, replaced[i]!);
     });
-  }
-
-  private prepare(position: Position) {
-    let prepared = this.#prepared.get(position);
-    if (!prepared) {
-      const views = position.meshes.map((mesh) => {
-        const surface = buildSurface(mesh.points, mesh.triangles, 1);
-        return new SurfaceView({ ...mesh, surface }, this.views[mesh.part]!.meshMaterials, null);
-      });
-      prepared = { views, field: null };
-      this.#prepared.set(position, prepared);
-    }
-    return prepared;
-  }
-
-  /** Frees the graphics memory of a position. */
-  release(position: Position): void {
-    for (const view of this.#prepared.get(position)?.views ?? []) view.dispose();
   }
 
   /** Values of a field at the nodes of a mesh. */
@@ -161,9 +147,11 @@ export class Display {
     return name !== undefined && state.parts[name] !== "hidden";
   }
 
-  /** A contact cell is displayed if one of its gears is. */
+  /** A contact cell is displayed if one of its gears is, and if its kind is chosen. */
   cellShown(state: ViewState, position: Position, cell: number): boolean {
-    const parts = position.contacts!.parts;
+    const contacts = position.contacts!;
+    const { parts } = contacts;
+    if (!isChosen(contacts, cell, state.colours.cells)) return false;
     return this.shown(state, parts[2 * cell]!) || this.shown(state, parts[2 * cell + 1]!);
   }
 
@@ -176,8 +164,7 @@ export class Display {
       for (const mesh of position.meshes) {
         if (!this.shown(state, mesh.part)) continue;
         const values = this.values(mesh, field);
-        let mask = this.#masks.get(mesh);
-        if (!mask) this.#masks.set(mesh, (mask = surfaceNodes(mesh)));
+        const mask = surfaceNodes(mesh.shape);
         for (let node = 0; node < values.length; node++) {
           const value = values[node]!;
           if (!mask[node] || !Number.isFinite(value)) continue;
@@ -203,8 +190,7 @@ export class Display {
     const point = new THREE.Vector3();
     const { mesh, index } = extreme;
     if (mesh) {
-      const u = new THREE.Vector3().fromArray(mesh.displacements, 3 * index).multiplyScalar(this.factor);
-      return point.fromArray(mesh.points, 3 * index).add(u).applyMatrix4(poseMatrix(position.poses, mesh.part, this.#matrix));
+      return point.set(...displacedPoint(mesh, index, this.factor)).applyMatrix4(poseMatrix(position.poses, mesh.part, this.#matrix));
     }
     const corners = position.contacts!.corners;
     for (let k = 0; k < 4; k++) {
@@ -225,20 +211,19 @@ export class Display {
       view.setVisibility(visibilityOf(state, view.part));
       view.setFieldMode(nodal);
       view.setEdges(state.mesh_edges);
+      view.setSections(nodal || state.mesh_edges);
     }
     this.applyFrame(state);
     this.factor = this.deformationFactor(state);
     uniforms.deformation.value = this.factor;
 
-    if (position && nodal) {
-      const prepared = this.prepare(position);
-      if (prepared.field !== colours.field) {
-        prepared.field = colours.field as NodalField;
-        prepared.views.forEach((view, i) => view.setField(this.values(position.meshes[i]!, prepared.field!)));
-      }
+    if (nodal) {
+      for (const view of this.#shownMeshes) view.setField(this.values(view.mesh!, colours.field as NodalField));
     }
+    this.#withSections.edges = state.mesh_edges;
     const withCells = position && colours.field === "contact_pressure" ? position.contacts : null;
-    this.contacts.set(withCells, (cell) => this.cellShown(state, position!, cell));
+    const choice = JSON.stringify([colours.cells, Object.entries(state.parts).filter(([, v]) => v === "hidden")]);
+    this.contacts.set(withCells, choice, (cell) => this.cellShown(state, position!, cell));
     this.contacts.setBehind(state.hidden_contacts);
     const extremes = position ? this.extremes(position, state) : null;
     this.limits = this.chooseLimits(state, extremes, allLimits);
@@ -278,15 +263,21 @@ export class Display {
     if (mode === "factor") return Number.isFinite(factor) ? factor : 0;
     // Contact cells and plain parts have no elastic displacements: those pictures stay undeformed.
     if (!isNodal(state.colours.field)) return 0;
-    let largest = 0;
-    for (const { displacements: u } of this.position?.meshes ?? []) {
-      for (let i = 0; i < u.length; i += 3) {
-        const square = u[i]! ** 2 + u[i + 1]! ** 2 + u[i + 2]! ** 2;
-        if (square > largest) largest = square;
-      }
-    }
+    const largest = this.position ? this.largestDisplacement(this.position) : 0;
     // The size of a scene is its diameter. A round factor is readable and steadier over positions.
-    return largest > 0 ? roundDown125((AUTOMATIC_DEFORMATION * 2 * this.radius) / Math.sqrt(largest)) : 1;
+    return largest > 0 ? roundDown125((AUTOMATIC_DEFORMATION * 2 * this.radius) / largest) : 1;
+  }
+
+  private largestDisplacement(position: Position): number {
+    let square = this.#largest.get(position);
+    if (square === undefined) {
+      square = 0;
+      for (const { displacements: u } of position.meshes) {
+        for (let i = 0; i < u.length; i += 3) square = Math.max(square, u[i]! ** 2 + u[i + 1]! ** 2 + u[i + 2]! ** 2 || 0);
+      }
+      this.#largest.set(position, square);
+    }
+    return Math.sqrt(square);
   }
 
   private applyFrame(state: ViewState): void {
@@ -323,8 +314,40 @@ export class Display {
     return this.#cutOn ? this.scene.uniforms.cutPlane.value : null;
   }
 
-  /** Chooses the copies to draw. */
+  /** Computes the sections through the cells of meshes that have changed. */
+  private updateSections(): void {
+    const start = performance.now();
+    let changed = false;
+    for (const view of this.views) {
+      const plane = view.showsSections ? this.planeOf(view) : null;
+      for (const mesh of view.meshes) {
+        if (!mesh.section) continue;
+        if (plane && mesh.mesh) {
+          const values = view.showsField ? mesh.values : null;
+          changed = mesh.section.update(mesh.mesh, values, plane, this.factor, this.#withSections.edges) || changed;
+        } else {
+          mesh.section.hide();
+        }
+      }
+    }
+    if (changed) this.sectionTime = performance.now() - start;
+  }
+
+  /** The cutting plane in coordinates of a part. */
+  private planeOf(view: PartView): Plane {
+    const { x, y, z, w } = this.scene.uniforms.cutPlane.value;
+    const e = view.group.matrixWorld.elements;
+    return [
+      e[0]! * x + e[1]! * y + e[2]! * z,
+      e[4]! * x + e[5]! * y + e[6]! * z,
+      e[8]! * x + e[9]! * y + e[10]! * z,
+      e[12]! * x + e[13]! * y + e[14]! * z + w,
+    ];
+  }
+
+  /** Prepares a frame: sections, and the choice of the copies to draw. */
   prepareFrame(): void {
+    this.updateSections();
     const frustum = this.scene.frustum();
     const { active, state, direction } = this.scene.camera;
     const scale = this.scene.height / state.height;
@@ -345,6 +368,8 @@ export class Display {
       view.cap.removeFromParent();
       view.dispose();
     }
+    this.#meshViews.dispose();
+    this.#shownMeshes = [];
     this.views = [];
     this.position = null;
     this.#cutOn = false;

@@ -1,6 +1,6 @@
 // Scalar fields of deformed meshes: principal stresses, von Mises stress, displacement.
 
-import type { DeformedMesh } from "./run_data.ts";
+import type { DeformedMesh, MeshShape } from "./run_data.ts";
 import type { Field } from "./state.ts";
 
 /** Principal stresses, largest first. */
@@ -84,7 +84,15 @@ export const FIELDS: Record<Field, { label: string; quantity: "stress" | "length
   max_principal: { label: "Maximum principal stress", quantity: "stress" },
   min_principal: { label: "Minimum principal stress", quantity: "stress" },
   von_mises: { label: "Von Mises stress", quantity: "stress" },
+  stress_error: { label: "Stress error", quantity: "stress" },
   displacement: { label: "Displacement", quantity: "length" },
+};
+
+/** Explanation of a field whose name is not enough. */
+export const EXPLANATIONS: Partial<Record<Field, string>> = {
+  stress_error:
+    "Estimated error of the stresses, as von Mises stress: the difference between the averaged stresses at a node " +
+    "and those of its elements (Zienkiewicz and Zhu). Where it is large, a finer mesh changes the stresses.",
 };
 
 /** Value of a field at a node, in SI units; NaN if it is unknown. */
@@ -93,6 +101,7 @@ export function nodalValue(mesh: DeformedMesh, field: NodalField, node: number):
     const u = mesh.displacements;
     return Math.hypot(u[3 * node]!, u[3 * node + 1]!, u[3 * node + 2]!);
   }
+  if (field === "stress_error") return mesh.stressErrors?.[node] ?? NaN;
   const s = mesh.stresses;
   const i = 6 * node;
   const [xx, yy, zz, yz, zx, xy] = [s[i]!, s[i + 1]!, s[i + 2]!, s[i + 3]!, s[i + 4]!, s[i + 5]!];
@@ -126,16 +135,21 @@ export function rangeOf(values: ArrayLike<number>): Range | null {
   return range.minIndex < 0 || range.maxIndex < 0 ? null : range;
 }
 
+const masks = new WeakMap<MeshShape, Uint8Array>();
+
 /** Nodes on the outer surface, as a mask: the others are not visible and do not count for limits. */
-export function surfaceNodes(mesh: DeformedMesh): Uint8Array {
-  const mask = new Uint8Array(mesh.points.length / 3);
-  for (let i = 0; i < mesh.triangles.length; i++) mask[mesh.triangles[i]!] = 1;
+export function surfaceNodes(shape: MeshShape): Uint8Array {
+  let mask = masks.get(shape);
+  if (mask) return mask;
+  mask = new Uint8Array(shape.points.length / 3);
+  for (let i = 0; i < shape.triangles.length; i++) mask[shape.triangles[i]!] = 1;
+  masks.set(shape, mask);
   return mask;
 }
 
 /** Values of a field at all nodes, in double precision: the same numbers as at the pointer. */
 export function nodalValues(mesh: DeformedMesh, field: NodalField): Float64Array {
-  const count = mesh.points.length / 3;
+  const count = mesh.shape.points.length / 3;
   const values = new Float64Array(count);
   for (let node = 0; node < count; node++) values[node] = nodalValue(mesh, field, node);
   return values;

@@ -47,11 +47,12 @@ uniform float bias;
 
 void main() {
   vec3 p = position;
-  #ifdef DEFORMED
-  p += deformation * displacement;
-  #endif
   #ifdef COPIES
   p = vec3(copyRotation.x * p.x - copyRotation.y * p.y, copyRotation.y * p.x + copyRotation.x * p.y, p.z);
+  #endif
+  #ifdef DEFORMED
+  // Displacements are in coordinates of the part, not of copy 0.
+  p += deformation * displacement;
   #endif
   vec4 world = modelMatrix * vec4(p, 1.0);
   #ifdef CUT
@@ -129,14 +130,19 @@ void main() {
   #ifdef CAP
   // Hatching at 45 degrees, as in a sectional drawing.
   float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * pixelRatio)) - 0.5) * 9.0;
-  base *= mix(0.80, 1.0, smoothstep(0.35, 1.1, stripe));
+  float hatch = mix(0.80, 1.0, smoothstep(0.35, 1.1, stripe));
+  #ifdef FIELD
+  if (useField) hatch = 1.0;
+  #endif
+  base *= hatch;
   #endif
   gl_FragColor = vec4(base, opacity);
   #include <colorspace_fragment>
 }
 `;
 
-export type Feature = "COPIES" | "DEFORMED" | "FIELD" | "LIT" | "CAP";
+/** `ON_PLANE` marks what lies in the plane of the cut. */
+export type Feature = "COPIES" | "DEFORMED" | "FIELD" | "LIT" | "CAP" | "ON_PLANE";
 
 /** A material of the shared shaders. */
 export class ViewMaterial extends THREE.ShaderMaterial {
@@ -167,7 +173,7 @@ export class ViewMaterial extends THREE.ShaderMaterial {
       useField: { value: false },
       bias: { value: 0 },
     };
-    this.cuttable = !features.includes("CAP");
+    this.cuttable = !features.includes("CAP") && !features.includes("ON_PLANE");
   }
 
   get colour(): THREE.Color {
@@ -215,10 +221,13 @@ export interface MaterialSet {
   edges: ViewMaterial;
   stencilBack: ViewMaterial;
   stencilFront: ViewMaterial;
+  /** Section through the cells of a mesh: coloured, or hatched without a field. */
+  section: ViewMaterial;
+  sectionEdges: ViewMaterial;
 }
 
 export function createMaterialSet(shared: SharedUniforms, deformed: boolean): MaterialSet {
-  const geometry: Feature[] = deformed ? ["DEFORMED"] : ["COPIES"];
+  const geometry: Feature[] = deformed ? ["COPIES", "DEFORMED"] : ["COPIES"];
   const stencil = (side: THREE.Side, operation: THREE.StencilOp) =>
     new ViewMaterial(shared, geometry, {
       side,
@@ -231,13 +240,13 @@ export function createMaterialSet(shared: SharedUniforms, deformed: boolean): Ma
       stencilZFail: operation,
       stencilZPass: operation,
     });
-  const lines = (colour: { value: THREE.Color }, alpha: number) => {
-    const material = new ViewMaterial(shared, geometry, { depthWrite: false }, colour);
+  const lines = (colour: { value: THREE.Color }, alpha: number, features = geometry) => {
+    const material = new ViewMaterial(shared, features, { depthWrite: false }, colour);
     material.alpha = alpha;
     return material;
   };
   return {
-    surface: new ViewMaterial(shared, deformed ? ["DEFORMED", "FIELD", "LIT"] : ["COPIES", "LIT"], {
+    surface: new ViewMaterial(shared, deformed ? ["COPIES", "DEFORMED", "FIELD", "LIT"] : ["COPIES", "LIT"], {
       polygonOffset: true,
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 1,
@@ -246,6 +255,13 @@ export function createMaterialSet(shared: SharedUniforms, deformed: boolean): Ma
     edges: lines(shared.edgeColour, 0.3),
     stencilBack: stencil(THREE.BackSide, THREE.IncrementWrapStencilOp),
     stencilFront: stencil(THREE.FrontSide, THREE.DecrementWrapStencilOp),
+    section: new ViewMaterial(shared, ["FIELD", "CAP"], {
+      side: THREE.DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    }),
+    sectionEdges: lines(shared.edgeColour, 0.34, ["ON_PLANE"]),
   };
 }
 

@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { createCapMaterial, createMaterialSet, type MaterialSet, type SharedUniforms, type ViewMaterial } from "./materials.ts";
 import { levelFor } from "./lod.ts";
 import type { Part } from "./run_data.ts";
+import type { MeshView } from "./mesh_view.ts";
 import { OpenCopies } from "./seams.ts";
 import type { Visibility } from "./state.ts";
 import { buildSurface, type Surface } from "./surface.ts";
@@ -22,7 +23,7 @@ export class PartView {
   readonly copies: SurfaceView;
   readonly surface: Surface;
   readonly radius: number;
-  meshes: SurfaceView[] = [];
+  meshes: MeshView[] = [];
   visibility: Visibility = "visible";
   present = true;
 
@@ -41,6 +42,8 @@ export class PartView {
   #fieldMode = false;
   #edges = false;
   #cut = false;
+  /** Meshes with cells have a section through them instead of a cap. */
+  #sections = false;
   #order: number;
 
   constructor(
@@ -80,10 +83,10 @@ export class PartView {
   }
 
   /** Replaces the deformed meshes and the copies that they stand for. */
-  setMeshes(meshes: SurfaceView[], replaced: ReadonlySet<number>): void {
-    for (const mesh of this.meshes) this.group.remove(mesh.group);
+  setMeshes(meshes: MeshView[], replaced: ReadonlySet<number>): void {
+    for (const mesh of this.meshes) if (!meshes.includes(mesh)) this.group.remove(mesh.group);
+    for (const mesh of meshes) if (mesh.group.parent !== this.group) this.group.add(mesh.group);
     this.meshes = meshes;
-    for (const mesh of meshes) this.group.add(mesh.group);
     this.#candidates = [];
     for (let k = 0; k < this.part.copies; k++) if (!replaced.has(k)) this.#candidates.push(k);
     this.#shownHash = NaN;
@@ -116,6 +119,21 @@ export class PartView {
     this.refresh();
   }
 
+  /** Shows sections through the cells of meshes, or caps. */
+  setSections(on: boolean): void {
+    if (on === this.#sections) return;
+    this.#sections = on;
+    this.refresh();
+  }
+
+  get showsField(): boolean {
+    return this.#fieldMode;
+  }
+
+  get showsSections(): boolean {
+    return this.#sections && this.#cut && this.group.visible;
+  }
+
   setCut(on: boolean): void {
     this.#cut = on;
     for (const material of this.materials) material.cut = on;
@@ -145,7 +163,8 @@ export class PartView {
       set.edges.alpha = translucent ? 0.12 : 0.34;
       set.stencilBack.transparent = set.stencilFront.transparent = translucent;
     }
-    this.#deformed.surface.useField = this.#fieldMode;
+    this.#deformed.surface.useField = this.#deformed.section.useField = this.#fieldMode;
+    this.#deformed.section.colour.copy(this.#fieldMode ? this.#neutral : this.#colour).multiplyScalar(0.86);
     this.#capMaterial.alpha = translucent ? 0.5 : 1;
     this.#capMaterial.depthWrite = !translucent;
     this.#capMaterial.colour.copy(this.#fieldMode ? this.#neutral : this.#colour).multiplyScalar(0.86);
@@ -155,17 +174,24 @@ export class PartView {
       view.edges.visible = this.#edges;
       view.surface.renderOrder = translucent ? 100000 : 0;
       view.features.renderOrder = view.edges.renderOrder = 100001;
-      for (const pair of [view.stencils, view.closures]) {
-        pair.forEach((stencil, i) => {
-          // A surface that encloses no volume has no section.
-          stencil.visible = this.#cut && !this.part.open;
-          stencil.renderOrder = first + i;
-        });
-      }
+    }
+    this.refreshStencils(this.copies.stencils, first, true);
+    for (const mesh of this.meshes) {
+      const cap = !mesh.open && !(this.#sections && mesh.section);
+      this.refreshStencils(mesh.stencils, first, cap);
+      this.refreshStencils(mesh.closures, first, cap);
     }
     this.#seams.meshes.forEach((stencil, i) => {
       stencil.visible = this.#cut && this.meshes.length > 0 && !this.part.open;
       stencil.renderOrder = first + (i % 2);
+    });
+  }
+
+  private refreshStencils(pair: THREE.Mesh[], first: number, on: boolean): void {
+    pair.forEach((stencil, i) => {
+      // A surface that encloses no volume has no section.
+      stencil.visible = on && this.#cut && !this.part.open;
+      stencil.renderOrder = first + i;
     });
   }
 

@@ -36,21 +36,26 @@ interface Candidate {
   facing: boolean;
 }
 
+/** Rotation of the points of a mesh into the place of its copy, and displacements to be added with a factor. */
+export interface Deformation {
+  cos: number;
+  sin: number;
+  displacements: Float32Array;
+  factor: number;
+}
+
 /**
- * Finds the nearest intersection beyond `from` (Möller and Trumbore 1997). `displacements` are added
- * with `factor`. The ray's direction need not have unit length; distances are multiples of it.
+ * Finds the nearest intersection beyond `from` (Möller and Trumbore 1997). The ray's direction need not have unit length; distances are multiples of it.
  */
 export function intersect(
   ray: LocalRay,
   points: Float32Array,
   triangles: Uint32Array,
-  displacements: Float32Array | null,
-  factor: number,
+  deformation: Deformation | null,
   from: number,
 ): Candidate | null {
   const [ox, oy, oz] = ray.origin;
   const [dx, dy, dz] = ray.direction;
-  const use = displacements !== null && factor !== 0;
   let best: Candidate | null = null;
   let nearest = Infinity;
   for (let t = 0; t < triangles.length; t += 3) {
@@ -66,15 +71,17 @@ export function intersect(
     let cx = points[c]!;
     let cy = points[c + 1]!;
     let cz = points[c + 2]!;
-    if (use) {
-      ax += factor * displacements[a]!;
-      ay += factor * displacements[a + 1]!;
+    if (deformation) {
+      const { cos, sin, displacements, factor } = deformation;
+      const [px, qx, rx] = [ax, bx, cx];
+      ax = cos * px - sin * ay + factor * displacements[a]!;
+      ay = sin * px + cos * ay + factor * displacements[a + 1]!;
       az += factor * displacements[a + 2]!;
-      bx += factor * displacements[b]!;
-      by += factor * displacements[b + 1]!;
+      bx = cos * qx - sin * by + factor * displacements[b]!;
+      by = sin * qx + cos * by + factor * displacements[b + 1]!;
       bz += factor * displacements[b + 2]!;
-      cx += factor * displacements[c]!;
-      cy += factor * displacements[c + 1]!;
+      cx = cos * rx - sin * cy + factor * displacements[c]!;
+      cy = sin * rx + cos * cy + factor * displacements[c + 1]!;
       cz += factor * displacements[c + 2]!;
     }
     const e1x = bx - ax;
@@ -162,15 +169,17 @@ export function pick(
       localRay.direction.set(cos * direction.x - sin * direction.y, sin * direction.x + cos * direction.y, direction.z);
       sphere.copy(local);
       if (!localRay.intersectsSphere(sphere) || !localRay.intersectsBox(view.copies.box)) continue;
-      const found = intersect(toArrays(localRay), view.part.points, view.part.triangles, null, 0, from);
+      const found = intersect(toArrays(localRay), view.part.points, view.part.triangles, null, from);
       consider(view, copy, -1, found, view.part.triangles);
     }
     localRay.origin.copy(origin);
     localRay.direction.copy(direction);
     const list = meshes[view.part.index] ?? [];
     list.forEach((mesh, i) => {
-      const found = intersect(toArrays(localRay), mesh.points, mesh.triangles, mesh.displacements, factor, from);
-      consider(view, -1, i, found, mesh.triangles);
+      const { points, triangles } = mesh.shape;
+      const { cos, sin, displacements } = mesh;
+      const found = intersect(toArrays(localRay), points, triangles, { cos, sin, displacements, factor }, from);
+      consider(view, -1, i, found, triangles);
     });
   }
   return best;
@@ -201,7 +210,7 @@ export function pickCell(
   for (let c = 0; c < contacts.count; c++) {
     if (!(contacts.pressures[c]! > 0) || !visible(c)) continue;
     const corners = contacts.corners.subarray(12 * c, 12 * c + 12);
-    const found = intersect(local, corners, CELL, null, 0, range[0]);
+    const found = intersect(local, corners, CELL, null, range[0]);
     if (found && found.distance < range[1] && (!best || found.distance < best.distance)) {
       best = { cell: c, distance: found.distance };
     }

@@ -1,5 +1,6 @@
 // Positions of a run: loaded when needed, kept in bounded memory.
 
+import { acquireMesh, releaseMeshes } from "./mesh_cache.ts";
 import type { Part, Position } from "./run_data.ts";
 import { readPosition } from "./run_data.ts";
 import { positionFileName, type PositionEntry, type ViewSource } from "./source.ts";
@@ -9,12 +10,11 @@ const BUDGET = 384e6;
 
 export class Positions {
   list: PositionEntry[] = [];
-  /** Called when a position leaves the memory. */
-  onEvict: ((position: Position) => void) | null = null;
 
   #cache = new Map<number, Position>();
   #pending = new Map<number, Promise<Position>>();
   #bytes = 0;
+  #disposed = false;
 
   constructor(
     private readonly source: ViewSource,
@@ -48,20 +48,28 @@ export class Positions {
   private async read(index: number): Promise<Position> {
     const entry = this.list[index];
     const name = positionFileName(entry?.position ?? index);
-    const position = readPosition(name, await this.source.position(index), this.parts);
+    const position = await readPosition(name, await this.source.position(index), this.parts, (mesh) =>
+      acquireMesh(mesh, this, async (file) => {
+        if (!this.source.mesh) throw new Error(`${file}: this source contains no meshes`);
+        return this.source.mesh(file);
+      }),
+    );
+    if (this.#disposed) releaseMeshes(this);
+    // A mesh that cannot be read now may be readable later: the position is not kept.
+    if (this.#disposed || position.problem) return position;
     this.#cache.set(index, position);
     this.#bytes += position.bytes;
     for (const [key, old] of this.#cache) {
       if (this.#bytes <= BUDGET || key === index) break;
       this.#cache.delete(key);
       this.#bytes -= old.bytes;
-      this.onEvict?.(old);
     }
     return position;
   }
 
   dispose(): void {
-    for (const position of this.#cache.values()) this.onEvict?.(position);
+    this.#disposed = true;
+    releaseMeshes(this);
     this.#cache.clear();
     this.#bytes = 0;
   }

@@ -5,7 +5,8 @@ import type { Core } from "./core.ts";
 import { poseMatrix } from "./display.ts";
 import { isNodal } from "./fields.ts";
 import { clipRay, pick, pickCell, type Hit } from "./picking.ts";
-import type { DeformedMesh } from "./run_data.ts";
+import { displacedPoint, type DeformedMesh } from "./run_data.ts";
+import { weightsAt } from "./section.ts";
 
 /** Distance in pixels within which the pointer is at a node. */
 const SNAP = 6;
@@ -18,6 +19,8 @@ export interface Probe {
   tooth: number | null;
   /** Value of the selected field, SI; NaN if there is none here, null if no field is selected. */
   value: number | null;
+  /** Contact cell under the pointer. */
+  cell?: number;
   /** Node whose value is displayed without interpolation. */
   node: number | null;
   /** Undeformed point in ground coordinates, m. */
@@ -33,6 +36,8 @@ export function probeAt(core: Core, x: number, y: number): Probe | null {
   if (!scene || !display) return null;
   scene.ray(x, y, ray);
   const plane = display.cutPlane;
+  const section = plane && isNodal(state.colours.field) ? probeSection(core, x, y, plane) : null;
+  if (section) return section;
   const hit = pick(ray, display.views, display.meshes, display.factor, plane);
   const cell = probeCell(core, x, y, hit?.distance ?? Infinity);
   if (cell) return cell;
@@ -48,14 +53,14 @@ export function probeAt(core: Core, x: number, y: number): Probe | null {
     return { x, y, part: part.name, tooth, value: null, node, point };
   }
   if (mesh) {
-    interpolate(mesh.points, hit, point);
     node = nearestNode(core, mesh, hit, x, y);
-    if (node !== null) point.fromArray(mesh.points, 3 * node);
+    if (node !== null) point.set(...displacedPoint(mesh, node, 0));
+    else hit.nodes.forEach((n, i) => point.addScaledVector(scratch.set(...displacedPoint(mesh, n, 0)), hit.weights[i]!));
     if (isNodal(state.colours.field)) {
       const values = display.values(mesh, state.colours.field);
       value = node !== null ? values[node]! : hit.nodes.reduce((sum, n, i) => sum + hit.weights[i]! * values[n]!, 0);
     }
-    tooth = toothOf(mesh, hit, point);
+    tooth = part.copies > 1 ? mesh.copy : null;
   } else {
     interpolate(part.points, hit, point);
     point.applyAxisAngle(AXIS, (2 * Math.PI * hit.copy) / part.copies);
@@ -66,6 +71,35 @@ export function probeAt(core: Core, x: number, y: number): Probe | null {
 }
 
 const AXIS = new THREE.Vector3(0, 0, 1);
+const scratch = new THREE.Vector3();
+
+/** Value on a section through the cells of a mesh: linear interpolation in the cell. */
+function probeSection(core: Core, x: number, y: number, plane: THREE.Vector4): Probe | null {
+  const { display, state } = core;
+  const { field } = state.colours;
+  if (!display || !isNodal(field)) return null;
+  const [distance] = clipRay(ray.origin, ray.direction, plane);
+  // The ray enters through the plane, or the section is not the first thing that it meets.
+  if (!(distance > 0) || !Number.isFinite(distance)) return null;
+  const world = ray.at(distance, new THREE.Vector3());
+  for (const view of display.views) {
+    if (!view.showsSections) continue;
+    const local = world.clone().applyMatrix4(matrix.copy(view.group.matrixWorld).invert());
+    for (const { mesh, section } of view.meshes) {
+      if (!mesh || !section?.plane) continue;
+      const triangle = section.section.find(local.x, local.y, local.z, section.plane);
+      if (triangle < 0) continue;
+      const { nodes, weights } = weightsAt(mesh, section.section.sources[triangle]!, display.factor, [local.x, local.y, local.z]);
+      const values = display.values(mesh, field);
+      const point = new THREE.Vector3();
+      nodes.forEach((n, i) => point.addScaledVector(scratch.set(...displacedPoint(mesh, n, 0)), weights[i]!));
+      point.applyMatrix4(poseMatrix(display.position?.poses ?? null, view.part.index, matrix));
+      const value = nodes.reduce((sum, n, i) => sum + weights[i]! * values[n]!, 0);
+      return { x, y, part: view.part.name, tooth: view.part.copies > 1 ? mesh.copy : null, value, node: null, point };
+    }
+  }
+  return null;
+}
 
 function interpolate(points: Float32Array, hit: Hit, point: THREE.Vector3): void {
   point.set(0, 0, 0);
@@ -84,10 +118,7 @@ function nearestNode(core: Core, mesh: DeformedMesh, hit: Hit, x: number, y: num
   let distance = SNAP;
   const p = new THREE.Vector3();
   for (const node of hit.nodes) {
-    p.fromArray(mesh.displacements, 3 * node).multiplyScalar(factor);
-    p.x += mesh.points[3 * node]!;
-    p.y += mesh.points[3 * node + 1]!;
-    p.z += mesh.points[3 * node + 2]!;
+    p.set(...displacedPoint(mesh, node, factor));
     p.applyMatrix4(hit.view.group.matrixWorld).project(scene.camera.active);
     const d = Math.hypot((0.5 + 0.5 * p.x) * scene.width - x, (0.5 - 0.5 * p.y) * scene.height - y);
     if (d <= distance) {
@@ -96,25 +127,6 @@ function nearestNode(core: Core, mesh: DeformedMesh, hit: Hit, x: number, y: num
     }
   }
   return nearest;
-}
-
-/** Tooth at a point of a mesh: the one whose middle is nearest in angle. */
-function toothOf(mesh: DeformedMesh, hit: Hit, point: THREE.Vector3): number | null {
-  const { part, copies } = hit.view;
-  if (part.copies <= 1) return null;
-  const { center } = copies.sphere;
-  const angle = Math.atan2(point.y, point.x) - Math.atan2(center.y, center.x);
-  const step = (2 * Math.PI) / part.copies;
-  let best: number | null = null;
-  let distance = Infinity;
-  for (const copy of mesh.copies) {
-    const difference = Math.abs(Math.atan2(Math.sin(angle - copy * step), Math.cos(angle - copy * step)));
-    if (difference < distance) {
-      distance = difference;
-      best = copy;
-    }
-  }
-  return best;
 }
 
 function probeCell(core: Core, x: number, y: number, limit: number): Probe | null {
@@ -138,6 +150,7 @@ function probeCell(core: Core, x: number, y: number, limit: number): Probe | nul
     y,
     part: name(core, part),
     tooth: contacts.teeth[2 * hit.cell + side]!,
+    cell: hit.cell,
     value: contacts.pressures[hit.cell]!,
     node: null,
     point,

@@ -28,8 +28,12 @@ export interface Contacts {
   count: number;
   corners: Float32Array;
   pressures: Float32Array;
+  /** 1 if either gear touches with a rounded edge, otherwise 0. */
+  edges: Uint32Array;
   parts: Uint32Array;
   teeth: Uint32Array;
+  /** Surfaces of both teeth; the two flanks of a tooth have different numbers. */
+  surfaces: Uint32Array;
 }
 
 export interface Force {
@@ -41,14 +45,34 @@ export interface Force {
   parts: number[];
 }
 
-export interface DeformedMesh {
-  part: number;
-  copies: number[];
+/** A finite-element mesh without its values: the content of a file `mesh-*.bin`. */
+export interface MeshShape {
+  name: string;
+  /** The surface contains shells, as for parts. */
+  open: boolean;
+  /** Undeformed points of copy 0. */
   points: Float32Array;
-  displacements: Float32Array;
-  stresses: Float32Array;
   triangles: Uint32Array;
   edges: Uint32Array;
+  /** Cells of the volume, by their corners. */
+  tetrahedra: Uint32Array;
+  wedges: Uint32Array;
+  hexahedra: Uint32Array;
+}
+
+/** A mesh in the place of a copy of a part, with its values in a position. */
+export interface DeformedMesh {
+  part: number;
+  copy: number;
+  /** Rotation of the points into the place of the copy. */
+  cos: number;
+  sin: number;
+  shape: MeshShape;
+  /** In coordinates of the part, like the stresses: not rotated. */
+  displacements: Float32Array;
+  stresses: Float32Array;
+  /** Estimated errors of the stresses as von Mises stresses; null if there are none. */
+  stressErrors: Float32Array | null;
 }
 
 export interface Position {
@@ -61,6 +85,8 @@ export interface Position {
   meshes: DeformedMesh[];
   /** Size of the file in bytes. */
   bytes: number;
+  /** Reason why a mesh of this position is not displayed, or empty. */
+  problem: string;
 }
 
 /** Largest number of copies of a shape; a damaged file could request more memory than there is. */
@@ -131,40 +157,96 @@ function readContacts(file: ArrayFile, value: Json | undefined): Contacts | null
   const pressures = file.f32(entry.pressures, 1, "contacts, pressures");
   const parts = file.u32(entry.parts, 2, "contacts, parts");
   const teeth = file.u32(entry.teeth, 2, "contacts, teeth");
+  const edges = file.u32(entry.edges, 1, "contacts, edges");
+  const surfaces = file.u32(entry.surfaces, 2, "contacts, surfaces");
   const count = pressures.length;
-  if (corners.length !== 12 * count || parts.length !== 2 * count || teeth.length !== 2 * count) {
+  const pairs = [parts, teeth, surfaces].every(({ length }) => length === 2 * count);
+  if (corners.length !== 12 * count || edges.length !== count || !pairs) {
     throw new FileError(file.name, "contacts: the arrays have different lengths");
   }
-  return count > 0 ? { count, corners, pressures, parts, teeth } : null;
+  return count > 0 ? { count, corners, pressures, edges, parts, teeth, surfaces } : null;
 }
 
-function readMesh(file: ArrayFile, value: Json, index: number, parts: Part[]): DeformedMesh {
+/** Returns the displaced point of a node, in coordinates of the part. */
+export function displacedPoint(mesh: DeformedMesh, node: number, factor: number): Vector {
+  const { cos, sin, displacements: u } = mesh;
+  const { points } = mesh.shape;
+  const i = 3 * node;
+  const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
+  return [cos * x - sin * y + factor * u[i]!, sin * x + cos * y + factor * u[i + 1]!, z + factor * u[i + 2]!];
+}
+
+export function readMeshShape(name: string, buffer: ArrayBuffer): MeshShape {
+  const file = ArrayFile.parse(name, buffer);
+  const { header } = file;
+  const points = file.f32(header.points, 3, "points");
+  const indices = (key: string, components: number, required: boolean) => {
+    if (!required && !header[key]) return new Uint32Array();
+    const result = file.u32(header[key], components, key);
+    checkIndices(name, key, result, points.length / 3);
+    return result;
+  };
+  return {
+    name,
+    open: header.open === true,
+    points,
+    triangles: indices("triangles", 3, true),
+    edges: indices("edges", 2, false),
+    tetrahedra: indices("tetrahedra", 4, false),
+    wedges: indices("wedges", 6, false),
+    hexahedra: indices("hexahedra", 8, false),
+  };
+}
+
+/** Reads a file `mesh-*.bin`. */
+export type MeshReader = (name: string) => Promise<MeshShape>;
+
+/** Names of mesh files: a name from a damaged file must not lead to another address. */
+const MESH_NAME = /^mesh-[0-9A-Za-z_-]+\.bin$/;
+
+async function readMesh(file: ArrayFile, value: Json, index: number, parts: Part[], read: MeshReader): Promise<DeformedMesh> {
   const entry = record(value);
   const part = parts[Number(entry?.part)];
   if (!entry || !part) throw new FileError(file.name, `mesh ${index}: the part does not exist`);
   const label = `mesh of ${part.name}`;
-  const points = file.f32(entry.points, 3, `${label}, points`);
+  const copy = Number(entry.copy ?? 0);
+  if (!Number.isInteger(copy) || copy < 0 || copy >= part.copies) throw new FileError(file.name, `${label}: the copy does not exist`);
   const displacements = file.f32(entry.displacements, 3, `${label}, displacements`);
   const stresses = file.f32(entry.stresses, 6, `${label}, stresses`);
-  const triangles = file.u32(entry.triangles, 3, `${label}, triangles`);
-  const edges = entry.edges ? file.u32(entry.edges, 2, `${label}, edges`) : new Uint32Array();
-  const count = points.length / 3;
-  if (displacements.length !== 3 * count || stresses.length !== 6 * count) {
-    throw new FileError(file.name, `${label}: the arrays have different lengths`);
+  const stressErrors = entry.stress_errors ? file.f32(entry.stress_errors, 1, `${label}, stress errors`) : null;
+  const name = String(entry.mesh);
+  if (!MESH_NAME.test(name)) throw new FileError(file.name, `${label}: the name of the mesh is not valid`);
+  const shape = await read(name);
+  const count = shape.points.length / 3;
+  if (displacements.length !== 3 * count || stresses.length !== 6 * count || (stressErrors && stressErrors.length !== count)) {
+    throw new FileError(file.name, `${label}: the values do not fit the ${count} points of ${name}`);
   }
-  checkIndices(file.name, `${label}, triangles`, triangles, count);
-  checkIndices(file.name, `${label}, edges`, edges, count);
-  const copies = list(entry.copies).filter((n): n is number => typeof n === "number" && n >= 0 && n < part.copies);
-  return { part: part.index, copies, points, displacements, stresses, triangles, edges };
+  const angle = (2 * Math.PI * copy) / part.copies;
+  return { part: part.index, copy, cos: Math.cos(angle), sin: Math.sin(angle), shape, displacements, stresses, stressErrors };
 }
 
-export function readPosition(name: string, buffer: ArrayBuffer, parts: Part[]): Position {
+/** Reads a position and the meshes that it refers to. A mesh that cannot be read is left out. */
+export async function readPosition(name: string, buffer: ArrayBuffer, parts: Part[], read: MeshReader): Promise<Position> {
   const file = ArrayFile.parse(name, buffer);
   const { header } = file;
   const poses = file.f64(header.poses, 12, "poses");
   if (poses.length !== 12 * parts.length) {
     throw new FileError(name, `${poses.length / 12} poses for ${parts.length} parts; the files are from different runs`);
   }
+  let problem = "";
+  const readable: MeshReader = (mesh) =>
+    read(mesh).catch((error: unknown) => {
+      problem = error instanceof Error ? error.message : String(error);
+      throw new MissingMesh(problem);
+    });
+  const meshes = await Promise.all(
+    list(header.meshes).map((value, index) =>
+      readMesh(file, value, index, parts, readable).catch((error: unknown) => {
+        if (error instanceof MissingMesh) return null;
+        throw error;
+      }),
+    ),
+  );
   return {
     position: Number(header.position ?? 0),
     time: Number(header.time ?? 0),
@@ -173,7 +255,10 @@ export function readPosition(name: string, buffer: ArrayBuffer, parts: Part[]): 
     forces: list(header.forces)
       .map((value) => readForce(value, parts.length))
       .filter((force) => force !== null),
-    meshes: list(header.meshes).map((value, index) => readMesh(file, value, index, parts)),
+    meshes: meshes.filter((mesh) => mesh !== null),
     bytes: buffer.byteLength,
+    problem,
   };
 }
+
+class MissingMesh extends Error {}

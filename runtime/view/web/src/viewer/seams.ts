@@ -9,28 +9,22 @@ import * as THREE from "three";
 import type { MaterialSet } from "./materials.ts";
 import type { Surface } from "./surface.ts";
 
-/** Triangles between open edges and a centre; three points each. */
-interface Fan {
-  points: number[];
-  displacements: number[];
-}
-
-function fan(edges: number[], points: Float32Array, displacements?: Float32Array): Fan {
-  const result: Fan = { points: [], displacements: [] };
-  const mean = (values: Float32Array) =>
-    [0, 1, 2].map((k) => edges.reduce((sum, node) => sum + values[3 * node + k]!, 0) / Math.max(edges.length, 1));
-  const centre = mean(points);
-  const shift = displacements ? mean(displacements) : [];
+/** Points of triangles between open edges and their centre; three points each. */
+function fan(edges: number[], points: Float32Array): number[] {
+  const result: number[] = [];
+  const centre = meanOf(edges, points);
   for (let i = 0; i < edges.length; i += 2) {
     // The surface has the edge from the first node to the second one, its closure the opposite edge.
     for (const node of [edges[i + 1]!, edges[i]!]) {
-      result.points.push(points[3 * node]!, points[3 * node + 1]!, points[3 * node + 2]!);
-      if (displacements) result.displacements.push(...displacements.subarray(3 * node, 3 * node + 3));
+      result.push(points[3 * node]!, points[3 * node + 1]!, points[3 * node + 2]!);
     }
-    result.points.push(...centre);
-    result.displacements.push(...shift);
+    result.push(...centre);
   }
   return result;
+}
+
+function meanOf(nodes: number[], values: Float32Array): number[] {
+  return [0, 1, 2].map((k) => nodes.reduce((sum, node) => sum + values[3 * node + k]!, 0) / Math.max(nodes.length, 1));
 }
 
 /** Open edges in connected groups. */
@@ -63,13 +57,37 @@ function stencilMeshes(geometry: THREE.InstancedBufferGeometry, materials: Mater
 }
 
 /** Closes all open edges of a deformed mesh. */
-export function closeMesh(surface: Surface, points: Float32Array, displacements: Float32Array, materials: MaterialSet) {
-  const fans = groups(surface.openEdges).map((edges) => fan(edges, points, displacements));
-  const geometry = new THREE.InstancedBufferGeometry();
-  geometry.setAttribute("position", new THREE.Float32BufferAttribute(fans.flatMap((f) => f.points), 3));
-  geometry.setAttribute("displacement", new THREE.Float32BufferAttribute(fans.flatMap((f) => f.displacements), 3));
-  geometry.instanceCount = fans.length > 0 ? 1 : 0;
-  return { geometry, meshes: stencilMeshes(geometry, materials) };
+export class MeshClosure {
+  readonly geometry = new THREE.InstancedBufferGeometry();
+  readonly meshes: THREE.Mesh[];
+  #groups: number[][];
+  #displacement: THREE.BufferAttribute;
+
+  constructor(surface: Surface, points: Float32Array, rotation: THREE.InstancedBufferAttribute, materials: MaterialSet) {
+    this.#groups = groups(surface.openEdges);
+    const position = this.#groups.flatMap((edges) => fan(edges, points));
+    this.#displacement = new THREE.Float32BufferAttribute(new Float32Array(position.length), 3);
+    this.geometry.setAttribute("position", new THREE.Float32BufferAttribute(position, 3));
+    this.geometry.setAttribute("displacement", this.#displacement);
+    this.geometry.setAttribute("copyRotation", rotation);
+    this.geometry.instanceCount = position.length > 0 ? 1 : 0;
+    this.meshes = stencilMeshes(this.geometry, materials);
+  }
+
+  setDisplacements(displacements: Float32Array): void {
+    const array = this.#displacement.array as Float32Array;
+    let at = 0;
+    for (const edges of this.#groups) {
+      const shift = meanOf(edges, displacements);
+      for (let i = 0; i < edges.length; i += 2) {
+        for (const node of [edges[i + 1]!, edges[i]!]) {
+          for (let k = 0; k < 3; k++) array[at++] = displacements[3 * node + k]!;
+        }
+        for (let k = 0; k < 3; k++) array[at++] = shift[k]!;
+      }
+    }
+    this.#displacement.needsUpdate = true;
+  }
 }
 
 /** Closes the seams of copies next to copies that are left out. */
@@ -99,7 +117,7 @@ export class OpenCopies {
         if (Math.sign(x * my - y * mx) === sign) edges.push(openEdges[i]!, openEdges[i + 1]!);
       }
       const geometry = new THREE.InstancedBufferGeometry();
-      geometry.setAttribute("position", new THREE.Float32BufferAttribute(fan(edges, points).points, 3));
+      geometry.setAttribute("position", new THREE.Float32BufferAttribute(fan(edges, points), 3));
       const rotation = new THREE.InstancedBufferAttribute(new Float32Array(2 * copies), 2);
       geometry.setAttribute("copyRotation", rotation);
       geometry.instanceCount = 0;

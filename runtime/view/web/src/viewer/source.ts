@@ -31,6 +31,8 @@ export interface ViewSource {
   positions(): Promise<PositionEntry[]>;
   /** Returns the content of a position's file. `index` is the place in the list of positions. */
   position(index: number): Promise<ArrayBuffer>;
+  /** Returns the content of a file `mesh-*.bin`. Needed if the positions refer to meshes. */
+  mesh?(name: string): Promise<ArrayBuffer>;
   /** Labels and values: model, params, version, date. */
   provenance?: [string, string][];
   /** Outputs to plot over the positions. */
@@ -45,6 +47,8 @@ export interface EmbeddedData {
   /** `parts.bin`, compressed by gzip, in base64. */
   parts: string;
   positions: { position: number; time: number; data: string }[];
+  /** Files `mesh-*.bin` by name, likewise. */
+  meshes?: Record<string, string>;
 }
 
 /** Decodes base64 and decompresses gzip. */
@@ -74,6 +78,11 @@ export function embeddedSource(data: EmbeddedData): ViewSource {
       const entry = list[index];
       if (!entry) return Promise.reject(new Error(`position ${index} does not exist`));
       return decompress(entry.data, positionFileName(entry.position));
+    },
+    mesh: (name) => {
+      const text = data.meshes?.[name];
+      if (text === undefined) return Promise.reject(new Error(`${name}: the page does not contain this file`));
+      return decompress(text, name);
     },
   };
 }

@@ -7,12 +7,15 @@ export type Field =
   | "max_principal"
   | "min_principal"
   | "von_mises"
+  | "stress_error"
   | "displacement";
 export type Projection = "perspective" | "orthographic";
 export type StandardView = "front" | "back" | "left" | "right" | "top" | "bottom" | "isometric";
 export type ThemeChoice = "system" | "light" | "dark";
 export type Axis = "x" | "y" | "z";
 export type Vector = [number, number, number];
+/** Contact cells that are displayed: all, those of flanks, or those at rounded edges. */
+export type CellChoice = "all" | "flanks" | "edges";
 
 export interface CameraState {
   projection: Projection;
@@ -37,6 +40,8 @@ export interface ColourState {
   /** Fixed limits in SI units. */
   min: number;
   max: number;
+  /** Contact cells of which the pressure is displayed. */
+  cells: CellChoice;
 }
 
 export interface DeformationState {
@@ -72,6 +77,19 @@ export interface PanelState {
   parts: boolean;
   settings: boolean;
   plots: boolean;
+  /** Contact pattern on an unrolled flank. */
+  pattern: boolean;
+}
+
+export interface PatternState {
+  /** Name of the gear; empty for the first one with contacts. */
+  gear: string;
+  /** `all` superimposes all teeth, `pointer` follows the pointer; otherwise the number of a tooth. */
+  tooth: string;
+  /** Flank, as seen from the positive z axis with the tooth upright. Automatic is the one with more load. */
+  flank: "automatic" | "left" | "right";
+  /** Maximum over all positions instead of the displayed position. */
+  envelope: boolean;
 }
 
 export interface ViewState {
@@ -97,6 +115,7 @@ export interface ViewState {
   animation: AnimationState;
   theme: ThemeChoice;
   panels: PanelState;
+  pattern: PatternState;
   /** Names of the plotted outputs; empty for the first one. */
   plotted: string[];
 }
@@ -106,7 +125,7 @@ export function defaultState(): ViewState {
     version: 1,
     camera: null,
     parts: {},
-    colours: { field: "plain", scale: "viridis", bands: 0, limits: "position", min: 0, max: 1 },
+    colours: { field: "plain", scale: "viridis", bands: 0, limits: "position", min: 0, max: 1, cells: "all" },
     deformation: { mode: "automatic", factor: 1 },
     mesh_edges: false,
     hidden_contacts: true,
@@ -117,7 +136,8 @@ export function defaultState(): ViewState {
     position: 0,
     animation: { speed: 10, loop: true },
     theme: "system",
-    panels: { parts: true, settings: false, plots: false },
+    panels: { parts: true, settings: false, plots: false, pattern: false },
+    pattern: { gear: "", tooth: "all", flank: "automatic", envelope: false },
     plotted: [],
   };
 }

@@ -1,22 +1,18 @@
-// A surface in the scene: the copies of a part's shape, or a deformed mesh.
+// The copies of a part's shape in the scene.
 
 import * as THREE from "three";
 import { coarsen, LEVELS } from "./lod.ts";
-import { NO_VALUE, type MaterialSet } from "./materials.ts";
-import { closeMesh } from "./seams.ts";
+import type { MaterialSet } from "./materials.ts";
 import type { Surface } from "./surface.ts";
 
 export interface SurfaceInput {
   points: Float32Array;
   edges: Uint32Array;
   surface: Surface;
-  /** Present for deformed meshes. */
-  displacements?: Float32Array;
 }
 
 /** Gathers rows of a node array at the vertices. */
-function atVertices(values: Float32Array, nodes: Uint32Array): Float32Array {
-  const result = new Float32Array(3 * nodes.length);
+export function atVertices(values: Float32Array, nodes: Uint32Array, result: Float32Array = new Float32Array(3 * nodes.length)): Float32Array {
   for (let v = 0; v < nodes.length; v++) {
     const n = 3 * nodes[v]!;
     result[3 * v] = values[n]!;
@@ -32,8 +28,6 @@ export class SurfaceView {
   readonly features: THREE.LineSegments;
   readonly edges: THREE.LineSegments;
   readonly stencils: THREE.Mesh[];
-  /** Close the open seams of a deformed mesh in the stencil buffer. */
-  readonly closures: THREE.Mesh[] = [];
   readonly triangleCount: number;
   /** Sphere around one copy, in coordinates of the part, undeformed. */
   readonly sphere: THREE.Sphere;
@@ -44,41 +38,28 @@ export class SurfaceView {
   #levels: (THREE.InstancedBufferGeometry | undefined)[] = [];
   #level = -1;
   #count: number;
-  #nodes: Uint32Array;
-  #field: THREE.BufferAttribute | null = null;
-  #copies: THREE.InstancedBufferAttribute | null = null;
-  #total = 1;
+  #copies: THREE.InstancedBufferAttribute;
 
   constructor(
     private readonly input: SurfaceInput,
     materials: MaterialSet,
-    copies: number | null,
+    private readonly total: number,
   ) {
     const { surface, points } = input;
-    this.#count = copies ?? 1;
-    this.#nodes = surface.nodes;
+    this.#count = total;
     this.triangleCount = surface.triangles.length / 3;
     const position = new THREE.BufferAttribute(atVertices(points, surface.nodes), 3);
-    const attributes: Record<string, THREE.BufferAttribute> = { position };
-    if (input.displacements) {
-      attributes.displacement = new THREE.BufferAttribute(atVertices(input.displacements, surface.nodes), 3);
-      this.#field = new THREE.BufferAttribute(new Float32Array(surface.nodes.length).fill(NO_VALUE), 1);
-      attributes.field = this.#field;
-    }
     this.box = new THREE.Box3().setFromBufferAttribute(position);
     this.sphere = this.box.getBoundingSphere(new THREE.Sphere());
-    if (copies !== null) {
-      this.#total = copies;
-      this.#copies = new THREE.InstancedBufferAttribute(new Float32Array(2 * copies), 2);
-      this.#copies.setUsage(THREE.DynamicDrawUsage);
-      attributes.copyRotation = this.#copies;
-    }
+    this.#copies = new THREE.InstancedBufferAttribute(new Float32Array(2 * total), 2);
+    this.#copies.setUsage(THREE.DynamicDrawUsage);
     const geometry = (index: Uint32Array, normals = false) => {
       const result = new THREE.InstancedBufferGeometry();
-      for (const [name, attribute] of Object.entries(attributes)) result.setAttribute(name, attribute);
+      result.setAttribute("position", position);
+      result.setAttribute("copyRotation", this.#copies);
       if (normals) result.setAttribute("normal", new THREE.BufferAttribute(surface.normals, 3));
       result.setIndex(new THREE.BufferAttribute(index, 1));
-      result.instanceCount = copies ?? 1;
+      result.instanceCount = total;
       return result;
     };
     const edgeVertices = Uint32Array.from(input.edges, (node) => surface.firstVertex[node]!);
@@ -91,24 +72,19 @@ export class SurfaceView {
     this.features = new THREE.LineSegments(features, materials.features);
     this.edges = new THREE.LineSegments(edges, materials.edges);
     this.stencils = [new THREE.Mesh(faces, materials.stencilBack), new THREE.Mesh(faces, materials.stencilFront)];
-    if (input.displacements) {
-      const closure = closeMesh(surface, points, input.displacements, materials);
-      this.#geometries.push(closure.geometry);
-      this.closures = closure.meshes;
-    }
-    for (const object of [this.surface, this.features, this.edges, ...this.stencils, ...this.closures]) {
+    for (const object of [this.surface, this.features, this.edges, ...this.stencils]) {
       // Three.js would cull by the bounds of one copy. The viewer culls the copies itself.
       object.frustumCulled = false;
       object.matrixAutoUpdate = false;
       this.group.add(object);
     }
     this.group.matrixAutoUpdate = false;
-    if (copies !== null) this.setCopies(Array.from({ length: copies }, (_, k) => k), copies);
+    this.setCopies(Array.from({ length: total }, (_, k) => k), total);
   }
 
   /** Draws a coarser surface: an index into `LEVELS`, or -1 for the full surface. */
   setLevel(level: number): void {
-    if (level === this.#level || !this.#copies) return;
+    if (level === this.#level) return;
     this.#level = level;
     let geometry = level < 0 ? this.#full : this.#levels[level];
     if (!geometry) {
@@ -134,10 +110,9 @@ export class SurfaceView {
   /** Draws only some of the copies. */
   setCopies(copies: ArrayLike<number>, length: number): void {
     const attribute = this.#copies;
-    if (!attribute) return;
     const array = attribute.array as Float32Array;
     for (let i = 0; i < length; i++) {
-      const angle = (2 * Math.PI * copies[i]!) / this.#total;
+      const angle = (2 * Math.PI * copies[i]!) / this.total;
       array[2 * i] = Math.cos(angle);
       array[2 * i + 1] = Math.sin(angle);
     }
@@ -147,17 +122,6 @@ export class SurfaceView {
     this.#count = length;
     for (const geometry of this.#geometries) geometry.instanceCount = length;
     this.group.visible = length > 0;
-  }
-
-  /** Sets the values that determine the colours, one per node of the input. */
-  setField(values: ArrayLike<number> | null): void {
-    if (!this.#field) return;
-    const array = this.#field.array as Float32Array;
-    for (let v = 0; v < this.#nodes.length; v++) {
-      const value = values ? values[this.#nodes[v]!]! : NaN;
-      array[v] = Number.isFinite(value) ? value : NO_VALUE;
-    }
-    this.#field.needsUpdate = true;
   }
 
   dispose(): void {
