@@ -153,6 +153,7 @@ function sourceOf(studio: Studio, id: string): ViewSource {
       if (!entry) return Promise.reject(new Error(`position ${index} does not exist`));
       return binary(ofRun(id, `/files/view/${positionFileName(entry.position)}`));
     },
+    mesh: (name) => binary(ofRun(id, `/files/view/${name}`)),
   };
 }
 
