@@ -15,8 +15,8 @@ export class ContactView {
   #contacts: Contacts | null = null;
   #ghost: ViewMaterial;
   #key = "";
-  #marked = -1;
-  #mark = new THREE.LineLoop(
+  /** Outline of a marked cell, in ground coordinates. */
+  readonly markLine = new THREE.LineLoop(
     new THREE.BufferGeometry(),
     new THREE.LineBasicMaterial({ color: "#e07b1f", transparent: true, depthTest: false }),
   );
@@ -42,23 +42,21 @@ export class ContactView {
     this.#behind = meshes[1]!;
     this.#behind.renderOrder = 99999;
     meshes[0]!.renderOrder = 5;
-    this.#mark.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(12), 3));
-    this.#mark.frustumCulled = false;
-    this.#mark.matrixAutoUpdate = false;
-    this.#mark.renderOrder = 250000;
-    this.#mark.visible = false;
-    this.group.add(this.#mark);
+    this.markLine.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(12), 3));
+    this.markLine.frustumCulled = false;
+    this.markLine.matrixAutoUpdate = false;
+    this.markLine.renderOrder = 250000;
+    this.markLine.visible = false;
   }
 
   /** Marks a cell; -1 for none. Returns whether the picture has changed. */
-  mark(cell: number): boolean {
-    if (cell === this.#marked) return false;
-    this.#marked = cell;
-    const contacts = this.#contacts;
-    this.#mark.visible = contacts !== null && cell >= 0 && cell < contacts.count;
-    if (!this.#mark.visible) return true;
-    const position = this.#mark.geometry.getAttribute("position") as THREE.BufferAttribute;
-    (position.array as Float32Array).set(contacts!.corners.subarray(12 * cell, 12 * cell + 12));
+  mark(contacts: Contacts | null, cell: number): boolean {
+    const visible = contacts !== null && cell >= 0 && cell < contacts.count;
+    if (!visible && !this.markLine.visible) return false;
+    this.markLine.visible = visible;
+    if (!visible) return true;
+    const position = this.markLine.geometry.getAttribute("position") as THREE.BufferAttribute;
+    (position.array as Float32Array).set(contacts.corners.subarray(12 * cell, 12 * cell + 12));
     position.needsUpdate = true;
     return true;
   }
@@ -82,7 +80,7 @@ export class ContactView {
     if (contacts === this.#contacts && key === this.#key) return;
     this.#contacts = contacts;
     this.#key = key;
-    this.mark(-1);
+    this.mark(null, -1);
     this.#geometry.dispose();
     this.group.visible = contacts !== null;
     if (!contacts) return;
@@ -104,7 +102,7 @@ export class ContactView {
 
   dispose(): void {
     this.#geometry.dispose();
-    this.#mark.geometry.dispose();
+    this.markLine.geometry.dispose();
     for (const material of this.materials) material.dispose();
   }
 }

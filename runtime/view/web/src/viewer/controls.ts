@@ -34,12 +34,14 @@ export function controlPointer(core: Core, canvas: HTMLCanvasElement): void {
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
+    if (core.drawer) core.setDrawer(null);
     const { x, y } = location(event);
     pointers.set(event.pointerId, { x, y });
     if (pointers.size > 1) drag = "pan";
     else if (event.button === 0 && onHandle(x, y)) drag = "cut";
     else drag = event.button === 0 && !event.shiftKey ? "orbit" : "pan";
     core.clearProbe();
+    core.display?.setDragging(drag === "cut", core.state);
     canvas.dataset.drag = drag;
   });
 
@@ -82,6 +84,7 @@ export function controlPointer(core: Core, canvas: HTMLCanvasElement): void {
     pointers.delete(event.pointerId);
     if (pointers.size === 0) {
       drag = null;
+      core.display?.setDragging(false, core.state);
       delete canvas.dataset.drag;
     }
   };
@@ -169,6 +172,7 @@ export const SHORTCUTS: [string, Shortcut[]][] = [
       { keys: "B", label: "Parts" },
       { keys: "S", label: "Settings" },
       { keys: "G", label: "Plots" },
+      { keys: "U", label: "Contact pattern on the unrolled flank" },
       { keys: "?", label: "This help" },
       { keys: "Esc", label: "Close" },
     ],
@@ -211,6 +215,10 @@ export function handleKey(core: Core, event: KeyboardEvent): boolean {
     core.changed(false);
     return true;
   }
+  if (event.key === "Escape" && core.drawer) {
+    core.setDrawer(null);
+    return true;
+  }
   if (!scene || core.status !== "ready") return false;
   const { camera } = scene;
   if (target === scene.canvas && event.key.startsWith("Arrow")) {
@@ -245,9 +253,10 @@ export function handleKey(core: Core, event: KeyboardEvent): boolean {
     case "k": animation.toggle(); break;
     case ",": animation.step(-1); break;
     case ".": animation.step(1); break;
-    case "b": core.update({ panels: { parts: !panels.parts } }); break;
-    case "s": core.update({ panels: { settings: !panels.settings } }); break;
+    case "b": core.toggle("parts"); break;
+    case "s": core.toggle("settings"); break;
     case "g": core.update({ panels: { plots: !panels.plots } }); break;
+    case "u": core.update({ panels: { pattern: !panels.pattern } }); break;
     default: return false;
   }
   return true;

@@ -6,6 +6,8 @@ import { FileError } from "./array_file.ts";
 import { Display, type Limits } from "./display.ts";
 import { isNodal } from "./fields.ts";
 import { Labels } from "./labels.ts";
+import { isHidden } from "./marks.ts";
+import { PatternModel } from "./pattern_model.ts";
 import { probeAt, type Probe } from "./probe.ts";
 import { Positions } from "./positions.ts";
 import { readParts, type Parts } from "./run_data.ts";
@@ -14,6 +16,15 @@ import type { ViewSource } from "./source.ts";
 import { completeState, defaultState, type PartialState, type ViewState, type Visibility } from "./state.ts";
 import { ThemeWatcher } from "./theme.ts";
 import { useUnitsOf } from "./units.ts";
+
+/** What is above the scene of a narrow viewer. */
+export type Drawer = "parts" | "settings" | "tools";
+
+/** Width below which a viewer is narrow, CSS pixels. */
+const NARROW = 640;
+
+/** Time between a frame and the update of the marks, ms. */
+const MARKS_DELAY = 100;
 
 export type Status = "empty" | "loading" | "ready" | "failed";
 
@@ -29,12 +40,16 @@ export class Core {
   positions: Positions | null = null;
   probe: Probe | null = null;
   help = false;
+  /** There is no room for panels beside the scene: they are drawers above it. */
+  narrow = false;
+  drawer: Drawer | null = null;
   /** Share of the positions that the search for limits has read, or null. */
   progress: number | null = null;
   readonly scene: Scene | null = null;
   readonly display: Display | null = null;
   readonly labels = new Labels();
   readonly animation = new Animation(this);
+  readonly pattern = new PatternModel(this);
   readonly theme: ThemeWatcher;
   onChange: ((state: ViewState) => void) | null = null;
 
@@ -44,6 +59,8 @@ export class Core {
   #fieldChosen: boolean;
   #allLimits = new Map<string, Limits>();
   #scan = "";
+  #marks = 0;
+  #size = new ResizeObserver(() => this.resize());
 
   constructor(
     readonly element: HTMLElement,
@@ -54,6 +71,7 @@ export class Core {
     this.#fieldChosen = initial.colours?.field !== undefined;
     this.theme = new ThemeWatcher(element, () => this.changed());
     this.theme.set(this.state.theme);
+    this.#size.observe(element);
     try {
       this.scene = new Scene(stage);
       this.display = new Display(this.scene);
@@ -64,13 +82,44 @@ export class Core {
     const { scene, display } = this;
     stage.append(this.labels.element);
     scene.onPrepare = () => display.prepareFrame();
-    scene.onFrame = () => this.labels.update(scene.camera.active, scene.root.matrix, scene.width, scene.height);
+    scene.onFrame = () => {
+      this.labels.update(scene.camera.active, scene.root.matrix, scene.width, scene.height);
+      // The search for what hides a mark would make each frame slower.
+      this.#marks ||= window.setTimeout(() => this.updateMarks(), MARKS_DELAY);
+    };
     scene.camera.onChange = (user) => {
       this.state.camera = scene.camera.state;
       this.probe = null;
       scene.invalidate();
       this.changed(user);
     };
+  }
+
+  private resize(): void {
+    const width = this.element.clientWidth;
+    // An element that is not displayed has no width.
+    const narrow = width > 0 && width < NARROW;
+    if (narrow === this.narrow) return;
+    this.narrow = narrow;
+    this.drawer = null;
+    this.element.toggleAttribute("data-narrow", narrow);
+    this.changed(false);
+  }
+
+  /** Returns whether a panel is displayed. */
+  isOpen(panel: "parts" | "settings"): boolean {
+    return this.narrow ? this.drawer === panel : this.state.panels[panel];
+  }
+
+  /** Opens or closes a panel. */
+  toggle(panel: "parts" | "settings", open = !this.isOpen(panel)): void {
+    if (this.narrow) this.setDrawer(open ? panel : null);
+    else this.update({ panels: { [panel]: open } });
+  }
+
+  setDrawer(drawer: Drawer | null): void {
+    this.drawer = drawer;
+    this.changed(false);
   }
 
   /** Registers a function that is called after changes, at most once per frame. */
@@ -262,10 +311,43 @@ export class Core {
   /** Updates the value at the pointer; coordinates in pixels of the canvas. */
   probePointer(x: number, y: number): void {
     this.probe = this.status === "ready" ? probeAt(this, x, y) : null;
+    if (this.state.panels.pattern) this.followPointer();
     this.changed(false);
   }
 
+  /** The contact pattern follows the pointer in the scene. */
+  private followPointer(): void {
+    const { probe, pattern } = this;
+    const cell = probe?.cell ?? -1;
+    const contacts = this.display?.position?.contacts;
+    for (let end = 0; contacts && cell >= 0 && end < 2; end++) {
+      pattern.pointed.set(contacts.parts[2 * cell + end]!, contacts.teeth[2 * cell + end]!);
+    }
+    const part = this.parts?.parts.find(({ name }) => name === probe?.part);
+    if (probe && cell < 0 && part && probe.tooth !== null) pattern.pointed.set(part.index, probe.tooth);
+    this.hover(cell);
+  }
+
+  /** Marks a contact cell in the scene and in the contact pattern; -1 for none. */
+  hover(cell: number): void {
+    const { display, scene, pattern } = this;
+    pattern.hovered = cell;
+    if (display?.contacts.mark(display.position?.contacts ?? null, cell)) scene?.invalidate();
+    this.changed(false);
+  }
+
+  /** Finds out which marks are hidden. */
+  updateMarks(): void {
+    clearTimeout(this.#marks);
+    this.#marks = 0;
+    const { scene, display } = this;
+    if (!scene || !display || this.status !== "ready") return;
+    this.labels.hide((point) => isHidden(scene, display, point));
+    this.labels.arrange(scene.width, this.element.querySelector(".cv-legend")?.getBoundingClientRect() ?? null);
+  }
+
   clearProbe(): void {
+    if (this.pattern.hovered >= 0) this.hover(-1);
     if (!this.probe) return;
     this.probe = null;
     this.changed(false);
@@ -305,6 +387,8 @@ export class Core {
   dispose(): void {
     this.#generation++;
     cancelAnimationFrame(this.#notified);
+    clearTimeout(this.#marks);
+    this.#size.disconnect();
     this.animation.stop();
     this.positions?.dispose();
     this.display?.dispose();

@@ -18,6 +18,9 @@ import { displayUnit, formatNumber, roundDown125, stressUnit } from "./units.ts"
 /** Share of the scene's size that the largest displacement takes with an automatic factor. */
 const AUTOMATIC_DEFORMATION = 0.05;
 
+/** Longest computation of sections with which a drag is smooth, ms. 200,000 tetrahedra take a third of it. */
+const SLOW_SECTION = 30;
+
 export type Limits = [number, number];
 
 export class Display {
@@ -44,7 +47,8 @@ export class Display {
   #shownMeshes: MeshView[] = [];
   #values = new WeakMap<DeformedMesh, Map<NodalField, Float64Array>>();
   #largest = new WeakMap<Position, number>();
-  #withSections = { edges: false };
+  #sectionEdges = false;
+  #dragging = false;
   #reference: Float64Array | null = null;
   #matrix = new THREE.Matrix4();
   #cutOn = false;
@@ -52,7 +56,7 @@ export class Display {
   constructor(private readonly scene: Scene) {
     this.contacts = new ContactView(scene.uniforms);
     this.forces = new ForceView(scene.uniforms);
-    scene.root.add(this.contacts.group, this.forces.group);
+    scene.root.add(this.contacts.group, this.contacts.markLine, this.forces.group);
     scene.scene.add(this.cut.group);
   }
 
@@ -211,7 +215,7 @@ export class Display {
       view.setVisibility(visibilityOf(state, view.part));
       view.setFieldMode(nodal);
       view.setEdges(state.mesh_edges);
-      view.setSections(nodal || state.mesh_edges);
+      view.setSections(this.sectionsShown(state));
     }
     this.applyFrame(state);
     this.factor = this.deformationFactor(state);
@@ -220,7 +224,7 @@ export class Display {
     if (nodal) {
       for (const view of this.#shownMeshes) view.setField(this.values(view.mesh!, colours.field as NodalField));
     }
-    this.#withSections.edges = state.mesh_edges;
+    this.#sectionEdges = state.mesh_edges;
     const withCells = position && colours.field === "contact_pressure" ? position.contacts : null;
     const choice = JSON.stringify([colours.cells, Object.entries(state.parts).filter(([, v]) => v === "hidden")]);
     this.contacts.set(withCells, choice, (cell) => this.cellShown(state, position!, cell));
@@ -314,6 +318,19 @@ export class Display {
     return this.#cutOn ? this.scene.uniforms.cutPlane.value : null;
   }
 
+  /** While a plane is dragged, sections that take too long are replaced by hatched caps. */
+  setDragging(on: boolean, state: ViewState): void {
+    if (on === this.#dragging) return;
+    this.#dragging = on;
+    for (const view of this.views) view.setSections(this.sectionsShown(state));
+    this.scene.invalidate();
+  }
+
+  private sectionsShown(state: ViewState): boolean {
+    const wanted = isNodal(state.colours.field) || state.mesh_edges;
+    return wanted && !(this.#dragging && this.sectionTime > SLOW_SECTION);
+  }
+
   /** Computes the sections through the cells of meshes that have changed. */
   private updateSections(): void {
     const start = performance.now();
@@ -324,7 +341,7 @@ export class Display {
         if (!mesh.section) continue;
         if (plane && mesh.mesh) {
           const values = view.showsField ? mesh.values : null;
-          changed = mesh.section.update(mesh.mesh, values, plane, this.factor, this.#withSections.edges) || changed;
+          changed = mesh.section.update(mesh.mesh, values, plane, this.factor, this.#sectionEdges) || changed;
         } else {
           mesh.section.hide();
         }

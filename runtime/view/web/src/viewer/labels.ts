@@ -7,6 +7,8 @@ export interface Label {
   /** Ground coordinates. */
   point: THREE.Vector3;
   kind: "bearing" | "mesh" | "maximum" | "minimum";
+  /** A surface is in front of the point. */
+  hidden?: boolean;
 }
 
 export interface PlacedLabel extends Label {
@@ -26,6 +28,8 @@ export class Labels {
   }
 
   set(labels: Label[]): void {
+    // Until it is known again, a mark is drawn as before.
+    for (const label of labels) label.hidden ??= this.#labels.find(({ kind }) => kind === label.kind)?.hidden;
     this.#labels = labels;
     while (this.#elements.length > labels.length) this.#elements.pop()!.remove();
     labels.forEach((label, i) => {
@@ -36,9 +40,29 @@ export class Labels {
         this.#elements.push(element);
         this.element.append(element);
       }
-      element.className = `cv-label cv-label-${label.kind}`;
+      element.className = `cv-label cv-label-${label.kind}${label.hidden ? " cv-label-hidden" : ""}`;
       element.lastElementChild!.textContent = label.text;
     });
+  }
+
+  /** Marks the labels of extremes whose points `isHidden` finds behind a surface. */
+  hide(isHidden: (point: THREE.Vector3) => boolean): void {
+    this.#labels.forEach((label, i) => {
+      if (label.kind !== "maximum" && label.kind !== "minimum") return;
+      label.hidden = isHidden(label.point);
+      this.#elements[i]!.classList.toggle("cv-label-hidden", label.hidden);
+    });
+  }
+
+  /** Puts a label to the left of its point if there is no room on the right, where the legend may be. */
+  arrange(width: number, legend: DOMRect | null): void {
+    const origin = this.element.getBoundingClientRect();
+    for (const element of this.#elements) {
+      const { x, y } = element.getBoundingClientRect();
+      const right = x + 12 + (element.lastElementChild as HTMLElement).offsetWidth;
+      const covered = legend !== null && right > legend.left && x < legend.right && y + 10 > legend.top && y - 10 < legend.bottom;
+      element.classList.toggle("cv-label-left", covered || right > origin.left + width);
+    }
   }
 
   /** Moves the labels to the projections of their points. */

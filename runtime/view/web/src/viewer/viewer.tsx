@@ -4,11 +4,12 @@ import { render } from "preact";
 import { contactLoads } from "./contacts.ts";
 import { Core } from "./core.ts";
 import { controlPointer, handleKey } from "./controls.ts";
-import { exportImage, type ImageFormat } from "./export.ts";
+import { exportImage, exportPattern, type ImageFormat } from "./export.ts";
 import { App } from "./panels/App.tsx";
 import type { ViewSource } from "./source.ts";
 import type { PartialState, ViewState } from "./state.ts";
 import "./viewer.css";
+import "./scene.css";
 
 export interface ViewerOptions {
   /** State to begin with, for instance one that a session stored. */
@@ -114,6 +115,11 @@ export class Viewer {
   /** Picture of the scene with labels and legend. */
   image(format: ImageFormat): Promise<Blob> {
     return exportImage(this.#core, format);
+  }
+
+  /** Contact pattern with the choices of the state. */
+  patternImage(format: ImageFormat): Promise<Blob> {
+    return exportPattern(this.#core, format);
   }
 
   /** Number of frames drawn so far. */

@@ -5,10 +5,11 @@ import type { Core } from "../core.ts";
 import { Help } from "./Help.tsx";
 import { Legend } from "./Legend.tsx";
 import { PartsPanel } from "./PartsPanel.tsx";
+import { PatternPanel } from "./PatternPanel.tsx";
 import { PlotPanel } from "./PlotPanel.tsx";
 import { SettingsPanel } from "./SettingsPanel.tsx";
 import { Timeline } from "./Timeline.tsx";
-import { Toolbar } from "./Toolbar.tsx";
+import { ToolDrawer, Toolbar } from "./Toolbar.tsx";
 import { Tooltip } from "./Tooltip.tsx";
 import { Triad } from "./Triad.tsx";
 import { useCore } from "./ui.tsx";
@@ -28,7 +29,7 @@ export function App({ core, stage, showTitle, showTheme }: AppProps) {
     <>
       <Toolbar core={core} showTitle={showTitle} showTheme={showTheme} />
       <div class="cv-body">
-        {ready && state.panels.parts ? <PartsPanel core={core} /> : null}
+        {ready && core.isOpen("parts") ? <PartsPanel core={core} /> : null}
         <div class="cv-centre">
           <div class="cv-view">
             <Stage stage={stage} />
@@ -49,10 +50,12 @@ export function App({ core, stage, showTitle, showTheme }: AppProps) {
               </div>
             ) : null}
           </div>
+          {ready && state.panels.pattern ? <PatternPanel core={core} /> : null}
           {ready && state.panels.plots ? <PlotPanel core={core} /> : null}
           {ready ? <Timeline core={core} /> : null}
         </div>
-        {ready && state.panels.settings ? <SettingsPanel core={core} /> : null}
+        {ready && core.isOpen("settings") ? <SettingsPanel core={core} /> : null}
+        {core.narrow && core.drawer === "tools" ? <ToolDrawer core={core} showTheme={showTheme} /> : null}
       </div>
       {core.help ? <Help core={core} /> : null}
     </>

@@ -2,7 +2,12 @@
 
 import { banded, colourAt, cssColour } from "../colours.ts";
 import type { Core } from "../core.ts";
+import { EXPLANATIONS } from "../fields.ts";
 import { legendTicks, legendTitle } from "../legend.ts";
+import type { CellChoice, Field } from "../state.ts";
+
+const CELLS: Record<CellChoice, string> = { all: "of cells, edges included", flanks: "flanks only", edges: "edges only" };
+const SHORT: Partial<Record<Field, string>> = { stress_error: "estimated, as von Mises stress" };
 
 /** CSS gradient from the bottom upwards. */
 function gradient(core: Core): string {
@@ -38,8 +43,8 @@ export function Legend({ core }: { core: Core }) {
       type="button"
       class="cv-legend"
       aria-label={`Legend: ${legendTitle(core)} from ${ticks[0]!.text} to ${ticks[ticks.length - 1]!.text} ${unit}. Opens the settings.`}
-      title="Settings of the colours"
-      onClick={() => core.update({ panels: { settings: !core.state.panels.settings } })}
+      title={EXPLANATIONS[field] ?? "Settings of the colours"}
+      onClick={() => core.toggle("settings")}
     >
       <span class="cv-legend-title">
         <strong>{legendTitle(core)}</strong>
@@ -55,8 +60,9 @@ export function Legend({ core }: { core: Core }) {
           ))}
         </span>
       </span>
+      {EXPLANATIONS[field] ? <span class="cv-range">{SHORT[field]}</span> : null}
       <span class="cv-range">
-        {field === "contact_pressure" ? "of cells, edges included; " : ""}
+        {field === "contact_pressure" ? `${CELLS[core.state.colours.cells]}; ` : ""}
         {core.progress !== null ? `reading … ${Math.round(100 * core.progress)} %` : range}
       </span>
     </button>

@@ -3,11 +3,17 @@
 import { SCALE_NAMES } from "../colours.ts";
 import { setCut } from "../controls.ts";
 import type { Core } from "../core.ts";
-import { isNodal } from "../fields.ts";
+import { EXPLANATIONS, isNodal } from "../fields.ts";
 import { fieldUnit } from "../legend.ts";
-import type { Axis, Vector } from "../state.ts";
+import type { Axis, CellChoice, Vector } from "../state.ts";
 import { formatNumber } from "../units.ts";
 import { NumberField, Section, Select, Slider, Toggle } from "./ui.tsx";
+
+export const CELL_CHOICES: { value: CellChoice; label: string }[] = [
+  { value: "all", label: "All cells" },
+  { value: "flanks", label: "Flanks only" },
+  { value: "edges", label: "Edges only" },
+];
 
 export function SettingsPanel({ core }: { core: Core }) {
   return (
@@ -69,6 +75,10 @@ function Colours({ core }: { core: Core }) {
         options={["0", "6", "8", "10", "12", "16", "24"].map((value) => ({ value, label: value === "0" ? "Continuous" : value }))}
         onChange={(bands) => core.update({ colours: { bands: Number(bands) } })}
       />
+      {isNodal(colours.field) ? null : (
+        <Select label="Contact cells" value={colours.cells} options={CELL_CHOICES} onChange={(cells) => core.update({ colours: { cells } })} />
+      )}
+      {EXPLANATIONS[colours.field] ? <p class="cv-note">{EXPLANATIONS[colours.field]}</p> : null}
       <Toggle label="Mark the extreme values" value={core.state.extremes} onChange={(extremes) => core.update({ extremes })} />
       {isNodal(colours.field) ? null : (
         <Toggle
@@ -130,7 +140,11 @@ function Cut({ core }: { core: Core }) {
             max={view.range[1]}
             value={view.offset}
             text={`${formatNumber(view.offset * 1e3, 4)} mm`}
-            onInput={(offset) => core.update({ cut: { offset } })}
+            onInput={(offset) => {
+              core.display!.setDragging(true, core.state);
+              core.update({ cut: { offset } });
+            }}
+            onEnd={() => core.display!.setDragging(false, core.state)}
           />
           <NumberField label="Coordinate" unit="mm" value={view.offset * 1e3} onChange={(value) => core.update({ cut: { offset: value / 1e3 } })} />
           <Toggle label="Flip" value={cut.flipped} onChange={(flipped) => core.update({ cut: { flipped } })} />

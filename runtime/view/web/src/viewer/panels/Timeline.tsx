@@ -46,6 +46,16 @@ export function Timeline({ core }: { core: Core }) {
         <span class="cv-muted"> / {last.position}</span>
         <span class="cv-clock-time">{time}</span>
       </output>
+      {core.narrow ? null : <SpeedControls core={core} />}
+    </div>
+  );
+}
+
+/** Speed and repetition of the animation. */
+export function SpeedControls({ core }: { core: Core }) {
+  const { state } = core;
+  return (
+    <>
       <Select
         quiet
         label="Speed, positions per second"
@@ -59,6 +69,6 @@ export function Timeline({ core }: { core: Core }) {
         pressed={state.animation.loop}
         onClick={() => core.update({ animation: { loop: !state.animation.loop } })}
       />
-    </div>
+    </>
   );
 }

@@ -7,6 +7,8 @@ import { download, type ImageFormat } from "../export.ts";
 import { FIELDS } from "../fields.ts";
 import type { Field, StandardView } from "../state.ts";
 import { formatNumber } from "../units.ts";
+import { CELL_CHOICES } from "./SettingsPanel.tsx";
+import { SpeedControls } from "./Timeline.tsx";
 import { Select, Tool } from "./ui.tsx";
 
 const VIEWS: { value: StandardView | ""; label: string }[] = [
@@ -22,101 +24,166 @@ const VIEWS: { value: StandardView | ""; label: string }[] = [
 
 const FIELD_NAMES = Object.keys(FIELDS) as Field[];
 
-export function Toolbar({ core, showTitle, showTheme }: { core: Core; showTitle: boolean; showTheme: boolean }) {
-  const { state, scene, status } = core;
+interface ToolbarProps {
+  core: Core;
+  showTitle: boolean;
+  showTheme: boolean;
+}
+
+export function Toolbar({ core, showTitle, showTheme }: ToolbarProps) {
+  const { scene, status, narrow } = core;
   const ready = status === "ready" && scene !== null;
-  const orthographic = state.camera?.projection === "orthographic";
-  const forces = state.forces.bearings || state.forces.meshes;
-  const dark = core.theme.theme === "dark";
   return (
     <div class="cv-toolbar" role="toolbar" aria-label="View">
-      <Tool
-        icon="parts"
-        label="Parts"
-        shortcut="B"
-        pressed={state.panels.parts}
-        onClick={() => core.update({ panels: { parts: !state.panels.parts } })}
+      <Tool icon="parts" label="Parts" shortcut="B" pressed={core.isOpen("parts")} onClick={() => core.toggle("parts")} />
+      {showTitle && !narrow ? <h1 class="cv-title" title={core.source?.title}>{core.source?.title ?? "Calyx"}</h1> : null}
+      {ready && !narrow ? (
+        <>
+          <span class="cv-rule" />
+          <CameraTools core={core} />
+          <span class="cv-rule" />
+          <FieldSelect core={core} />
+          <FieldTools core={core} />
+          <span class="cv-rule" />
+          <DisplayTools core={core} />
+        </>
+      ) : null}
+      {ready && narrow ? <span class="cv-grow"><FieldSelect core={core} /></span> : <span class="cv-space" />}
+      {ready && !narrow ? <PanelTools core={core} /> : null}
+      {ready ? (
+        <Tool icon="settings" label="Settings" shortcut="S" pressed={core.isOpen("settings")} onClick={() => core.toggle("settings")} />
+      ) : null}
+      {narrow ? (
+        <Tool icon="more" label="More tools" pressed={core.drawer === "tools"} onClick={() => core.setDrawer(core.drawer === "tools" ? null : "tools")} />
+      ) : (
+        <PageTools core={core} showTheme={showTheme} />
+      )}
+    </div>
+  );
+}
+
+/** Tools for which the toolbar of a narrow viewer has no room. */
+export function ToolDrawer({ core, showTheme }: { core: Core; showTheme: boolean }) {
+  const ready = core.status === "ready" && core.scene !== null;
+  return (
+    <div class="cv-tools" role="group" aria-label="More tools">
+      {ready ? (
+        <>
+          <CameraTools core={core} />
+          <DisplayTools core={core} />
+          <FieldTools core={core} />
+          <PanelTools core={core} />
+          <SpeedControls core={core} />
+        </>
+      ) : null}
+      <PageTools core={core} showTheme={showTheme} />
+    </div>
+  );
+}
+
+function CameraTools({ core }: { core: Core }) {
+  const { camera } = core.scene!;
+  const orthographic = core.state.camera?.projection === "orthographic";
+  return (
+    <>
+      <Tool icon="fit" label="Fit" shortcut="F" onClick={() => camera.fit()} />
+      <Select
+        quiet
+        label="Standard view"
+        value={"" as StandardView | ""}
+        options={VIEWS}
+        onChange={(view) => {
+          if (view) camera.view(view);
+          // The list is a menu: it shows its name again.
+          core.changed(false);
+        }}
       />
-      {showTitle ? <h1 class="cv-title" title={core.source?.title}>{core.source?.title ?? "Calyx"}</h1> : null}
-      {ready ? (
-        <>
-          <span class="cv-rule" />
-          <Tool icon="fit" label="Fit" shortcut="F" onClick={() => scene.camera.fit()} />
-          <Select
-            quiet
-            label="Standard view"
-            value={"" as StandardView | ""}
-            options={VIEWS}
-            onChange={(view) => {
-              if (view) scene.camera.view(view);
-              // The list is a menu: it shows its name again.
-              core.changed(false);
-            }}
-          />
-          <Tool
-            icon={orthographic ? "orthographic" : "perspective"}
-            label="Orthographic projection"
-            shortcut="P"
-            pressed={orthographic}
-            onClick={() => scene.camera.setProjection(orthographic ? "perspective" : "orthographic")}
-          />
-          <span class="cv-rule" />
-          <Select
-            quiet
-            label="Colours"
-            value={state.colours.field}
-            options={FIELD_NAMES.map((field) => ({ value: field, label: FIELDS[field].label }))}
-            onChange={(field) => core.update({ colours: { field, limits: state.colours.limits === "fixed" ? "position" : state.colours.limits } })}
-          />
-          {core.hasMeshes ? <Deformation core={core} /> : null}
-          <span class="cv-rule" />
-          <Tool
-            icon="mesh"
-            label="Mesh edges"
-            shortcut="M"
-            pressed={state.mesh_edges}
-            onClick={() => core.update({ mesh_edges: !state.mesh_edges })}
-          />
-          <Tool
-            icon="force"
-            label="Force vectors"
-            shortcut="V"
-            pressed={forces}
-            onClick={() => core.update({ forces: { bearings: !forces, meshes: !forces } })}
-          />
-          <Tool
-            icon="cut"
-            label="Cutting plane"
-            shortcut="C"
-            pressed={state.cut.on}
-            onClick={() => {
-              const on = !state.cut.on;
-              setCut(core, { on });
-              if (on) core.update({ panels: { settings: true } });
-            }}
-          />
-        </>
+      <Tool
+        icon={orthographic ? "orthographic" : "perspective"}
+        label="Orthographic projection"
+        shortcut="P"
+        pressed={orthographic}
+        onClick={() => camera.setProjection(orthographic ? "perspective" : "orthographic")}
+      />
+    </>
+  );
+}
+
+function FieldSelect({ core }: { core: Core }) {
+  const { colours } = core.state;
+  return (
+    <Select
+      quiet
+      label="Colours"
+      value={colours.field}
+      options={FIELD_NAMES.map((field) => ({ value: field, label: FIELDS[field].label }))}
+      onChange={(field) => core.update({ colours: { field, limits: colours.limits === "fixed" ? "position" : colours.limits } })}
+    />
+  );
+}
+
+/** Choices that depend on the field. */
+function FieldTools({ core }: { core: Core }) {
+  const { colours } = core.state;
+  return (
+    <>
+      {colours.field === "contact_pressure" ? (
+        <Select quiet label="Contact cells" value={colours.cells} options={CELL_CHOICES} onChange={(cells) => core.update({ colours: { cells } })} />
       ) : null}
-      <span class="cv-space" />
-      {ready ? (
-        <>
-          <Tool
-            icon="plot"
-            label="Plots"
-            shortcut="G"
-            pressed={state.panels.plots}
-            onClick={() => core.update({ panels: { plots: !state.panels.plots } })}
-          />
-          <ExportMenu core={core} />
-          <Tool
-            icon="settings"
-            label="Settings"
-            shortcut="S"
-            pressed={state.panels.settings}
-            onClick={() => core.update({ panels: { settings: !state.panels.settings } })}
-          />
-        </>
-      ) : null}
+      {core.hasMeshes ? <Deformation core={core} /> : null}
+    </>
+  );
+}
+
+function DisplayTools({ core }: { core: Core }) {
+  const { state } = core;
+  const forces = state.forces.bearings || state.forces.meshes;
+  return (
+    <>
+      <Tool icon="mesh" label="Mesh edges" shortcut="M" pressed={state.mesh_edges} onClick={() => core.update({ mesh_edges: !state.mesh_edges })} />
+      <Tool
+        icon="force"
+        label="Force vectors"
+        shortcut="V"
+        pressed={forces}
+        onClick={() => core.update({ forces: { bearings: !forces, meshes: !forces } })}
+      />
+      <Tool
+        icon="cut"
+        label="Cutting plane"
+        shortcut="C"
+        pressed={state.cut.on}
+        onClick={() => {
+          const on = !state.cut.on;
+          setCut(core, { on });
+          if (on && !core.narrow) core.toggle("settings", true);
+        }}
+      />
+    </>
+  );
+}
+
+function PanelTools({ core }: { core: Core }) {
+  const { panels } = core.state;
+  return (
+    <>
+      <Tool icon="plot" label="Plots" shortcut="G" pressed={panels.plots} onClick={() => core.update({ panels: { plots: !panels.plots } })} />
+      <Tool
+        icon="pattern"
+        label="Contact pattern"
+        shortcut="U"
+        pressed={panels.pattern}
+        onClick={() => core.update({ panels: { pattern: !panels.pattern } })}
+      />
+      <ExportMenu core={core} />
+    </>
+  );
+}
+
+function PageTools({ core, showTheme }: { core: Core; showTheme: boolean }) {
+  const dark = core.theme.theme === "dark";
+  return (
+    <>
       {showTheme ? (
         <Tool
           icon={dark ? "sun" : "moon"}
@@ -134,7 +201,7 @@ export function Toolbar({ core, showTitle, showTheme }: { core: Core; showTitle:
           core.changed(false);
         }}
       />
-    </div>
+    </>
   );
 }
 
@@ -155,7 +222,10 @@ function Deformation({ core }: { core: Core }) {
         ]}
         onChange={(choice) => {
           if (choice === "automatic") core.update({ deformation: { mode: "automatic" } });
-          else if (choice === "other") core.update({ deformation: { mode: "factor", factor: core.display!.factor || 10 }, panels: { settings: true } });
+          else if (choice === "other") {
+            core.update({ deformation: { mode: "factor", factor: core.display!.factor || 10 } });
+            core.toggle("settings", true);
+          }
           else core.update({ deformation: { mode: "factor", factor: Number(choice) } });
         }}
       />

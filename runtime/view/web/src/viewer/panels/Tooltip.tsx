@@ -3,16 +3,15 @@
 import type { Core } from "../core.ts";
 import { fieldUnit } from "../legend.ts";
 import { FIELDS } from "../fields.ts";
-import { formatNumber } from "../units.ts";
+import { displayUnit, formatNumber } from "../units.ts";
+import { beside } from "./ui.tsx";
 
 export function Tooltip({ core }: { core: Core }) {
   const { probe, scene } = core;
   if (!probe || !scene) return null;
   const unit = fieldUnit(core);
+  const length = displayUnit("m", 1);
   const { x: px, y: py, z: pz } = probe.point;
-  // On the side of the pointer where there is room.
-  const horizontal = probe.x > scene.width - 240 ? { right: scene.width - probe.x + 16 } : { left: probe.x + 16 };
-  const vertical = probe.y > scene.height - 120 ? { bottom: scene.height - probe.y + 12 } : { top: probe.y + 16 };
   const known = probe.value !== null && Number.isFinite(probe.value);
   return (
     <div
@@ -20,7 +19,7 @@ export function Tooltip({ core }: { core: Core }) {
       role="status"
       aria-label="Value at the pointer"
       data-value={probe.value === null ? "" : String(probe.value)}
-      style={{ ...horizontal, ...vertical }}
+      style={beside(probe.x, probe.y, scene.width, scene.height)}
     >
       {probe.value !== null ? (
         <div class="cv-tooltip-value">
@@ -34,7 +33,7 @@ export function Tooltip({ core }: { core: Core }) {
         {probe.node !== null ? `, node ${probe.node}` : ""}
       </div>
       <div class="cv-muted">
-        {[px, py, pz].map((v) => formatNumber(Math.round(v * 1e6) / 1e3, 6)).join("  ")} mm
+        {[px, py, pz].map((v) => formatNumber(Math.round(v * length.factor * 1e3) / 1e3, 6)).join("  ")} {length.symbol}
       </div>
     </div>
   );

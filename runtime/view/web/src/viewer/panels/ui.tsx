@@ -26,6 +26,8 @@ const ICONS = {
   force: "M3 13L12.5 3.5M7.5 3h5.5v5.5",
   cut: "M1.5 10.5l5-7h8l-5 7zM3 13.5h4M9.5 13.5h4",
   plot: "M2.5 2.5v11h11M4.5 10.5l3-4 2.5 2 3.5-5",
+  pattern: "M1.8 3.5h12.4v9H1.8zM4 8c0-1.6 1.8-2.4 4-2.4S12 6.4 12 8s-1.8 2.4-4 2.4S4 9.6 4 8",
+  more: "M2.6 8h1.2M7.4 8h1.2M12.2 8h1.2",
   download: "M8 2v8M4.8 7L8 10.2 11.2 7M2.5 13.5h11",
   help: "M5.5 6a2.5 2.5 0 1 1 3.6 2.2c-.8.4-1.1.9-1.1 1.8M8 12.6v.4",
   sun: "M8 5a3 3 0 1 0 0 6 3 3 0 0 0 0-6M8 1.2v1.6M8 13.2v1.6M1.2 8h1.6M13.2 8h1.6M3.2 3.2l1.1 1.1M11.7 11.7l1.1 1.1M12.8 3.2l-1.1 1.1M4.3 11.7l-1.1 1.1",
@@ -60,6 +62,17 @@ export interface ToolProps {
   pressed?: boolean;
   disabled?: boolean;
   onClick: () => void;
+}
+
+/** Place beside a point of a box of the given size, on the side where there is room. */
+export function beside(x: number, y: number, width: number, height: number): Record<string, string> {
+  const right = x > width - 240 && x > width / 2;
+  const bottom = y > height - 120 && y > height / 2;
+  return {
+    [right ? "right" : "left"]: `${(right ? width - x : x) + 14}px`,
+    [bottom ? "bottom" : "top"]: `${(bottom ? height - y : y) + 12}px`,
+    "max-width": `${Math.max(120, (right ? x : width - x) - 20)}px`,
+  };
 }
 
 /** Button with an icon; a toggle if `pressed` is given. */
@@ -163,9 +176,11 @@ export interface SliderProps {
   step?: number | "any";
   text?: string;
   onInput: (value: number) => void;
+  /** Called when a drag ends. */
+  onEnd?: () => void;
 }
 
-export function Slider({ label, value, min, max, step = "any", text, onInput }: SliderProps) {
+export function Slider({ label, value, min, max, step = "any", text, onInput, onEnd }: SliderProps) {
   return (
     <label class="cv-field cv-slider">
       <span>{label}</span>
@@ -177,6 +192,7 @@ export function Slider({ label, value, min, max, step = "any", text, onInput }: 
         value={value}
         aria-valuetext={text}
         onInput={(event) => onInput(Number(event.currentTarget.value))}
+        onChange={onEnd}
       />
     </label>
   );
