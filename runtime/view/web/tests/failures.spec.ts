@@ -29,6 +29,28 @@ test("damaged parts give a message instead of a blank page", async ({ page }) =>
   await expect(page.getByRole("alert")).toContainText("parts.bin");
 });
 
+test("files of an older version say what to do", async ({ page }) => {
+  const old = createFixture();
+  old.parts = old.parts.slice();
+  old.parts[8] = 1;
+  await page.goto(writePage("old_parts", embeddedData(old)));
+  await expect(page.getByRole("alert")).toContainText("parts.bin: written by an older version of Calyx: run the model again");
+});
+
+test("a mesh that is missing or damaged is named; the rest is displayed", async ({ page }) => {
+  const fixture = createFixture();
+  const [first, second] = Object.keys(fixture.meshes) as [string, string];
+  fixture.meshes[second] = fixture.meshes[second]!.slice(0, 3000);
+  const data = embeddedData(fixture);
+  await open(page, writePage("damaged_mesh", data));
+  await expect(page.getByRole("alert")).toContainText(new RegExp(`${second}: .*truncated`));
+  await expect(page.getByRole("button", { name: /Legend: Von Mises stress/ })).toBeVisible();
+  delete data.meshes[first];
+  await open(page, writePage("missing_mesh", data));
+  await expect(page.getByRole("alert")).toContainText(/mesh-[0-9a-f]{16}\.bin: /);
+  await expect(page.getByRole("button", { name: /Legend: Contact pressure/ })).toBeVisible();
+});
+
 test("a browser without WebGL gives a message", async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;

@@ -10,7 +10,7 @@ import { isHidden } from "./marks.ts";
 import { PatternModel } from "./pattern_model.ts";
 import { probeAt, type Probe } from "./probe.ts";
 import { Positions } from "./positions.ts";
-import { readParts, type Parts } from "./run_data.ts";
+import { readParts, type Parts, type Position } from "./run_data.ts";
 import { NoWebGlError, Scene } from "./scene.ts";
 import type { ViewSource } from "./source.ts";
 import { completeState, defaultState, type PartialState, type ViewState, type Visibility } from "./state.ts";
@@ -182,7 +182,7 @@ export class Core {
         positions.dispose();
         return;
       }
-      if (first?.problem) notice = first.problem;
+      if (first?.problem) notice = withoutMesh(first);
       this.positions?.dispose();
       this.parts = parts;
       useUnitsOf(parts.units);
@@ -263,7 +263,7 @@ export class Core {
     try {
       const position = await positions.load(wanted);
       if (positions !== this.positions || this.state.position !== wanted) return;
-      this.notice = position.problem && `${position.problem}. The mesh is not displayed.`;
+      this.notice = withoutMesh(position);
       if (display.position !== position) display.setPosition(position);
       this.probe = null;
       this.apply();
@@ -396,6 +396,11 @@ export class Core {
     this.theme.dispose();
     this.#listeners.clear();
   }
+}
+
+/** Notice about a mesh of a position that cannot be displayed; empty if there is none. */
+function withoutMesh({ problem }: Position): string {
+  return problem && `${problem}. The mesh is not displayed.`;
 }
 
 function reason(error: unknown): string {

@@ -24,6 +24,8 @@ export interface Tooth {
 
 /** Share of the largest circumferential component of the normals from which a triangle belongs to a flank. */
 const FLANK = 0.35;
+/** Share of the largest area below which a line is not part of the outline. */
+const FRAGMENT = 0.02;
 /** Angles below which the direction along the face is an axis, rad. */
 const SNAP = (2 * Math.PI) / 180;
 
@@ -178,7 +180,19 @@ function outlineOf(points: Float32Array, triangles: Uint32Array, own: number[]):
     }
     if (loop.length > 4) loops.push(loop);
   }
-  return loops;
+  // Single triangles in the fillet are not an outline.
+  const largest = Math.max(...loops.map(enclosed), 0);
+  return loops.filter((loop) => enclosed(loop) > FRAGMENT * largest);
+}
+
+/** Area within a closed line. */
+function enclosed(loop: number[]): number {
+  let twice = 0;
+  for (let i = 0; i < loop.length; i += 2) {
+    const [x, y, u, v] = [loop[i]!, loop[i + 1]!, loop[(i + 2) % loop.length]!, loop[(i + 3) % loop.length]!];
+    twice += x * v - y * u;
+  }
+  return Math.abs(twice) / 2;
 }
 
 export function evaluate([a, b, c]: Affine, z: number, r: number): number {

@@ -49,15 +49,17 @@ export function Toolbar({ core, showTitle, showTheme }: ToolbarProps) {
         </>
       ) : null}
       {ready && narrow ? <span class="cv-grow"><FieldSelect core={core} /></span> : <span class="cv-space" />}
-      {ready && !narrow ? <PanelTools core={core} /> : null}
-      {ready ? (
-        <Tool icon="settings" label="Settings" shortcut="S" pressed={core.isOpen("settings")} onClick={() => core.toggle("settings")} />
-      ) : null}
-      {narrow ? (
-        <Tool icon="more" label="More tools" pressed={core.drawer === "tools"} onClick={() => core.setDrawer(core.drawer === "tools" ? null : "tools")} />
-      ) : (
-        <PageTools core={core} showTheme={showTheme} />
-      )}
+      <span class="cv-tool-group">
+        {ready && !narrow ? <PanelTools core={core} /> : null}
+        {ready ? (
+          <Tool icon="settings" label="Settings" shortcut="S" pressed={core.isOpen("settings")} onClick={() => core.toggle("settings")} />
+        ) : null}
+        {narrow ? (
+          <Tool icon="more" label="More tools" pressed={core.drawer === "tools"} onClick={() => core.setDrawer(core.drawer === "tools" ? null : "tools")} />
+        ) : (
+          <PageTools core={core} showTheme={showTheme} />
+        )}
+      </span>
     </div>
   );
 }

@@ -1,0 +1,80 @@
+// Meshes that positions refer to: place, values, and number of reads.
+
+import { expect, test } from "@playwright/test";
+import type { Viewer } from "../src/viewer/index.ts";
+import { displacement, embeddedData, createFixture, WHEEL, writePage } from "./fixture.ts";
+import { gearSector } from "./gear_shapes.ts";
+import { fixture, open, project, restore, settle, state } from "./page.ts";
+
+test("a mesh appears in the place of its copy, with displacements in coordinates of the part", async ({ page }) => {
+  await open(page);
+  await restore(page, { parts: { pinion: "hidden", "bearing D": "hidden", "output shaft": "hidden" }, colours: { field: "displacement" }, extremes: false });
+  const { points } = gearSector(WHEEL, 4, 6, 4);
+  const angle = (2 * Math.PI * 17) / WHEEL.teeth;
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const placed = (n: number): [number, number, number] => {
+    const [x, y, z] = [points[3 * n]!, points[3 * n + 1]!, points[3 * n + 2]!];
+    return [c * x - s * y, s * x + c * y, z];
+  };
+  // Nodes within the upper face, at true and at a large displayed deformation.
+  const nodes = Array.from({ length: points.length / 3 }, (_, n) => n).filter((n) => {
+    const r = Math.hypot(points[3 * n]!, points[3 * n + 1]!);
+    return points[3 * n + 2]! > 13.9e-3 && r > 30e-3 && r < 55e-3 && Math.abs(points[3 * n + 1]!) < 2e-3;
+  });
+  expect(nodes.length).toBeGreaterThan(2);
+  const camera = (await state(page)).camera!;
+  for (const factor of [0, 100]) {
+    await restore(page, { deformation: { mode: "factor", factor }, camera: { ...camera, target: [0.102 + 0.045, 0, 0.014], azimuth: -90, elevation: 89, height: 0.05, fitted: false } });
+    await settle(page);
+    for (const node of nodes.slice(0, 3)) {
+      const at = placed(node);
+      const u = displacement(...at).map((v) => -0.4 * v);
+      const { x, y } = await project(page, "wheel", at.map((v, k) => v + factor * u[k]!) as [number, number, number]);
+      await page.mouse.move(x - 1, y);
+      await page.mouse.move(x, y);
+      const tooltip = page.getByRole("status", { name: "Value at the pointer" });
+      await expect(tooltip).toContainText("wheel, tooth 17");
+      await expect(tooltip).toContainText(`node ${node}`);
+      expect(Math.abs(Number(await tooltip.getAttribute("data-value")) / Math.hypot(...u) - 1)).toBeLessThan(1e-5);
+    }
+  }
+});
+
+test("each mesh is read once, for all positions and viewers of a run", async ({ page }) => {
+  const problems = await open(page, writePage("no_run", embeddedData(createFixture({ positions: 0 }))));
+  const reads = await page.evaluate(async (data) => {
+    const first = window.calyxViewer!;
+    const read = async (text: string) => {
+      const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+      return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+    };
+    const counts: Record<string, number> = {};
+    const source = {
+      title: "Run",
+      parts: () => read(data.parts),
+      positions: async () => data.positions,
+      position: (index: number) => read(data.positions[index]!.data),
+      mesh: (name: string) => {
+        counts[name] = (counts[name] ?? 0) + 1;
+        return read(data.meshes[name]!);
+      },
+    };
+    const holder = document.createElement("div");
+    holder.style.cssText = "width: 400px; height: 300px";
+    document.body.append(holder);
+    const second = new (first.constructor as new (container: HTMLElement) => Viewer)(holder);
+    await Promise.all([first.show(source), second.show(source)]);
+    for (const position of [1, 2, 0, 2]) {
+      for (const viewer of [first, second]) viewer.restore({ position });
+      await new Promise((resolve) => setTimeout(resolve, 200));
+    }
+    await first.reload();
+    const values = [first, second].map((viewer) => viewer.nodalValue("pinion", 40));
+    second.dispose();
+    return { counts, values };
+  }, embeddedData(fixture));
+  expect(Object.keys(reads.counts).sort()).toEqual(Object.keys(fixture.meshes).sort());
+  expect(Object.values(reads.counts)).toEqual([1, 1]);
+  expect(reads.values[0]).toBe(reads.values[1]);
+  expect(problems).toEqual([]);
+});
