@@ -40,7 +40,7 @@ test("a mesh appears in the place of its copy, with displacements in coordinates
   }
 });
 
-test("each mesh is read once, for all positions and viewers of a run", async ({ page }) => {
+test("each mesh is read once, for all positions and viewers of a run", { tag: "@slow" }, async ({ page }) => {
   const problems = await open(page, writePage("no_run", embeddedData(createFixture({ positions: 0 }))));
   const reads = await page.evaluate(async (data) => {
     const first = window.calyxViewer!;

@@ -224,10 +224,15 @@ test("the contact pattern shows the cells, their values and the marked cell", as
   const [a, b] = [corner(0), corner(2)];
   const z = (a[2] + b[2]) / 2;
   const r = (Math.hypot(a[0], a[1]) + Math.hypot(b[0], b[1])) / 2;
+  await settle(page);
+  const frames = () => page.evaluate(() => window.calyxViewer!.frames);
+  const drawn = await frames();
   await pointAt(page, z, r);
   const reading = page.getByRole("status", { name: "Value in the pattern" });
   await expect(reading).toContainText("tooth");
   const value = Number(await reading.getAttribute("data-value"));
+  // The cell is marked in the scene.
+  await expect.poll(frames).toBeGreaterThan(drawn);
   // The rows are a pixel high: the reading is that of the largest cell or of a neighbour.
   expect(value / cells.pressures[largest]!).toBeGreaterThan(0.95);
   const shown = /z (\S+) mm, radius (\S+) mm/.exec((await reading.textContent())!)!;
@@ -246,7 +251,7 @@ test("the contact pattern shows the cells, their values and the marked cell", as
   expect(problems).toEqual([]);
 });
 
-test("the envelope reads all positions, and the pattern is exported as vectors", async ({ page }) => {
+test("the envelope reads all positions, and the pattern is exported as vectors", { tag: "@slow" }, async ({ page }) => {
   await open(page, writePage("pattern", embeddedData(createFixture({ positions: 8, meshes: false }))));
   await restore(page, { panels: { pattern: true }, colours: { field: "contact_pressure", limits: "all" } });
   const panel = page.getByRole("region", { name: "Contact pattern" });
@@ -269,7 +274,7 @@ test("the envelope reads all positions, and the pattern is exported as vectors",
   }
 });
 
-test("a mark behind a surface is dashed, in front of it not", async ({ page }) => {
+test("a mark behind a surface is dashed, in front of it not", { tag: "@slow" }, async ({ page }) => {
   await open(page);
   await restore(page, { colours: { field: "stress_error" }, deformation: { mode: "factor", factor: 0 }, parts: { wheel: "hidden", "bearing A": "hidden", "bearing B": "hidden" } });
   const camera = (await state(page)).camera!;
@@ -281,7 +286,7 @@ test("a mark behind a surface is dashed, in front of it not", async ({ page }) =
   await expect(mark).toHaveClass(/cv-label-hidden/);
 });
 
-test("narrow viewers have drawers, and nothing is cut off", async ({ page }) => {
+test("narrow viewers have drawers, and nothing is cut off", { tag: "@slow" }, async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 520 });
   const problems = await open(page, pageAddress);
   await restore(page, { colours: { field: "contact_pressure" } });

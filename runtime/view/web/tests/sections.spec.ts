@@ -204,7 +204,7 @@ test("the section is coloured, and the value at the pointer is the linear interp
   expect(problems).toEqual([]);
 });
 
-test("the section shows the edges of the elements with the mesh, and hatching without a field", async ({ page }) => {
+test("the section shows the edges of the elements with the mesh, and hatching without a field", { tag: "@slow" }, async ({ page }) => {
   await open(page, address);
   const camera = { projection: "orthographic", target: [0.5, 0.5, 0.3], azimuth: -90, elevation: 90, height: 1.6 };
   await restore(page, { camera, extremes: false, cut: { on: true, normal: "z", offset: 0.3 }, deformation: { mode: "factor", factor: 0 }, colours: { field: "von_mises" } });

@@ -36,6 +36,8 @@ export function Legend({ core }: { core: Core }) {
       </div>
     );
   }
+  // With many bands, a short bar has no room for all numbers.
+  const step = core.narrow ? Math.ceil(ticks.length / 6) : 1;
   const { limits } = core.state.colours;
   const range = limits === "all" ? "all positions" : limits === "fixed" ? "fixed limits" : "this position";
   return (
@@ -53,7 +55,7 @@ export function Legend({ core }: { core: Core }) {
       <span class="cv-scale">
         <span class="cv-bar" style={{ background: gradient(core) }} />
         <span class="cv-ticks">
-          {ticks.map((tick, i) => (
+          {ticks.filter((_, i) => i % step === 0).map((tick, i) => (
             <span key={i} style={{ bottom: `${100 * tick.fraction}%` }}>
               {tick.text}
             </span>
