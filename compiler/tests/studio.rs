@@ -12,6 +12,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+mod unfinished;
+
 /// A pair that is solved in closed form, in a moment.
 const PAIR: &str = r#"/// A pair in closed form.
 import gears;

@@ -2,20 +2,23 @@
 
 use crate::allow::AllowPath;
 use crate::compile::{checked, compile};
-use crate::messages::{MessageFormat, USAGE};
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::command::{Messages, RunCommand, refused_by_check};
 use calyx::rt::console::println;
 use calyx::rt::directory::default_directory;
 use calyx::rt::options::RunArguments;
 use calyx::rt::schema::schema;
-use calyx::rt::{InvalidParam, budget};
+use calyx::rt::{InvalidParam, budget, interrupt};
 use calyx::{Module, check_file_allowing, check_run_within};
 use calyx_abi::RuntimeError;
 use calyx_gears::host::Finding;
 use clap::Args;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{self, ExitCode};
 use std::sync::Arc;
+use std::thread;
+use std::time::Duration;
 
 pub const EXAMPLES: &str = "\
 Examples:
@@ -44,7 +47,13 @@ pub struct Run {
     /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
+    /// Cancel the run at the end of standard input, when the program that started it has ended
+    #[arg(long, hide = true)]
+    cancel_at_end_of_input: bool,
 }
+
+/// Time in which a cancelled run writes its files before its process ends.
+const GRACE: Duration = Duration::from_secs(8);
 
 impl Run {
     /// Returns the format of warnings; `None` if only errors are printed.
@@ -53,7 +62,10 @@ impl Run {
     }
 
     pub fn run(self) -> ExitCode {
-        let Run { file, run: arguments, allow, message_format: format } = self;
+        let Run { file, run: arguments, allow, message_format: format, cancel_at_end_of_input } = self;
+        if cancel_at_end_of_input {
+            cancel_at_end_of(io::stdin());
+        }
         if arguments.memory_limit.is_some() {
             // The check of the program frees its memory before the run.
             budget::share_one_arena();
@@ -95,6 +107,18 @@ impl Run {
         };
         ExitCode::from(command.execute(given))
     }
+}
+
+/// Cancels the run at the end of a stream, as Ctrl-C does. A process that is killed closes its pipes,
+/// so that no run outlives the studio that started it.
+fn cancel_at_end_of(mut stream: impl Read + Send + 'static) {
+    thread::spawn(move || {
+        // An error ends the stream as well.
+        let _ = io::copy(&mut stream, &mut io::sink());
+        interrupt::flag().cancel();
+        thread::sleep(GRACE);
+        process::exit(i32::from(MODEL_ERROR));
+    });
 }
 
 fn print_params(file: &Path, allowed: &Arc<[PathBuf]>, quiet: bool, format: MessageFormat) -> ExitCode {

@@ -3,27 +3,28 @@
 //! | Route | Effect |
 //! |---|---|
 //! | `GET /` , `/studio.js`, `/studio.css` | the page |
-//! | `GET /api/studio` | version, what was opened |
+//! | `GET /api/studio` | version, what was opened, analysis settings of the form |
 //! | `GET /api/model` | params with type, unit, range, choices, default, documentation and group; outputs; diagnostics |
-//! | `POST /api/check` | `{params}`: errors by param, diagnostics, and the plan with predicted time and memory: one elaboration provides all of them |
+//! | `POST /api/check` | `{params, settings}`: errors by param and setting, diagnostics, and the plan with predicted time and memory: one elaboration provides all of them |
 //! | `POST /api/params` | `{name, text}`: values of a params file |
 //! | `GET, PUT /api/session` | the session file |
 //! | `GET /api/runs` | list of runs |
-//! | `POST /api/runs` | `{params}`: starts a run |
-//! | `POST /api/preview` | `{params}`: starts the automatic run in place of the previous one |
+//! | `POST /api/runs` | `{params, settings}`: starts a run |
+//! | `POST /api/preview` | `{params, settings}`: starts the automatic run in place of the previous one |
 //! | `GET /api/runs/ID` | results, positions and messages of a run |
 //! | `POST /api/runs/ID/cancel` | interrupts a run |
+//! | `POST /api/runs/ID/continue` | resumes a run that ended early |
 //! | `GET /api/runs/ID/view` | positions for the viewer |
 //! | `GET /api/runs/ID/files/NAME` | a file of a run |
-//! | `POST /api/scene` | `{params}`: the scene at time 0 without solving, as `{parts, position}`: both files of the viewer in base64 |
+//! | `POST /api/scene` | `{params, settings}`: the scene at time 0 without solving, as `{parts, position}`: both files of the viewer in base64 |
 //! | `GET /api/events` | event stream: `model`, `runs`, `progress` |
 
-use super::check::{Outcome, Values, check, scene_of};
+use super::check::{Form, Outcome, check, scene_of};
 use super::error::RequestError;
 use super::page::{self, json_response};
 use super::runs::PREVIEW;
 use super::session::{self, Session};
-use super::{Studio, access, files, requests};
+use super::{Studio, access, files, requests, settings};
 use axum::Router;
 use axum::body::Bytes;
 use axum::extract::{DefaultBodyLimit, Path, State};
@@ -58,6 +59,7 @@ pub(crate) fn router(studio: Arc<Studio>) -> Router {
         .route("/api/preview", post(preview))
         .route("/api/runs/{id}", get(results))
         .route("/api/runs/{id}/cancel", post(cancel))
+        .route("/api/runs/{id}/continue", post(resume))
         .route("/api/runs/{id}/view", get(view))
         .route("/api/runs/{id}/files/{*name}", get(file))
         .route("/api/scene", post(scene))
@@ -96,7 +98,9 @@ async fn about(State(studio): Shared) -> Answer {
         Ok(json!({
             "calyx": env!("CARGO_PKG_VERSION"),
             "model": studio.model.as_ref().map(|model| model.path().display().to_string()),
+            "subject": studio.runs.subject(),
             "opened": studio.runs.opened(),
+            "settings": settings::described(),
         }))
     });
     Ok(json_response(&about.await?))
@@ -110,11 +114,11 @@ async fn model(State(studio): Shared) -> Answer {
     Ok(json_response(&model.await?))
 }
 
-async fn checked(studio: &Arc<Studio>, values: Values) -> Result<Outcome, RequestError> {
+async fn checked(studio: &Arc<Studio>, form: Form) -> Result<Outcome, RequestError> {
     checking(studio, move |studio| {
         let model = studio.model.as_ref().ok_or_else(no_model)?;
         let snapshot = model.now();
-        check(model, &snapshot, &values).map_err(|error| {
+        check(model, &snapshot, &form).map_err(|error| {
             RequestError::conflict(format!("cannot read the model: {error}"), "restore its file")
         })
     })
@@ -122,8 +126,8 @@ async fn checked(studio: &Arc<Studio>, values: Values) -> Result<Outcome, Reques
 }
 
 async fn check_values(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
-    let values = requests::values(&headers, &body)?;
-    Ok(json_response(&checked(&studio, values).await?.json))
+    let form = requests::form(&headers, &body)?;
+    Ok(json_response(&checked(&studio, form).await?.json))
 }
 
 async fn params_file(headers: HeaderMap, body: Bytes) -> Answer {
@@ -166,23 +170,23 @@ fn rejected(outcome: &Outcome) -> Response {
 }
 
 async fn start(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
-    let values = requests::values(&headers, &body)?;
-    let outcome = checked(&studio, values.clone()).await?;
+    let form = requests::form(&headers, &body)?;
+    let outcome = checked(&studio, form.clone()).await?;
     if !outcome.is_runnable {
         return Ok(rejected(&outcome));
     }
     // A process is started on a thread of the server: it belongs to its runtime.
-    let id = studio.runs.start(&values)?;
+    let id = studio.runs.start(&form, &outcome.json["plan"]["positions"])?;
     Ok((StatusCode::CREATED, json_response(&json!({ "id": id }))).into_response())
 }
 
 async fn preview(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
-    let values = requests::values(&headers, &body)?;
-    let outcome = checked(&studio, values.clone()).await?;
+    let form = requests::form(&headers, &body)?;
+    let outcome = checked(&studio, form.clone()).await?;
     if !outcome.is_runnable {
         return Ok(rejected(&outcome));
     }
-    let started = studio.runs.start_preview(&values).await?;
+    let started = studio.runs.start_preview(&form).await?;
     let answer = json!({ "id": PREVIEW, "started": started });
     Ok((StatusCode::ACCEPTED, json_response(&answer)).into_response())
 }
@@ -193,6 +197,11 @@ async fn results(State(studio): Shared, Path(id): Path<String>) -> Answer {
 
 async fn cancel(State(studio): Shared, Path(id): Path<String>) -> Answer {
     studio.runs.cancel(&id)?;
+    Ok(StatusCode::ACCEPTED.into_response())
+}
+
+async fn resume(State(studio): Shared, Path(id): Path<String>) -> Answer {
+    blocking(&studio, move |studio| studio.runs.resume(&id)).await?;
     Ok(StatusCode::ACCEPTED.into_response())
 }
 
@@ -208,10 +217,10 @@ async fn file(State(studio): Shared, Path((id, name)): Path<(String, String)>) -
 /// Sends the scene of the model with the values of a form, as it is at time 0 before anything is
 /// solved.
 async fn scene(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
-    let values = requests::values(&headers, &body)?;
+    let form = requests::form(&headers, &body)?;
     let [parts, position] = checking(&studio, move |studio| {
         let model = studio.model.as_ref().ok_or_else(no_model)?;
-        scene_of(model, &model.now(), &values)
+        scene_of(model, &model.now(), &form)
     })
     .await?
     .map(|file| STANDARD.encode(file));

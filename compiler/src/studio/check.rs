@@ -2,12 +2,14 @@
 
 use super::error::RequestError;
 use super::model::{Model, Snapshot, diagnostics, rendered};
+use super::settings::{self, CheckedSettings, Settings};
 use crate::{Checked, check_run_within};
 use axum::http::StatusCode;
 use calyx_abi::description::ModelDescription;
+use calyx_lang::diagnostic::Severity;
 use calyx_rt::options::rates_file;
 use calyx_rt::params::check_assignment;
-use calyx_rt::{InvalidParam, Override, ParamAssignment};
+use calyx_rt::{InvalidParam, ParamAssignment};
 use calyx_runtime::cost::Rates;
 use calyx_runtime::resources::Resources;
 use serde_json::{Map, Value, json};
@@ -17,6 +19,13 @@ use std::sync::OnceLock;
 
 /// Values of a form: texts by name, as after `--set`.
 pub(crate) type Values = BTreeMap<String, String>;
+
+/// What a form assigns: values of params, and analysis settings.
+#[derive(Clone, Default)]
+pub(crate) struct Form {
+    pub params: Values,
+    pub settings: Settings,
+}
 
 /// Returns the assignments of a form.
 pub(crate) fn assignments(values: &Values) -> Vec<ParamAssignment> {
@@ -33,8 +42,10 @@ pub(crate) struct Outcome {
 ///
 /// # Errors
 /// The model cannot be read.
-pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::Result<Outcome> {
+pub(crate) fn check(model: &Model, snapshot: &Snapshot, form: &Form) -> io::Result<Outcome> {
+    let values = &form.params;
     let mut errors = Map::new();
+    let CheckedSettings { overrides, errors: mut setting_errors } = settings::checked(&form.settings);
     let given = assignments(values);
     let (valid, invalid): (Vec<_>, Vec<_>) = given
         .into_iter()
@@ -48,7 +59,7 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::
         }
     }
     let given: Vec<ParamAssignment> = valid.into_iter().map(|(_, assignment)| assignment).collect();
-    let checked = check_run_within(model.path(), model.allowed(), &given, Override::default(), None)?;
+    let checked = check_run_within(model.path(), model.allowed(), &given, overrides, None)?;
     let mut refused = Value::Null;
     if let Some(invalid) = &checked.refused {
         // The range of a param may depend on other params.
@@ -59,12 +70,16 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::
             None => refused = reason(invalid),
         }
     }
-    let is_runnable =
-        errors.is_empty() && refused.is_null() && checked.program.is_some() && !checked.has_errors();
+    if let Some((name, error)) = unsuitable_setting(&checked) {
+        setting_errors.entry(name).or_insert(error);
+    }
+    let is_valid = errors.is_empty() && setting_errors.is_empty() && refused.is_null();
+    let is_runnable = is_valid && checked.program.is_some() && !checked.has_errors();
     let json = json!({
         "version": snapshot.version,
         "runnable": is_runnable,
         "errors": errors,
+        "setting_errors": setting_errors,
         "refused": refused,
         "diagnostics": diagnostics(&checked.diagnostics, &checked.files),
         "rendered": rendered(&checked.diagnostics, &checked.files),
@@ -72,6 +87,16 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::
         "gear_data": checked.gear_data.text(),
     });
     Ok(Outcome { json, is_runnable })
+}
+
+/// Returns the setting with which the model cannot be analysed, and the error of its field.
+fn unsuitable_setting(checked: &Checked) -> Option<(String, Value)> {
+    let mut errors = checked.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+    errors.find_map(|error| {
+        let help = error.help.as_deref()?;
+        let name = settings::named_in(help)?;
+        Some((name.to_owned(), json!({ "message": error.message, "help": help })))
+    })
 }
 
 /// Returns the files of the viewer for the scene at time 0: parts and position. Blocks while the
@@ -82,14 +107,15 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, values: &Values) -> io::
 pub(crate) fn scene_of(
     model: &Model,
     snapshot: &Snapshot,
-    values: &Values,
+    form: &Form,
 ) -> Result<[Vec<u8>; 2], RequestError> {
-    let given: Vec<ParamAssignment> = assignments(values)
+    let overrides = settings::checked(&form.settings).overrides;
+    let given: Vec<ParamAssignment> = assignments(&form.params)
         .into_iter()
         .filter(|assignment| check_assignment(&snapshot.description, assignment).is_ok())
         .collect();
-    let checked = check_run_within(model.path(), model.allowed(), &given, Override::default(), None)
-        .map_err(|error| {
+    let checked =
+        check_run_within(model.path(), model.allowed(), &given, overrides, None).map_err(|error| {
             RequestError::conflict(format!("cannot read the model: {error}"), "restore its file")
         })?;
     let plan = checked.plan.as_ref().ok_or_else(|| {

@@ -3,10 +3,10 @@
 //! | File | Content |
 //! |---|---|
 //! | `run-0001/`, ... | directories of runs, numbered, never replaced |
-//! | `run-0001.json`, ... | the start of each run: time, assigned params, status and messages |
+//! | `run-0001.json`, ... | the start of each run: time, assigned params and settings, planned number of positions, status and messages |
 //! | `preview/` | directory of the automatic run, replaced by each one |
 //! | `preview.lock` | locked by the studio that writes `preview/`; another studio uses `preview-2/` |
-//! | `session.json` | values of the form, camera and visibility |
+//! | `session.json` | values and settings of the form, selected runs, camera and visibility |
 
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};

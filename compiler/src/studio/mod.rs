@@ -26,6 +26,7 @@ mod requests;
 mod results;
 mod runs;
 mod session;
+mod settings;
 mod subject;
 
 pub use error::StudioError;

@@ -79,9 +79,10 @@ impl Process {
     /// The process cannot be started.
     pub fn start(start: Start, events: Events) -> io::Result<Arc<Process>> {
         let Start { id, command, arguments, record } = start;
-        let child = Command::new(command)
+        let mut child = Command::new(command)
             .args(arguments)
-            .stdin(Stdio::null())
+            // The run is cancelled at its end, also if the studio is killed.
+            .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             // Ctrl-C reaches the studio only, which interrupts the run once. A second signal would
@@ -102,7 +103,13 @@ impl Process {
             cancel: Notify::new(),
             ended: watch::Sender::new(false),
         });
-        tokio::spawn(supervise(process.clone(), child, record, events));
+        // Waiting for the child would close its input.
+        let input = child.stdin.take();
+        let supervised = supervise(process.clone(), child, record, events);
+        tokio::spawn(async move {
+            supervised.await;
+            drop(input);
+        });
         Ok(process)
     }
 

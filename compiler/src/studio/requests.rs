@@ -1,6 +1,6 @@
 //! Bodies of requests.
 
-use super::check::Values;
+use super::check::{Form, Values};
 use super::error::RequestError;
 use axum::body::Bytes;
 use axum::http::{HeaderMap, StatusCode, header};
@@ -27,24 +27,34 @@ pub(crate) fn json(headers: &HeaderMap, body: &Bytes) -> Result<Value, RequestEr
         .map_err(|error| RequestError::invalid(format!("the body of the request is not JSON: {error}"), ""))
 }
 
-/// Parses the values of a form: `{"params": {"torque": "500", "tip_radius": "0.5 mm"}}`.
+/// Parses a form: `{"params": {"torque": "500", "tip_radius": "0.5 mm"}, "settings": {"fidelity":
+/// "plane"}}`.
 ///
 /// # Errors
 /// The body is another one.
-pub(crate) fn values(headers: &HeaderMap, body: &Bytes) -> Result<Values, RequestError> {
+pub(crate) fn form(headers: &HeaderMap, body: &Bytes) -> Result<Form, RequestError> {
     let body = json(headers, body)?;
-    let invalid = || {
+    let params = texts(&body["params"]).ok_or_else(|| {
         let help = "send {\"params\": {\"NAME\": \"VALUE\"}}, with values as after `--set`";
         RequestError::invalid("the request has no object `params` of texts", help)
+    })?;
+    let settings = match &body["settings"] {
+        Value::Null => Values::new(),
+        settings => texts(settings).ok_or_else(|| {
+            let help = "send {\"params\": {}, \"settings\": {\"fidelity\": \"plane\"}}";
+            RequestError::invalid("`settings` of the request is not an object of texts", help)
+        })?,
     };
-    let params = body.get("params").and_then(Value::as_object).ok_or_else(invalid)?;
-    if params.len() > MOST_VALUES {
-        return Err(invalid());
-    }
-    let texts = params.iter().map(|(name, value)| {
+    Ok(Form { params, settings })
+}
+
+/// Returns the entries of an object of texts; `None` for another value.
+pub(crate) fn texts(object: &Value) -> Option<Values> {
+    let entries = object.as_object().filter(|entries| entries.len() <= MOST_VALUES)?;
+    let texts = entries.iter().map(|(name, value)| {
         // The operating system ends an argument of a command at a zero byte.
-        let text = value.as_str().filter(|text| !text.contains('\0') && !name.contains('\0'));
-        text.map(|text| (name.clone(), text.to_owned())).ok_or_else(invalid)
+        let text = value.as_str().filter(|text| !text.contains('\0') && !name.contains('\0'))?;
+        Some((name.clone(), text.to_owned()))
     });
     texts.collect()
 }

@@ -1,14 +1,15 @@
 //! Results in the directory of a run, as JSON for the page.
 
 use super::error::RequestError;
-use calyx_abi::units::shortest;
+use super::settings;
+use calyx_abi::units::{from_si, shortest};
 use calyx_rt::directory::read_run;
 use calyx_rt::run_directory::MARKER;
 use serde_json::{Map, Value, json};
 use std::collections::HashMap;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io;
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::UNIX_EPOCH;
@@ -35,19 +36,32 @@ pub(crate) fn time_of(directory: &Path) -> Option<u64> {
     Some(about.modified().ok()?.duration_since(UNIX_EPOCH).ok()?.as_secs())
 }
 
-/// Summaries of `run.json`, read again when the file changes.
+/// Files that change while a run is in progress.
+pub(crate) const CHANGING: [&str; 3] = ["run.json", "steps.csv", "journal.jsonl"];
+
+/// Summaries of runs, read again when their files change.
 #[derive(Default)]
 pub(crate) struct Summaries(Mutex<HashMap<PathBuf, (u64, Value)>>);
 
 impl Summaries {
-    /// Returns the part of `run.json` that a list shows; `null` if there is no such file.
+    /// Returns the part of `run.json` that a list shows, or of the journal of a run that ended
+    /// before it wrote this file; `null` if there is neither.
     pub fn of(&self, directory: &Path) -> Value {
-        let now = stamp(directory, &["run.json"]);
+        let now = stamp(directory, &CHANGING);
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         match known.get(directory) {
             Some((then, summary)) if *then == now => summary.clone(),
             _ => {
-                let summary = read_run(directory).ok().flatten().map_or(Value::Null, |run| summary(&run));
+                let summary = described(directory).ok().flatten().map_or(Value::Null, |run| {
+                    let mut summary = summary(&run);
+                    if is_incomplete(&run) {
+                        summary["positions"] = json!(rows(directory));
+                    }
+                    let has_meshes =
+                        fs::read_dir(directory.join("vtu")).is_ok_and(|mut all| all.next().is_some());
+                    summary["settings"] = settings::of_run(&run, has_meshes).into();
+                    summary
+                });
                 known.insert(directory.to_owned(), (now, summary.clone()));
                 summary
             }
@@ -89,17 +103,88 @@ fn typed(value: &Value) -> String {
     }
 }
 
-/// Returns `run.json` without the gear data, which the page does not show; `null` if there is none.
+/// Longest description of a run in a journal, bytes.
+const LONGEST_HEAD: u64 = 16 << 20;
+
+/// Returns the description of a run: `run.json`, or the first line of the journal of a run that has
+/// not written this file, with the key `incomplete`. `None` if there is neither.
 ///
 /// # Errors
-/// The file cannot be read.
+/// A file cannot be read.
+fn described(directory: &Path) -> io::Result<Option<Value>> {
+    if let Some(run) = read_run(directory)? {
+        return Ok(Some(run));
+    }
+    let file = match fs::File::open(directory.join("journal.jsonl")) {
+        Ok(file) => file,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(error),
+    };
+    let mut line = String::new();
+    BufReader::new(file.take(LONGEST_HEAD)).read_line(&mut line)?;
+    // A line that a kill left incomplete describes nothing.
+    let head: Value = serde_json::from_str(&line).unwrap_or(Value::Null);
+    let run = head.get("run").filter(|run| run.is_object());
+    Ok(run.map(|run| {
+        let mut run = run.clone();
+        run["incomplete"] = json!({ "code": null, "message": null });
+        run
+    }))
+}
+
+/// Returns true for a run that has not ended, or ended before its last position.
+pub(crate) fn is_incomplete(run: &Value) -> bool {
+    run.get("incomplete").is_some_and(Value::is_object)
+}
+
+/// Returns the description of a run without the gear data, which the page does not show; `null` if
+/// there is none.
+///
+/// # Errors
+/// A file cannot be read.
 pub(crate) fn run(directory: &Path) -> Result<Value, RequestError> {
     let unreadable = |error| RequestError::internal("cannot read run.json", &error);
-    let mut run = read_run(directory).map_err(unreadable)?.unwrap_or(Value::Null);
+    let mut run = described(directory).map_err(unreadable)?.unwrap_or(Value::Null);
     if let Some(entries) = run.as_object_mut() {
         entries.remove("gear_data");
     }
     Ok(run)
+}
+
+/// Returns the number of complete rows of `steps.csv`.
+fn rows(directory: &Path) -> usize {
+    let table = text_of_steps(directory).ok().flatten().unwrap_or_default();
+    table.bytes().filter(|byte| *byte == b'\n').count().saturating_sub(1)
+}
+
+/// Returns the outputs of an incomplete run at its solved positions, in the units of the model:
+/// smallest, largest and last value. A mean over a part of the positions is none of the run.
+///
+/// # Errors
+/// `steps.csv` cannot be read.
+pub(crate) fn outputs_so_far(directory: &Path, run: &Value) -> Result<Value, RequestError> {
+    let table = text_of_steps(directory)?.unwrap_or_default();
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(table.as_bytes());
+    let names: Vec<String> =
+        reader.headers().map_or_else(|_| Vec::new(), |names| names.iter().map(str::to_owned).collect());
+    let mut values = vec![Vec::new(); names.len()];
+    for record in reader.records().flatten() {
+        for (values, cell) in values.iter_mut().zip(&record) {
+            values.extend(cell.parse::<f64>().ok());
+        }
+    }
+    let of_column = |(name, values): (String, Vec<f64>)| {
+        let column = run["columns"].get(&name).filter(|column| column["choices"].is_null())?;
+        let display = &column["display"];
+        let shown = |si: f64| from_si(si, display["factor"].as_f64().unwrap_or(1.0));
+        let last = values.last().copied().map(shown);
+        let end = |select: fn(f64, f64) -> f64| values.iter().copied().reduce(select).map(shown);
+        let output = json!({
+            "doc": column["doc"], "unit": display["unit"], "min": end(f64::min), "max": end(f64::max), "last": last,
+        });
+        Some((name, output))
+    };
+    Ok(names.into_iter().zip(values).filter_map(of_column).collect::<Map<_, _>>().into())
 }
 
 /// Largest number of rows that the page plots.
@@ -170,6 +255,27 @@ fn text_of_steps(directory: &Path) -> Result<Option<String>, RequestError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_killed_run_is_described_by_its_journal_and_its_solved_positions() {
+        let directory = tempfile::tempdir().expect("a temporary folder");
+        let path = directory.path();
+        assert!(run(path).expect("no run").is_null());
+        let columns =
+            json!({ "a": { "doc": "", "unit": "Pa", "display": { "unit": "MPa", "factor": 1e6 } } });
+        let head = json!({ "journal": 2, "run": { "params": {}, "columns": columns, "overrides": { "contact_cells": 6 } } });
+        fs::write(path.join("steps.csv"), "step,time,point,a\n0,0,SAP,2e6\n1,1,,5e6\n2,2,,3e6\n3,3,,9")
+            .expect("a table");
+        fs::write(path.join("journal.jsonl"), &head.to_string()[..40]).expect("a damaged journal");
+        assert!(run(path).expect("no run").is_null());
+        fs::write(path.join("journal.jsonl"), format!("{head}\n{{\"step\":0}}\n")).expect("a journal");
+        let found = run(path).expect("a run");
+        assert!(is_incomplete(&found));
+        let outputs = outputs_so_far(path, &found).expect("a table");
+        assert_eq!(outputs["a"], json!({ "doc": "", "unit": "MPa", "min": 2.0, "max": 5.0, "last": 3.0 }));
+        let summary = Summaries::default().of(path);
+        assert_eq!((&summary["positions"], &summary["settings"]["contact_cells"]), (&json!(3), &json!("6")));
+    }
 
     #[test]
     fn long_tables_are_thinned_and_incomplete_rows_left_out() {

@@ -1,12 +1,14 @@
 //! The runs of a model: those of the folder `MODEL.cx.studio`, of `MODEL.cx.run`, and the directory
 //! that the studio was opened with.
 
-use super::check::Values;
+use super::check::{Form, Values};
 use super::error::RequestError;
 use super::events::{Event, Events};
 use super::folder::{self, Preview};
 use super::process::{Process, Start, Status};
+use super::requests::texts;
 use super::results::{self, Summaries};
+use super::settings;
 use calyx_abi::context::codes;
 use calyx_rt::directory::default_directory;
 use calyx_rt::run_directory::writer;
@@ -14,6 +16,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -46,6 +49,8 @@ pub(crate) struct Runs {
     /// Automatic runs start one after another.
     previewing: tokio::sync::Mutex<()>,
     summaries: Summaries,
+    /// Runs are resumed one after another.
+    resuming: Mutex<()>,
 }
 
 impl Runs {
@@ -67,6 +72,7 @@ impl Runs {
             requested: AtomicU64::new(0),
             previewing: tokio::sync::Mutex::default(),
             summaries: Summaries::default(),
+            resuming: Mutex::default(),
         }
     }
 
@@ -113,6 +119,13 @@ impl Runs {
         })
     }
 
+    /// Returns the absolute path of the model, or of the run without a model: the same for each
+    /// studio that shows it.
+    pub fn subject(&self) -> Option<String> {
+        let path = self.model.as_deref().or(self.opened.as_deref())?;
+        Some(fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()).display().to_string())
+    }
+
     /// Returns the identifier of the run that the studio was opened with.
     pub fn opened(&self) -> Option<String> {
         let opened = fs::canonicalize(self.opened.as_deref()?).ok()?;
@@ -153,7 +166,7 @@ impl Runs {
         let state = |id: String| {
             let directory = self.directory(&id).unwrap_or_default();
             let is_own = self.process(&id).is_some_and(|process| process.status() == Status::Running);
-            let files = if is_own { &["run.json"][..] } else { &["run.json", "steps.csv", "journal.jsonl"] };
+            let files = if is_own { &results::CHANGING[..1] } else { &results::CHANGING[..] };
             let writer = if is_own { None } else { writer(&directory) };
             (id, results::stamp(&directory, files), writer)
         };
@@ -172,19 +185,26 @@ impl Runs {
         let run = self.summaries.of(&directory);
         let process = self.process(id);
         let (status, message) = self.status(&directory, process.as_deref(), &record, &run);
-        let params = match &run["params"] {
-            Value::Object(params) => json!(params),
-            _ => record["params"].clone(),
-        };
+        let of_run = |key: &str| if run[key].is_object() { run[key].clone() } else { record[key].clone() };
+        let solved = &run["positions"];
+        let ended_early = ["cancelled", "failed", "interrupted"].contains(&status);
+        let is_resumable = ended_early
+            && record["params"].is_object()
+            && solved.as_u64() > Some(0)
+            && directory.join("journal.jsonl").is_file();
         Some(json!({
             "id": id,
             "directory": directory.display().to_string(),
             "status": status,
             "message": message,
             "started": record["started"].as_u64().or_else(|| results::time_of(&directory)),
-            "params": params,
+            "params": of_run("params"),
+            "settings": of_run("settings"),
             "progress": process.as_ref().filter(|process| process.status() == Status::Running).map(|process| process.progress()),
-            "positions": run["positions"],
+            "positions": solved,
+            "total": record["positions"],
+            "incomplete": results::is_incomplete(&run),
+            "resumable": is_resumable,
             "fidelity": run["fidelity"],
             "calyx": run["calyx"],
             "source": run["source"],
@@ -213,7 +233,8 @@ impl Runs {
         if let Some(writer) = writer(directory) {
             return ("elsewhere", Some(format!("written by {writer}")));
         }
-        if let Some(reason) = run["incomplete"]["message"].as_str() {
+        // A run that was cancelled and resumed may have failed later.
+        if let Some(reason) = run["incomplete"]["message"].as_str().filter(|_| record["status"] != "failed") {
             let status =
                 if run["incomplete"]["code"] == codes::CANCELLED { "cancelled" } else { "interrupted" };
             return (status, Some(reason.to_owned()));
@@ -228,7 +249,7 @@ impl Runs {
             Some("running") if is_recent(record) => {
                 ("elsewhere", Some("another studio starts it".to_owned()))
             }
-            _ => ("interrupted", Some("the run ended without results".to_owned())),
+            _ => ("interrupted", Some("its process ended early".to_owned())),
         }
     }
 
@@ -253,24 +274,25 @@ impl Runs {
             .map_or_else(|| self.record(id)["messages"].clone(), |process| json!(process.messages()));
         summary["messages"] = messages;
         summary["printed"] = json!(process.map(|process| process.printed()));
-        summary["run"] = results::run(&directory)?;
+        let run = results::run(&directory)?;
+        if results::is_incomplete(&run) {
+            summary["so_far"] = results::outputs_so_far(&directory, &run)?;
+        }
+        summary["run"] = run;
         let steps = results::steps(&directory)?;
         (summary["steps"], summary["stride"]) = (steps.columns, json!(steps.stride));
         Ok(summary)
     }
 
-    /// Starts a run in a new directory and returns its identifier.
+    /// Starts a run in a new directory and returns its identifier. `positions` is the planned number
+    /// of positions, or `null`.
     ///
     /// # Errors
     /// There is no model, too many runs are in progress, or the directory or the process cannot be
     /// made.
-    pub fn start(&self, values: &Values) -> Result<String, RequestError> {
+    pub fn start(&self, form: &Form, positions: &Value) -> Result<String, RequestError> {
         let folder = self.folder().ok_or_else(no_model)?;
-        let running = self.processes().values().filter(|process| process.status() == Status::Running).count();
-        if running >= MOST_RUNNING {
-            let message = format!("{running} runs are in progress");
-            return Err(RequestError::conflict(message, "wait until one of them ends, or cancel one"));
-        }
+        self.refuse_too_many()?;
         let failed =
             |error| RequestError::internal(format!("cannot start a run in {}", folder.display()), &error);
         let id = folder::create_run(&folder).map_err(failed)?;
@@ -278,15 +300,62 @@ impl Runs {
         let record = json!({
             "calyx": env!("CARGO_PKG_VERSION"),
             "started": seconds_now(),
-            "params": values.iter().map(|(name, text)| (name.clone(), json!({ "text": text }))).collect::<serde_json::Map<_, _>>(),
+            "params": form.params.iter().map(|(name, text)| (name.clone(), json!({ "text": text }))).collect::<serde_json::Map<_, _>>(),
+            "settings": form.settings,
+            "positions": positions,
             "status": Status::Running.name(),
             "messages": [],
         });
-        let path = folder.join(format!("{id}.json"));
-        let text = serde_json::to_vec_pretty(&record).map_err(|error| failed(error.into()))?;
-        folder::replace(&path, &text).map_err(failed)?;
-        self.launch(&id, &directory, values, Some((path, record)))?;
+        let record = write_record(&folder, &id, record).map_err(failed)?;
+        self.launch((&id, &directory), form, &[], Some(record))?;
         Ok(id)
+    }
+
+    /// Resumes a run that ended early, in its directory, with the params and settings of its start.
+    ///
+    /// # Errors
+    /// The run is in progress, finished, or not one of this model's studio; too many runs are in
+    /// progress, or the process cannot be made.
+    pub fn resume(&self, id: &str) -> Result<(), RequestError> {
+        let folder = self.folder().ok_or_else(no_model)?;
+        // Of two requests at the same time, the second one finds the run in progress.
+        let _one = self.resuming.lock().unwrap_or_else(PoisonError::into_inner);
+        let directory = self.existing(id)?;
+        let summary = self.summary(id).unwrap_or_default();
+        if summary["resumable"] != true {
+            let message = format!(
+                "this run cannot be continued: it is {}",
+                summary["status"].as_str().unwrap_or("lost")
+            );
+            return Err(RequestError::conflict(message, "start a new run"));
+        }
+        self.refuse_too_many()?;
+        let mut record = self.record(id);
+        let assigned = record["params"].as_object().into_iter().flatten();
+        let params: Option<Values> =
+            assigned.map(|(name, param)| Some((name.clone(), param["text"].as_str()?.to_owned()))).collect();
+        let settings =
+            if record["settings"].is_null() { Some(Values::new()) } else { texts(&record["settings"]) };
+        let (Some(params), Some(settings)) = (params, settings) else {
+            let message = format!("{id}.json is damaged: it does not have the params of the run");
+            return Err(RequestError::conflict(message, "start a new run with the same params"));
+        };
+        let form = Form { params, settings };
+        record["status"] = json!(Status::Running.name());
+        record["resumed"] = json!(seconds_now());
+        record["messages"] = json!([]);
+        let failed = |error| RequestError::internal(format!("cannot continue {id}"), &error);
+        let record = write_record(&folder, id, record).map_err(failed)?;
+        self.launch((id, &directory), &form, &["--resume"], Some(record))
+    }
+
+    fn refuse_too_many(&self) -> Result<(), RequestError> {
+        let running = self.processes().values().filter(|process| process.status() == Status::Running).count();
+        if running < MOST_RUNNING {
+            return Ok(());
+        }
+        let message = format!("{running} runs are in progress");
+        Err(RequestError::conflict(message, "wait until one of them ends, or cancel one"))
     }
 
     /// Starts the automatic run in place of the previous one. Returns `false` if a later request
@@ -294,7 +363,7 @@ impl Runs {
     ///
     /// # Errors
     /// There is no model, or the directory or the process cannot be made.
-    pub async fn start_preview(&self, values: &Values) -> Result<bool, RequestError> {
+    pub async fn start_preview(&self, form: &Form) -> Result<bool, RequestError> {
         let folder = self.folder().ok_or_else(no_model)?;
         let number = self.requested.fetch_add(1, Ordering::Relaxed) + 1;
         let _one = self.previewing.lock().await;
@@ -319,28 +388,29 @@ impl Runs {
         fs::create_dir_all(&directory).map_err(|error| {
             RequestError::internal(format!("cannot create {}", directory.display()), &error)
         })?;
-        self.launch(PREVIEW, &directory, values, None)?;
+        self.launch((PREVIEW, &directory), form, &["--time-limit", PREVIEW_LIMIT], None)?;
         Ok(true)
     }
 
     fn launch(
         &self,
-        id: &str,
-        directory: &Path,
-        values: &Values,
+        (id, directory): (&str, &Path),
+        form: &Form,
+        options: &[&str],
         record: Option<(PathBuf, Value)>,
     ) -> Result<(), RequestError> {
         let model = self.model.as_deref().ok_or_else(no_model)?;
         let mut arguments: Vec<OsString> = vec!["run".into(), model.into()];
-        arguments.extend(values.iter().map(|(name, value)| format!("--set={name}={}", value.trim()).into()));
+        let set = |(name, value): (&String, &String)| format!("--set={name}={}", value.trim()).into();
+        arguments.extend(form.params.iter().map(set));
+        arguments.extend(settings::options(&form.settings));
         for path in self.allowed.iter() {
             arguments.extend(["--allow-path".into(), path.into()]);
         }
         arguments.extend(["--out".into(), directory.into()]);
-        if id == PREVIEW {
-            arguments.extend(["--time-limit", PREVIEW_LIMIT].map(OsString::from));
-        }
-        arguments.extend(["--progress", "json", "--message-format", "json"].map(OsString::from));
+        arguments.extend(options.iter().map(OsString::from));
+        let formats = ["--progress", "json", "--message-format", "json", "--cancel-at-end-of-input"];
+        arguments.extend(formats.map(OsString::from));
         let start = Start { id: id.to_owned(), command: self.command.clone(), arguments, record };
         let process = Process::start(start, self.events.clone())
             .map_err(|error| RequestError::internal("cannot start a run", &error))?;
@@ -386,6 +456,13 @@ fn no_model() -> RequestError {
     RequestError::conflict("the model of this run is not known", "start `calyx studio` with the model")
 }
 
+/// Writes the record of a run. Returns its path and content.
+fn write_record(folder: &Path, id: &str, record: Value) -> io::Result<(PathBuf, Value)> {
+    let path = folder.join(format!("{id}.json"));
+    folder::replace(&path, &serde_json::to_vec_pretty(&record)?)?;
+    Ok((path, record))
+}
+
 fn seconds_now() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs())
 }
@@ -394,5 +471,6 @@ fn seconds_now() -> u64 {
 fn is_recent(record: &Value) -> bool {
     /// Time in which a process locks its directory: it checks the model before.
     const STARTING: u64 = 30;
-    record["started"].as_u64().is_some_and(|started| seconds_now().saturating_sub(started) < STARTING)
+    let started = record["resumed"].as_u64().or(record["started"].as_u64());
+    started.is_some_and(|started| seconds_now().saturating_sub(started) < STARTING)
 }

@@ -1,4 +1,5 @@
-//! The session of a model, `session.json`: the values of the form, camera and visibility.
+//! The session of a model, `session.json`: the values and settings of the form, selected runs, camera
+//! and visibility.
 
 use super::error::RequestError;
 use super::folder;
@@ -24,7 +25,7 @@ impl Session {
 
     /// Returns the session; an empty one if there is no file, or a file with other contents.
     pub fn read(&self) -> Result<Value, RequestError> {
-        let empty = json!({ "version": VERSION, "params": {}, "view": null });
+        let empty = json!({ "version": VERSION, "params": {}, "settings": {}, "view": null });
         let length = fs::metadata(&self.path).map_or(0, |about| about.len());
         if length > LONGEST as u64 {
             return Ok(empty);
@@ -56,7 +57,7 @@ impl Session {
 
 /// Checks the form of a session. The page alone interprets `view`.
 fn validate(session: &Value) -> Result<(), RequestError> {
-    let help = "a session is {\"version\": 1, \"params\": {\"NAME\": \"VALUE\"}, \"view\": {...}}";
+    let help = "a session is {\"version\": 1, \"params\": {\"NAME\": \"VALUE\"}, \"settings\": {...}, \"view\": {...}}";
     let invalid = |message: &str| Err(RequestError::invalid(message, help));
     let Some(entries) = session.as_object() else { return invalid("the session is not an object") };
     if entries.get("version").and_then(Value::as_u64) != Some(VERSION) {
@@ -65,10 +66,14 @@ fn validate(session: &Value) -> Result<(), RequestError> {
     if !entries.get("params").is_some_and(is_table_of_texts) {
         return invalid("`params` of the session is not an object of texts");
     }
+    // Sessions of older versions have no settings.
+    if !entries.get("settings").is_none_or(is_table_of_texts) {
+        return invalid("`settings` of the session is not an object of texts");
+    }
     if !entries.get("view").is_some_and(|view| view.is_object() || view.is_null()) {
         return invalid("`view` of the session is neither an object nor null");
     }
-    match entries.keys().find(|key| !["version", "params", "view"].contains(&key.as_str())) {
+    match entries.keys().find(|key| !["version", "params", "settings", "view"].contains(&key.as_str())) {
         Some(_) => invalid("the session has an unknown key"),
         None => Ok(()),
     }

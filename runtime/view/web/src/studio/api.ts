@@ -18,6 +18,30 @@ export interface Param {
   choices: string[];
 }
 
+/** An analysis setting of the form, which overrides that of the model. */
+export interface Setting {
+  name: string;
+  label: string;
+  doc: string;
+  kind: "choice" | "number" | "boolean";
+  choices: { name: string; doc: string }[];
+  /** Accepted numbers as text. */
+  domain: string;
+  /** True for settings of mesh and contact grid, which few users change. */
+  detail: boolean;
+}
+
+/** The studio that serves the page. */
+export interface About {
+  calyx: string;
+  /** Path of the model as after `calyx studio`; null if only the directory of a run is known. */
+  model: string | null;
+  /** Absolute path of the model, or of the run without a model. */
+  subject: string | null;
+  opened: string | null;
+  settings: Setting[];
+}
+
 export interface Output {
   name: string;
   doc: string;
@@ -79,6 +103,8 @@ export interface Check {
   version: string;
   runnable: boolean;
   errors: Record<string, Reason>;
+  /** Errors by analysis setting. */
+  setting_errors: Record<string, Reason>;
   refused: Reason | null;
   diagnostics: Message[];
   rendered: string;
@@ -109,8 +135,17 @@ export interface RunSummary {
   /** Time of the start, s since 1970. */
   started: number | null;
   params: Record<string, RunParam> | null;
+  /** Analysis settings that override those of the model. */
+  settings: Record<string, string> | null;
   progress: Progress | null;
+  /** Number of solved positions. */
   positions: number | null;
+  /** Planned number of positions. */
+  total: number | null;
+  /** True until all positions are solved. */
+  incomplete: boolean;
+  /** True if the run can be continued. */
+  resumable: boolean;
   fidelity: string | null;
   calyx: string | null;
   source: string | null;
@@ -155,15 +190,26 @@ export interface RunFile {
   refused_outputs?: Record<string, string>;
   certificate?: Record<string, number>;
   overrides?: Record<string, unknown>;
-  incomplete?: { code: string; message: string };
+  incomplete?: { code: string | null; message: string | null };
 }
 
 export type Column = (number | string | null)[];
+
+/** Values of an output at the solved positions of an incomplete run, in `unit`. */
+export interface OutputSoFar {
+  doc: string;
+  unit: string;
+  min: number | null;
+  max: number | null;
+  last: number | null;
+}
 
 export interface Results extends RunSummary {
   messages: Message[] | null;
   printed: string | null;
   run: RunFile | null;
+  /** Outputs of an incomplete run. */
+  so_far?: Record<string, OutputSoFar>;
   /** Columns of `steps.csv`, SI. */
   steps: Record<string, Column> | null;
   /** Number of positions from one row of `steps` to the next. */
@@ -173,6 +219,8 @@ export interface Results extends RunSummary {
 export interface Session {
   version: 1;
   params: Record<string, string>;
+  /** Absent in sessions of older versions. */
+  settings?: Record<string, string>;
   view: Record<string, unknown> | null;
 }
 
@@ -216,9 +264,15 @@ export interface ModelScene {
   position: ArrayBuffer;
 }
 
+/** What a form assigns: values of params and analysis settings, as typed. */
+export interface FormValues {
+  params: Record<string, string>;
+  settings: Record<string, string>;
+}
+
 /** Returns the scene of the model with the values of a form. */
-export async function modelScene(params: Record<string, string>, signal?: AbortSignal): Promise<ModelScene> {
-  const scene = await send<{ parts: string; position: string }>("POST", "/api/scene", { params }, signal);
+export async function modelScene(form: FormValues, signal?: AbortSignal): Promise<ModelScene> {
+  const scene = await send<{ parts: string; position: string }>("POST", "/api/scene", form, signal);
   const decoded = (text: string): ArrayBuffer => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
   return { parts: decoded(scene.parts), position: decoded(scene.position) };
 }

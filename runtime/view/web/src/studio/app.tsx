@@ -93,13 +93,7 @@ function ThemeMenu(): JSX.Element {
 }
 
 function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
-  if (!studio.isConnected) {
-    return (
-      <div class="notice error" role="alert">
-        <span>The studio has ended. Start <code>{studio.command}</code> again and open the address that it prints.</span>
-      </div>
-    );
-  }
+  if (!studio.isConnected) return <ConnectionLost studio={studio} />;
   if (!studio.notice) return null;
   return (
     <div class="notice" role="alert">
@@ -108,6 +102,32 @@ function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
         {studio.notice.help && <span class="help"> <Text text={studio.notice.help} /></span>}
       </span>
       <button type="button" class="quiet" onClick={() => studio.dismiss()}>Dismiss</button>
+    </div>
+  );
+}
+
+function ConnectionLost({ studio }: { studio: Studio }): JSX.Element {
+  const command = <code>{studio.command}</code>;
+  return (
+    <div class="notice error" role="alert">
+      {studio.connection === "ended" && (
+        <span>
+          The studio has ended; this page keeps the form. To go on, start {command} and open the address that it prints. This page
+          then reconnects.
+        </span>
+      )}
+      {studio.connection === "refused" && (
+        <span>
+          A new studio runs at this address. Open the address that it printed, in this browser: this page then reconnects, with its
+          form.
+        </span>
+      )}
+      {studio.connection === "other" && (
+        <span>
+          The studio at this address is another one: of another model, or of another version of Calyx. This page reconnects to{" "}
+          {command} of its own version; <a href="/">reload</a> it for the other studio.
+        </span>
+      )}
     </div>
   );
 }

@@ -1,6 +1,6 @@
 // A param in the form: label, control, unit, range and error.
 
-import type { JSX } from "preact";
+import type { ComponentChildren, JSX } from "preact";
 import type { Param, Reason } from "./api.ts";
 import { isPlainNumber, paragraphs, words } from "./format.ts";
 import type { Studio } from "./store.ts";
@@ -24,21 +24,26 @@ export function Field({ studio, param }: Props): JSX.Element {
   const describedBy = [`${id}-doc`, error && `${id}-error`].filter(Boolean).join(" ");
   return (
     <div class={`field ${isChanged ? "changed" : ""} ${error ? "invalid" : ""}`} data-param={param.name}>
-      <div class="field-head">
-        <label for={id} title={param.name}>{words(param.name.split(".").pop() ?? param.name)}</label>
-        {isChanged && (
-          <button
-            type="button"
-            class="quiet small"
-            aria-label={`Reset ${words(param.name)} to ${param.default ?? "its default"}`}
-            title={`Reset to ${param.default ?? "its default"}`}
-            onClick={() => studio.reset(param.name)}
-          >
-            reset
-          </button>
+      <FieldHead
+        id={id}
+        label={words(param.name.split(".").pop() ?? param.name)}
+        title={param.name}
+        reset={isChanged ? `Reset ${words(param.name)} to ${param.default ?? "its default"}` : null}
+        onReset={() => studio.reset(param.name)}
+      >
+        {param.kind === "boolean" && (
+          <input
+            id={id}
+            type="checkbox"
+            checked={text.toUpperCase() === "TRUE"}
+            aria-describedby={describedBy}
+            onChange={(event) => studio.setValue(param.name, event.currentTarget.checked ? "TRUE" : "FALSE")}
+          />
         )}
-      </div>
-      <Control studio={studio} param={param} id={id} text={text} describedBy={describedBy} isInvalid={Boolean(error)} />
+      </FieldHead>
+      {param.kind !== "boolean" && (
+        <Control studio={studio} param={param} id={id} text={text} describedBy={describedBy} isInvalid={Boolean(error)} />
+      )}
       <Slider studio={studio} param={param} text={text} />
       <p class="doc" id={`${id}-doc`}>
         {paragraphs(param.doc)}
@@ -52,7 +57,32 @@ export function Field({ studio, param }: Props): JSX.Element {
   );
 }
 
-function FieldError({ id, error }: { id: string; error: Reason }): JSX.Element {
+interface HeadProps {
+  id: string;
+  label: string;
+  title: string;
+  /** Description of the reset; null at the default. */
+  reset: string | null;
+  onReset: () => void;
+  children?: ComponentChildren;
+}
+
+/** Label of a field with its reset; of a Boolean, with the check box. */
+export function FieldHead({ id, label, title, reset, onReset, children }: HeadProps): JSX.Element {
+  return (
+    <div class="field-head">
+      {children}
+      <label for={id} title={title}>{label}</label>
+      {reset !== null && (
+        <button type="button" class="quiet small" aria-label={reset} title={reset} onClick={onReset}>
+          reset
+        </button>
+      )}
+    </div>
+  );
+}
+
+export function FieldError({ id, error }: { id: string; error: Reason }): JSX.Element {
   return (
     <p class="field-error" id={id} role="alert">
       <Text text={error.message} />
@@ -70,19 +100,6 @@ interface ControlProps extends Props {
 
 function Control({ studio, param, id, text, describedBy, isInvalid }: ControlProps): JSX.Element {
   const set = (value: string) => studio.setValue(param.name, value);
-  if (param.kind === "boolean") {
-    return (
-      <div class="control">
-        <input
-          id={id}
-          type="checkbox"
-          checked={text.toUpperCase() === "TRUE"}
-          aria-describedby={describedBy}
-          onChange={(event) => set(event.currentTarget.checked ? "TRUE" : "FALSE")}
-        />
-      </div>
-    );
-  }
   if (param.kind === "choice") {
     const choices = param.choices.includes(text) ? param.choices : [text, ...param.choices];
     return (

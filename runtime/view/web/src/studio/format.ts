@@ -1,5 +1,7 @@
 // Numbers, times and names as text.
 
+import type { RunSummary } from "./api.ts";
+
 /** Formats a number with about five digits. */
 export function number(value: number | null | undefined): string {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
@@ -71,4 +73,27 @@ export function quantity(text: string, unit: string | undefined): string {
 /** True for a number without a unit. */
 export function isPlainNumber(text: string): boolean {
   return /^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*$/.test(text);
+}
+
+/** Number of positions of a run, "7 of 16" if it is incomplete. */
+export function solvedOf(run: RunSummary): string {
+  const solved = run.positions ?? 0;
+  if (!run.incomplete) return run.positions === null ? "" : String(solved);
+  return run.total !== null && run.total >= solved ? `${solved} of ${run.total}` : String(solved);
+}
+
+/** Number of positions of an incomplete run, with the noun. */
+export function solvedPositions(run: RunSummary): string {
+  const one = run.total === null ? run.positions === 1 : run.total === 1;
+  return `${solvedOf(run)} ${one ? "position" : "positions"}`;
+}
+
+/** Name of an analysis setting in tables and lists. */
+export function settingWords(name: string): string {
+  return name === "vtu" ? "meshes with stresses" : words(name);
+}
+
+/** Value of an analysis setting in tables and lists. */
+export function settingText(text: string): string {
+  return text === "TRUE" ? "yes" : text === "FALSE" ? "no" : text;
 }

@@ -4,7 +4,7 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { OutputSummary, Results } from "./api.ts";
 import { colourOf } from "./colours.ts";
-import { number, paragraphs, percent, runName, words } from "./format.ts";
+import { number, paragraphs, percent, runName, solvedOf, solvedPositions, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 
 type Statistic = "max" | "mean" | "min" | "peak_to_peak";
@@ -24,9 +24,47 @@ export function Outputs({ studio }: { studio: Studio }): JSX.Element | null {
   return (
     <section class="panel" aria-labelledby="outputs-heading">
       <h2 id="outputs-heading">Outputs</h2>
-      {selected.length <= 1 && (shown[0]?.run?.outputs ? <Single results={shown[0]} /> : <Declared studio={studio} />)}
+      {selected.length <= 1 && <One studio={studio} results={shown[0]} />}
       {selected.length > 1 && <Compared runs={shown} places={selected} />}
     </section>
+  );
+}
+
+function One({ studio, results }: { studio: Studio; results: Results | undefined }): JSX.Element {
+  if (results?.run?.outputs) return <Single results={results} />;
+  if (results?.so_far && (results.positions ?? 0) > 0) return <SoFar results={results} />;
+  return <Declared studio={studio} />;
+}
+
+/** Values at the solved positions of an incomplete run. */
+function SoFar({ results }: { results: Results }): JSX.Element {
+  return (
+    <>
+      <p class="incomplete">Incomplete: {solvedPositions(results)}</p>
+      <div class="scroll" tabIndex={0} role="region" aria-label="Table of outputs at the solved positions">
+        <table class="outputs" data-testid="so-far">
+          <thead>
+            <tr>
+              <th scope="col">Output</th>
+              <th scope="col">Smallest so far</th>
+              <th scope="col">Largest so far</th>
+              <th scope="col">Last</th>
+            </tr>
+          </thead>
+          <tbody>
+            {Object.entries(results.so_far ?? {}).map(([name, output]) => (
+              <tr key={name}>
+                <th scope="row" title={output.doc}>{words(name)} <span class="unit">{output.unit}</span></th>
+                <td>{number(output.min)}</td>
+                <td>{number(output.max)}</td>
+                <td>{number(output.last)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="muted small-text">The remaining positions may have smaller and larger values. Means and errors need all positions.</p>
+    </>
   );
 }
 
@@ -96,7 +134,9 @@ function errorOf(output: OutputSummary): string {
 
 function Compared({ runs, places }: { runs: Results[]; places: string[] }): JSX.Element {
   const [statistic, setStatistic] = useState<Statistic>("max");
-  const names = [...new Set(runs.flatMap((results) => Object.keys(results.run?.outputs ?? {})))];
+  const names = [...new Set(runs.flatMap(namesOf))];
+  const reference = runs[0];
+  const hasIncomplete = runs.some(isIncomplete);
   return (
     <>
       <label class="inline">
@@ -105,7 +145,10 @@ function Compared({ runs, places }: { runs: Results[]; places: string[] }): JSX.
           {STATISTICS.map(([key, label]) => <option key={key} value={key}>{label}</option>)}
         </select>
       </label>
-      <p class="muted small-text">Changes are relative to {runName(runs[0]?.id ?? "")}.</p>
+      <p class="muted small-text">
+        Changes are relative to {runName(reference?.id ?? "")}.
+        {hasIncomplete && " Values of incomplete runs are those of their solved positions, without mean and change."}
+      </p>
       <div class="scroll" tabIndex={0} role="region" aria-label="Table of compared outputs">
         <table class="outputs" data-testid="compared">
           <thead>
@@ -115,6 +158,7 @@ function Compared({ runs, places }: { runs: Results[]; places: string[] }): JSX.
                 <th key={results.id} scope="col">
                   <span class="swatch" style={{ background: colourOf(places.indexOf(results.id)) }} />
                   {runName(results.id)}
+                  {isIncomplete(results) && <span class="incomplete">{solvedOf(results)} solved</span>}
                 </th>
               ))}
             </tr>
@@ -122,15 +166,16 @@ function Compared({ runs, places }: { runs: Results[]; places: string[] }): JSX.
           <tbody>
             {names.map((name) => (
               <tr key={name}>
-                <th scope="row">
-                  {words(name)} <span class="unit">{runs.find((results) => results.run?.outputs?.[name])?.run?.outputs?.[name]?.display.unit}</span>
-                </th>
-                {runs.map((results, index) => (
-                  <td key={results.id}>
-                    {number(valueOf(results, name, statistic))}
-                    {index > 0 && <Change from={valueOf(runs[0], name, statistic)} to={valueOf(results, name, statistic)} />}
-                  </td>
-                ))}
+                <th scope="row">{words(name)} <span class="unit">{unitOf(runs, name)}</span></th>
+                {runs.map((results) => {
+                  const isCompared = results !== reference && reference && !isIncomplete(results) && !isIncomplete(reference);
+                  return (
+                    <td key={results.id} class={isIncomplete(results) ? "so-far" : ""}>
+                      {number(valueOf(results, name, statistic))}
+                      {isCompared && <Change from={valueOf(reference, name, statistic)} to={valueOf(results, name, statistic)} />}
+                    </td>
+                  );
+                })}
               </tr>
             ))}
           </tbody>
@@ -140,8 +185,25 @@ function Compared({ runs, places }: { runs: Results[]; places: string[] }): JSX.
   );
 }
 
-function valueOf(results: Results | undefined, name: string, statistic: Statistic): number | null {
-  return results?.run?.outputs?.[name]?.display[statistic] ?? null;
+function isIncomplete(results: Results): boolean {
+  return !results.run?.outputs;
+}
+
+function namesOf(results: Results): string[] {
+  return Object.keys(results.run?.outputs ?? results.so_far ?? {});
+}
+
+function unitOf(runs: Results[], name: string): string {
+  const units = runs.map((results) => results.run?.outputs?.[name]?.display.unit ?? results.so_far?.[name]?.unit);
+  return units.find((unit) => unit !== undefined) ?? "";
+}
+
+/** Value of an output; of an incomplete run only those that its solved positions have. */
+function valueOf(results: Results, name: string, statistic: Statistic): number | null {
+  const finished = results.run?.outputs?.[name]?.display;
+  if (finished) return finished[statistic];
+  const soFar = results.so_far?.[name];
+  return soFar && (statistic === "min" || statistic === "max") ? soFar[statistic] : null;
 }
 
 function Change({ from, to }: { from: number | null; to: number | null }): JSX.Element | null {

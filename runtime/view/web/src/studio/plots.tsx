@@ -8,8 +8,8 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { Results } from "./api.ts";
-import { colourOf } from "./colours.ts";
-import { number, runName, words } from "./format.ts";
+import { COLOUR_COUNT, colourOf } from "./colours.ts";
+import { number, runName, solvedPositions, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 import { useColourScheme } from "./theme.ts";
 
@@ -21,6 +21,7 @@ const ABSCISSAE: [Abscissa, string][] = [
   ["step", "Position"],
 ];
 const HEIGHT = 190;
+const DASHES: (number[] | undefined)[] = [undefined, [7, 4], [2, 3], [12, 3, 2, 3]];
 /** Number of outputs that are plotted before the user selects some. */
 const FIRST = 2;
 
@@ -43,7 +44,12 @@ export function Plots({ studio }: { studio: Studio }): JSX.Element | null {
     setChosen(plotted.includes(name) ? plotted.filter((other) => other !== name) : [...plotted, name]);
   return (
     <details class="plots" open>
-      <summary>Plots</summary>
+      <summary>
+        Plots
+        {shown.filter((results) => results.incomplete).map((results) => (
+          <span key={results.id} class="incomplete">{runName(results.id)}: {solvedPositions(results)}</span>
+        ))}
+      </summary>
       <div class="plot-settings">
         <div class="chips" role="group" aria-label="Plotted outputs">
           {names.map((name) => (
@@ -182,8 +188,8 @@ function optionsOf(element: HTMLElement, title: string, unit: string, label: str
         label: curves.length > 1 ? run : title,
         stroke: colour,
         width: 1.6,
-        // Equal curves remain visible below each other.
-        dash: index % 2 === 1 ? [7, 4] : undefined,
+        // Equal curves remain visible below each other, and colours that repeat differ.
+        dash: DASHES[(index % 2) + 2 * (Math.floor(index / COLOUR_COUNT) % 2)],
         spanGaps: true,
         points: { show: (curves[0]?.x.length ?? 0) < 60, size: 4, fill: colour },
         value: (_: uPlot, value: number | null) => (value === null ? "–" : `${number(value)} ${unit}`),

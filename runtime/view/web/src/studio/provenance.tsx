@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import type { Results } from "./api.ts";
 import { ofRun } from "./api.ts";
-import { number, runName, time, words } from "./format.ts";
+import { number, runName, settingText, settingWords, solvedOf, time, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 
 /** Labels and values of a run. */
@@ -16,8 +16,8 @@ export function provenanceOf(results: Results): [string, string][] {
     ["Hash of the source", run?.source?.sha256?.slice(0, 16)],
     ["Calyx", run?.calyx],
     ["Fidelity", run?.fidelity],
-    ["Positions", run?.positions?.toString()],
-    ...Object.entries(run?.overrides ?? {}).map(([name, value]): [string, string] => [words(name), JSON.stringify(value)]),
+    ["Positions", solvedOf(results)],
+    ...Object.entries(results.settings ?? {}).map(([name, text]): [string, string] => [`Set: ${settingWords(name)}`, settingText(text)]),
     ...Object.entries(run?.certificate ?? {}).map(([name, value]): [string, string] => [`Residual: ${words(name)}`, number(value)]),
   ];
   return entries.filter((entry): entry is [string, string] => Boolean(entry[1]));
@@ -44,7 +44,7 @@ export function Provenance({ studio }: { studio: Studio }): JSX.Element | null {
             {results.steps && <a href={ofRun(results.id, "/files/steps.csv")} download={`${results.id}-steps.csv`}>steps.csv</a>}
             {results.run && <a href={ofRun(results.id, "/files/run.json")} download={`${results.id}.json`}>run.json</a>}
             {!studio.withoutModel && results.params && (
-              <button type="button" class="quiet" onClick={() => studio.useParams(results)}>Use these params</button>
+              <button type="button" class="quiet" onClick={() => studio.useForm(results)}>Use these params and settings</button>
             )}
           </p>
         </details>

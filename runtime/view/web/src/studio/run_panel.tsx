@@ -1,9 +1,9 @@
 // The plan of the next run, its start, and the progress of the runs of this studio.
 
 import type { JSX } from "preact";
-import type { Progress, RunSummary } from "./api.ts";
+import type { Progress, Results, RunSummary } from "./api.ts";
 import { Messages, Rendered } from "./diagnostics.tsx";
-import { bytes, runName, seconds } from "./format.ts";
+import { bytes, runName, seconds, solvedPositions, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 import { Text } from "./text.tsx";
 
@@ -26,6 +26,7 @@ export function RunPanel({ studio }: { studio: Studio }): JSX.Element | null {
           Run after changes if the predicted time is below 1 s
         </label>
       </div>
+      <FieldsWithErrors studio={studio} />
       {check?.refused && (
         <p class="field-error" role="alert">
           <Text text={check.refused.message} />
@@ -44,6 +45,25 @@ export function RunPanel({ studio }: { studio: Studio }): JSX.Element | null {
   );
 }
 
+/** Names the fields with errors: in a long form, they may be out of sight. */
+function FieldsWithErrors({ studio }: { studio: Studio }): JSX.Element | null {
+  const { errors = {}, setting_errors = {} } = studio.check ?? {};
+  const labelOf = (name: string) => studio.analysisSettings.find((setting) => setting.name === name)?.label ?? name;
+  const fields = [
+    ...Object.keys(setting_errors).map((name) => ({ id: `setting-${name}`, label: labelOf(name) })),
+    ...Object.keys(errors).map((name) => ({ id: `param-${name}`, label: words(name) })),
+  ];
+  if (fields.length === 0) return null;
+  return (
+    <p class="fields-with-errors">
+      {fields.length === 1 ? "One field has an error:" : `${fields.length} fields have errors:`}
+      {fields.map(({ id, label }) => (
+        <button key={id} type="button" class="quiet" onClick={() => document.getElementById(id)?.focus()}>{label}</button>
+      ))}
+    </p>
+  );
+}
+
 function PlanSummary({ studio }: { studio: Studio }): JSX.Element {
   const { check } = studio;
   const plan = check?.plan;
@@ -56,7 +76,7 @@ function PlanSummary({ studio }: { studio: Studio }): JSX.Element {
       <dl class="facts">
         <div><dt>Predicted time</dt><dd data-testid="predicted-time">{seconds(plan.time)}</dd></div>
         <div><dt>Memory</dt><dd>{bytes(plan.memory)}</dd></div>
-        <div><dt>Fidelity</dt><dd>{plan.fidelity}</dd></div>
+        <div><dt>Fidelity</dt><dd data-testid="fidelity">{plan.fidelity}</dd></div>
         <div><dt>Positions</dt><dd>{plan.positions}</dd></div>
       </dl>
       <details>
@@ -109,18 +129,43 @@ function Ended({ studio, id }: { studio: Studio; id: string }): JSX.Element | nu
   const all = [...shown, ...others.map((message) => ({ severity: "warning" as const, code: null, message, help: null }))];
   if (results.status === "finished" && all.length === 0) return null;
   if (results.status === "cancelled") {
-    const solved = results.run?.positions ?? 0;
     return (
       <div class="ended">
-        <p>{runName(id)}: cancelled, {solved} {solved === 1 ? "position was" : "positions were"} solved</p>
+        <EndedEarly studio={studio} results={results} />
         <Messages messages={all.filter((message) => message.severity === "warning")} />
       </div>
     );
   }
   return (
     <div class="ended">
-      <p>{runName(id)}: {results.status}{results.message && shown.length === 0 ? `, ${results.message}` : ""}</p>
+      <EndedEarly studio={studio} results={results} reason={shown.length === 0 ? results.message : null} />
       <Messages messages={all} />
+    </div>
+  );
+}
+
+/** How a run ended, with the offer to continue it. */
+function EndedEarly({ studio, results, reason }: { studio: Studio; results: Results; reason?: string | null }): JSX.Element {
+  const { id, status, incomplete, resumable } = results;
+  const name = runName(id);
+  return (
+    <div class="ended-early">
+      <p>
+        {name}: {status}
+        {incomplete && ` after ${solvedPositions(results)}`}
+        {reason && `, ${reason}`}
+      </p>
+      {resumable && (
+        <button
+          type="button"
+          disabled={!studio.isConnected}
+          aria-label={`Continue ${name}`}
+          title="Solves the remaining positions with the params and settings of this run"
+          onClick={() => void studio.continue(id)}
+        >
+          Continue
+        </button>
+      )}
     </div>
   );
 }

@@ -1,9 +1,9 @@
-// The list of runs, with the params in which they differ.
+// The list of runs, with the params and analysis settings in which they differ.
 
 import type { JSX } from "preact";
 import type { RunSummary } from "./api.ts";
 import { colourOf } from "./colours.ts";
-import { quantity, runName, seconds, time, words } from "./format.ts";
+import { quantity, runName, seconds, settingText, settingWords, solvedPositions, time, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 
 /** Largest number of differing params in a row of the list. */
@@ -11,7 +11,7 @@ const MOST_SHOWN = 4;
 
 export function RunsList({ studio }: { studio: Studio }): JSX.Element {
   const runs = [...studio.runs].reverse();
-  const differing = differingParams(studio.runs);
+  const differing = differingInputs(studio.runs);
   return (
     <section class="panel" aria-labelledby="runs-heading">
       <h2 id="runs-heading">Runs</h2>
@@ -24,7 +24,7 @@ export function RunsList({ studio }: { studio: Studio }): JSX.Element {
   );
 }
 
-function Row({ studio, run, differing }: { studio: Studio; run: RunSummary; differing: string[] }): JSX.Element {
+function Row({ studio, run, differing }: { studio: Studio; run: RunSummary; differing: Input[] }): JSX.Element {
   const place = studio.settings.selected.indexOf(run.id);
   const name = runName(run.id);
   return (
@@ -52,54 +52,73 @@ function statusText(studio: Studio, run: RunSummary): string {
   if (run.status === "elsewhere") return "written by another process";
   const left = studio.progress[run.id]?.seconds_left;
   if (run.status === "running" && left) return `running, ${seconds(left)} left`;
-  return run.status;
+  return run.incomplete && run.status !== "running" ? `${run.status}, ${solvedPositions(run)}` : run.status;
 }
 
-/** Names of the params whose values differ between runs. */
-export function differingParams(runs: RunSummary[]): string[] {
-  const known = runs.filter((run) => run.params !== null);
-  const names = new Set(known.flatMap((run) => Object.keys(run.params ?? {})));
-  return [...names].filter((name) => {
-    const texts = new Set(known.map((run) => textOf(run, name)));
-    return texts.size > 1;
+/** A param or an analysis setting of runs. */
+interface Input {
+  kind: "params" | "settings";
+  name: string;
+}
+
+/** Params and analysis settings whose values differ between runs. */
+export function differingInputs(runs: RunSummary[]): Input[] {
+  const kinds = ["params", "settings"] as const;
+  return kinds.flatMap((kind) => {
+    const known = runs.filter((run) => run[kind] !== null);
+    const names = new Set(known.flatMap((run) => Object.keys(run[kind] ?? {})));
+    const differing = [...names].filter((name) => new Set(known.map((run) => textOf(run, { kind, name }))).size > 1);
+    return differing.map((name) => ({ kind, name }));
   });
 }
 
-function textOf(run: RunSummary, name: string): string {
+function textOf(run: RunSummary, { kind, name }: Input): string {
+  if (kind === "settings") {
+    const setting = run.settings?.[name];
+    return setting === undefined ? (name === "vtu" ? "no" : "as in the model") : settingText(setting);
+  }
   const param = run.params?.[name];
   return param ? quantity(param.text, param.unit) : "default";
 }
 
-function differences(run: RunSummary, differing: string[]): string {
+function labelOf({ kind, name }: Input): string {
+  return kind === "settings" ? settingWords(name) : words(name);
+}
+
+function differences(run: RunSummary, differing: Input[]): string {
   const params = run.params ?? {};
-  const changed = Object.keys(params).filter((name) => params[name]?.at_default !== true);
-  // Params in which runs differ say more than those that are the same in all runs.
-  changed.sort((first, second) => Number(differing.includes(second)) - Number(differing.includes(first)));
-  const shown = changed.slice(0, MOST_SHOWN).map((name) => `${words(name)} ${textOf(run, name)}`);
+  const changed: Input[] = [
+    ...Object.keys(params).filter((name) => params[name]?.at_default !== true).map((name) => ({ kind: "params" as const, name })),
+    ...Object.keys(run.settings ?? {}).map((name) => ({ kind: "settings" as const, name })),
+  ];
+  // Inputs in which runs differ say more than those that are the same in all runs.
+  const isDiffering = (input: Input) => differing.some(({ kind, name }) => kind === input.kind && name === input.name);
+  changed.sort((first, second) => Number(isDiffering(second)) - Number(isDiffering(first)));
+  const shown = changed.slice(0, MOST_SHOWN).map((input) => `${labelOf(input)} ${textOf(run, input)}`);
   const more = changed.length > MOST_SHOWN ? [`${changed.length - MOST_SHOWN} more`] : [];
   return [...shown, ...more].join(", ") || (run.params ? "defaults" : "");
 }
 
-/** Table of the params in which the compared runs differ. */
+/** Table of the params and settings in which the compared runs differ. */
 export function ParamDifferences({ studio }: { studio: Studio }): JSX.Element | null {
   const runs = studio.settings.selected.flatMap((id) => studio.runs.filter((run) => run.id === id));
   if (runs.length < 2) return null;
-  const names = differingParams(runs);
+  const inputs = differingInputs(runs);
   return (
     <section class="panel" aria-labelledby="differences-heading">
-      <h2 id="differences-heading">Different params</h2>
-      {names.length === 0 && <p class="muted">These runs have the same params.</p>}
-      {names.length > 0 && (
-        <div class="scroll" tabIndex={0} role="region" aria-label="Table of different params">
+      <h2 id="differences-heading">Different params and settings</h2>
+      {inputs.length === 0 && <p class="muted">These runs have the same params and settings.</p>}
+      {inputs.length > 0 && (
+        <div class="scroll" tabIndex={0} role="region" aria-label="Table of different params and settings">
           <table>
             <thead>
               <tr><th scope="col">Param</th>{runs.map((run) => <th key={run.id} scope="col">{runName(run.id)}</th>)}</tr>
             </thead>
             <tbody>
-              {names.map((name) => (
-                <tr key={name}>
-                  <th scope="row">{words(name)}</th>
-                  {runs.map((run) => <td key={run.id}>{textOf(run, name)}</td>)}
+              {inputs.map((input) => (
+                <tr key={`${input.kind}.${input.name}`}>
+                  <th scope="row">{labelOf(input)}</th>
+                  {runs.map((run) => <td key={run.id}>{textOf(run, input)}</td>)}
                 </tr>
               ))}
             </tbody>

@@ -4,20 +4,31 @@ import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { type PositionEntry, type ViewSource, Viewer, positionFileName } from "../viewer/index.ts";
 import { type ModelScene, type Results, type RunSummary, binary, get, ofRun } from "./api.ts";
-import { runName } from "./format.ts";
+import { runName, solvedPositions } from "./format.ts";
+import { bestGrid, useSize } from "./grid.ts";
 import { provenanceOf } from "./provenance.tsx";
 import type { Studio } from "./store.ts";
 import { scheme, useColourScheme } from "./theme.ts";
 
-/** Largest number of viewers side by side. */
-const MOST_VIEWERS = 4;
+/** Largest number of viewers side by side. Browsers have at most 16 contexts of WebGL. */
+const MOST_VIEWERS = 9;
+/** Smallest legible viewer, px. */
+const SMALLEST = { width: 200, height: 150 };
+/** Width below which a viewer starts without its panels, px. */
+const NARROW = 620;
 const STATE_DELAY = 500;
 
 export function Scene({ studio }: { studio: Studio }): JSX.Element {
+  const area = useRef<HTMLDivElement>(null);
+  const size = useSize(area);
   const runs = studio.settings.selected.flatMap((id) => studio.runs.filter((run) => run.id === id));
-  const withView = runs.filter((run) => run.has_view).slice(0, MOST_VIEWERS);
+  const withView = runs.filter((run) => run.has_view);
   const { modelScene } = studio;
   const showsModel = modelScene !== null && (studio.scene === "model" || withView.length === 0);
+  const grid = bestGrid(Math.min(withView.length, MOST_VIEWERS), size, SMALLEST);
+  // Before the first layout, only a single scene has a known place.
+  const isMeasured = size.width > 0 || withView.length === 1;
+  const drawn = isMeasured ? withView.slice(0, Math.min(grid.columns * grid.rows, MOST_VIEWERS)) : [];
   return (
     <div class="scene-area">
       <div class="scene-bar">
@@ -27,7 +38,7 @@ export function Scene({ studio }: { studio: Studio }): JSX.Element {
             <button type="button" class="chip" aria-pressed={!showsModel} onClick={() => studio.showScene("runs")}>Results</button>
           </div>
         )}
-        {!showsModel && withView.length > 1 && (
+        {!showsModel && drawn.length > 1 && (
           <label class="switch">
             <input
               type="checkbox"
@@ -37,15 +48,37 @@ export function Scene({ studio }: { studio: Studio }): JSX.Element {
             Link cameras
           </label>
         )}
+        {!showsModel && drawn.length === 1 && drawn[0]?.incomplete && <IncompleteMark run={drawn[0]} />}
+        {!showsModel && <NotDrawn runs={runs} drawn={drawn} />}
       </div>
-      {showsModel && <ModelView studio={studio} scene={modelScene} />}
-      {!showsModel && withView.length > 0 && <RunScenes studio={studio} runs={withView} />}
-      {!showsModel && withView.length === 0 && <NoScene studio={studio} runs={runs} />}
+      <div class="scene-space" ref={area}>
+        {showsModel && <ModelView studio={studio} scene={modelScene} />}
+        {!showsModel && drawn.length > 0 && <RunScenes studio={studio} runs={drawn} columns={grid.columns} />}
+        {!showsModel && withView.length === 0 && <NoScene studio={studio} runs={runs} />}
+      </div>
     </div>
   );
 }
 
-function RunScenes({ studio, runs }: { studio: Studio; runs: RunSummary[] }): JSX.Element {
+function IncompleteMark({ run }: { run: RunSummary }): JSX.Element {
+  return <span class="incomplete">Incomplete: {solvedPositions(run)}</span>;
+}
+
+/** Names the compared runs that are not drawn, with the reason. */
+function NotDrawn({ runs, drawn }: { runs: RunSummary[]; drawn: RunSummary[] }): JSX.Element | null {
+  if (drawn.length === 0) return null;
+  const rest = runs.filter((run) => !drawn.includes(run));
+  const listed = (reason: string, found: RunSummary[]) =>
+    found.length > 0 ? [`${found.map((run) => runName(run.id)).join(", ")} (${reason})`] : [];
+  const texts = [
+    ...listed("no space", rest.filter((run) => run.has_view)),
+    ...listed("no view files", rest.filter((run) => !run.has_view)),
+  ];
+  if (texts.length === 0) return null;
+  return <span class="not-drawn" role="status">Not drawn: {texts.join(", ")}</span>;
+}
+
+function RunScenes({ studio, runs, columns }: { studio: Studio; runs: RunSummary[]; columns: number }): JSX.Element {
   const viewers = useRef(new Map<string, Viewer>());
   const [count, setCount] = useState(0);
   const { linked } = studio.settings;
@@ -56,7 +89,7 @@ function RunScenes({ studio, runs }: { studio: Studio; runs: RunSummary[] }): JS
     return () => unlink.forEach((end) => end?.());
   }, [count, linked, runs.map((run) => run.id).join()]);
   return (
-    <div class={`scenes count-${runs.length}`}>
+    <div class="scenes" style={{ gridTemplateColumns: `repeat(${columns}, minmax(0, 1fr))` }}>
       {runs.map((run) => (
         <RunScene
           key={run.id}
@@ -106,16 +139,22 @@ function RunScene({ studio, run, hasTitle, onViewer }: RunSceneProps): JSX.Eleme
   }, [run.status, run.positions, run.id === "preview" ? studio.results[run.id] : null]);
   return (
     <figure class="scene">
-      {hasTitle && <figcaption>{runName(run.id)}</figcaption>}
+      {hasTitle && (
+        <figcaption>
+          {runName(run.id)}
+          {run.incomplete && <IncompleteMark run={run} />}
+        </figcaption>
+      )}
       <div ref={container} class="viewer" />
     </figure>
   );
 }
 
-/** Creates a viewer. Beside another one, it has no space for its panels. */
+/** Creates a viewer. A narrow one has no space for its panels, and starts without them. */
 function createViewer(container: HTMLElement, studio: Studio, isAlone: boolean): Viewer {
   const state = (studio.settings.scene ?? {}) as Parameters<Viewer["restore"]>[0];
-  const panels = isAlone ? state.panels : { parts: false, settings: false, plots: false };
+  const isWide = isAlone && container.clientWidth >= NARROW;
+  const panels = isWide ? state.panels : { parts: false, settings: false, plots: false };
   const created = new Viewer(container, {
     state: { ...state, theme: scheme(), ...(panels && { panels }) },
     showTheme: false,
@@ -124,7 +163,7 @@ function createViewer(container: HTMLElement, studio: Studio, isAlone: boolean):
   let timer = 0;
   created.onChange = (changed) => {
     window.clearTimeout(timer);
-    timer = window.setTimeout(() => studio.setScene(isAlone ? changed : { ...changed, panels: state.panels }), STATE_DELAY);
+    timer = window.setTimeout(() => studio.setScene(isWide ? changed : { ...changed, panels: state.panels }), STATE_DELAY);
   };
   return created;
 }

@@ -1,7 +1,9 @@
 // State of the page and its actions.
 
 import {
+  type About,
   type Check,
+  type FormValues,
   type Model,
   type ModelScene,
   type Param,
@@ -10,12 +12,14 @@ import {
   type Results,
   type RunSummary,
   type Session,
+  type Setting,
   get,
   modelScene,
   ofRun,
   send,
   sendSession,
 } from "./api.ts";
+import { Connection, type ConnectionState } from "./connection.ts";
 import { runName } from "./format.ts";
 
 /** Values that differ from the defaults, as typed. */
@@ -31,6 +35,8 @@ export interface ViewSettings {
   /** Runs the model after each change if the predicted time is short. */
   automatic: boolean;
   linked: boolean;
+  /** The analysis settings of the form are open. */
+  analysisOpen: boolean;
   selected: string[];
   /** State of the viewer. */
   scene: unknown;
@@ -47,18 +53,21 @@ export class Studio {
   /** True if the model of the opened run is not known. */
   withoutModel = false;
   values: Values = {};
+  /** Analysis settings that override those of the model, as typed. */
+  analysis: Values = {};
+  /** Analysis settings that the form offers. */
+  analysisSettings: Setting[] = [];
   check: Check | null = null;
   isChecking = false;
   runs: RunSummary[] = [];
   progress: Record<string, Progress> = {};
   results: Record<string, Results> = {};
-  settings: ViewSettings = { automatic: true, linked: true, selected: [], scene: null };
+  settings: ViewSettings = { automatic: true, linked: true, analysisOpen: true, selected: [], scene: null };
   /** Geometry of the model with the values of the form, if the server provides it. */
   modelScene: ModelScene | null = null;
   /** Displayed scene. */
   scene: "model" | "runs" = "runs";
   notice: Notice | null = null;
-  isConnected = true;
   isStarting = false;
 
   #listeners = new Set<() => void>();
@@ -69,8 +78,8 @@ export class Studio {
   #isUnsaved = false;
   /** True until the values of the session are compared with the model. */
   #isRestored = false;
-  /** Path of the model in the command that starts the studio. */
-  #subject = "";
+  #about: About | null = null;
+  #connection: Connection | null = null;
   #resultsTimers = new Map<string, number>();
   #checkAbort: AbortController | null = null;
   #isLoaded = false;
@@ -90,9 +99,10 @@ export class Studio {
   /** Loads everything and follows the events of the server. */
   async load(): Promise<void> {
     await this.#try(async () => {
-      const about = await get<{ model: string | null; opened: string | null }>("/api/studio");
+      const about = await get<About>("/api/studio");
+      this.#about = about;
       this.withoutModel = about.model === null;
-      this.#subject = about.model ?? "";
+      this.analysisSettings = about.settings;
       if (!this.withoutModel) await this.#restoreSession();
       if (about.opened) this.settings.selected = [about.opened];
     });
@@ -115,29 +125,43 @@ export class Studio {
   async #restoreSession(): Promise<void> {
     const session = await get<Session>("/api/session");
     this.values = { ...session.params };
+    const known = new Set(this.analysisSettings.map((setting) => setting.name));
+    this.analysis = Object.fromEntries(Object.entries(session.settings ?? {}).filter(([name]) => known.has(name)));
     this.#isRestored = true;
     const view = (session.view ?? {}) as Partial<ViewSettings>;
     if (typeof view.automatic === "boolean") this.settings.automatic = view.automatic;
     if (typeof view.linked === "boolean") this.settings.linked = view.linked;
+    if (typeof view.analysisOpen === "boolean") this.settings.analysisOpen = view.analysisOpen;
     if (Array.isArray(view.selected)) {
       this.settings.selected = view.selected.filter((id) => typeof id === "string" && id !== "preview");
     }
     this.settings.scene = view.scene ?? null;
   }
 
-  /** The stream begins with both kinds of event, so that it also loads the page. */
   #follow(): void {
-    const events = new EventSource("/api/events");
-    this.#events = events;
-    events.onopen = () => {
-      this.isConnected = true;
-      this.#saveNow();
+    if (!this.#about) return;
+    this.#connection = new Connection(this.#about, (events) => this.#listen(events), () => {
+      if (this.isConnected) {
+        // Errors of requests that the ended studio did not answer.
+        this.notice = null;
+        // A new studio has no automatic run.
+        this.#previewed = "";
+        this.#saveNow();
+      }
       this.#changed();
-    };
-    events.onerror = () => {
-      this.isConnected = false;
-      this.#changed();
-    };
+    });
+  }
+
+  get connection(): ConnectionState {
+    return this.#connection?.state ?? "connected";
+  }
+
+  get isConnected(): boolean {
+    return this.connection === "connected";
+  }
+
+  /** The stream begins with both kinds of event, so that it also loads the page. */
+  #listen(events: EventSource): void {
     events.addEventListener("model", () => void this.#loadModel());
     events.addEventListener("runs", () => void this.#loadRuns());
     events.addEventListener("progress", (event) => {
@@ -247,7 +271,30 @@ export class Studio {
     this.#changed();
   }
 
-  /** Replaces all values. */
+  /** Values and settings of the form. */
+  get form(): FormValues {
+    return { params: { ...this.values }, settings: { ...this.analysis } };
+  }
+
+  /** Number of params and settings that are not at their defaults. */
+  get changes(): number {
+    return Object.keys(this.values).length + Object.keys(this.analysis).length;
+  }
+
+  /** Assigns an analysis setting; an empty text leaves it to the model. */
+  setAnalysis(name: string, text: string): void {
+    if (text === "") delete this.analysis[name];
+    else this.analysis[name] = text;
+    this.#checkSoon(CHECK_DELAY);
+    this.#changed();
+  }
+
+  resetAll(): void {
+    this.analysis = {};
+    this.setValues({});
+  }
+
+  /** Replaces all values of params. */
   setValues(values: Values): void {
     this.values = {};
     for (const [name, text] of Object.entries(values)) {
@@ -274,14 +321,14 @@ export class Studio {
     this.#checkAbort?.abort();
     const abort = new AbortController();
     this.#checkAbort = abort;
-    const values = { ...this.values };
+    const { form } = this;
     await this.#try(async () => {
-      const check = await send<Check>("POST", "/api/check", { params: values }, abort.signal);
+      const check = await send<Check>("POST", "/api/check", form, abort.signal);
       if (abort.signal.aborted) return;
       this.check = check;
       this.isChecking = false;
       if (check.version !== this.model?.version) await this.#loadModel();
-      await Promise.all([this.#preview(values), this.#loadScene(values, abort.signal)]);
+      await Promise.all([this.#preview(form), this.#loadScene(form, abort.signal)]);
     });
     if (this.#checkAbort === abort) this.isChecking = false;
     this.#changed();
@@ -294,9 +341,9 @@ export class Studio {
 
   /** Command that starts this studio. */
   get command(): string {
-    const subject = this.#subject || (this.runs.find((run) => run.id === "opened")?.directory ?? "");
+    const subject = this.#about?.model || (this.runs.find((run) => run.id === "opened")?.directory ?? "");
     const quoted = /^[\w./@%+,:=-]*$/.test(subject) ? subject : `'${subject.replaceAll("'", "'\\''")}'`;
-    return `calyx studio ${quoted}`.trim();
+    return `calyx studio ${quoted}`.trim() + (location.port && ` --port ${location.port}`);
   }
 
   /** True if the check predicts a time in which the model may run after each change. */
@@ -305,10 +352,11 @@ export class Studio {
   }
 
   /** Loads the scene of the model with values that were checked. */
-  async #loadScene(values: Values, signal: AbortSignal): Promise<void> {
-    if (Object.keys(this.check?.errors ?? {}).length > 0) return;
+  async #loadScene(form: FormValues, signal: AbortSignal): Promise<void> {
+    const { errors, setting_errors } = this.check ?? {};
+    if (Object.keys({ ...errors, ...setting_errors }).length > 0) return;
     try {
-      this.modelScene = await modelScene(values, signal);
+      this.modelScene = await modelScene(form, signal);
     } catch (error) {
       if (!(error instanceof RequestError)) throw error;
       this.modelScene = null;
@@ -321,11 +369,11 @@ export class Studio {
   }
 
   /** Starts the automatic run with values that were checked. */
-  async #preview(values: Values): Promise<void> {
-    const key = JSON.stringify([this.check?.version, values]);
+  async #preview(form: FormValues): Promise<void> {
+    const key = JSON.stringify([this.check?.version, form]);
     if (!this.settings.automatic || !this.check?.runnable || !this.isQuick || this.#previewed === key) return;
     this.#previewed = key;
-    await send("POST", "/api/preview", { params: values });
+    await send("POST", "/api/preview", form);
     this.#started.add("preview");
     const selected = this.settings.selected;
     if (selected.length <= 1) this.select(["preview"]);
@@ -336,6 +384,12 @@ export class Studio {
     this.#saveSession();
     this.#changed();
     if (automatic) this.#checkSoon(0);
+  }
+
+  setAnalysisOpen(open: boolean): void {
+    if (open === this.settings.analysisOpen) return;
+    this.settings.analysisOpen = open;
+    this.#saveSession();
   }
 
   setLinked(linked: boolean): void {
@@ -353,7 +407,7 @@ export class Studio {
     this.isStarting = true;
     this.#changed();
     await this.#try(async () => {
-      const { id } = await send<{ id: string }>("POST", "/api/runs", { params: this.values });
+      const { id } = await send<{ id: string }>("POST", "/api/runs", this.form);
       this.#started.add(id);
       this.select([id]);
     });
@@ -363,6 +417,14 @@ export class Studio {
 
   async cancel(id: string): Promise<void> {
     await this.#try(() => send("POST", ofRun(id, "/cancel"), {}));
+  }
+
+  /** Resumes a run that ended early. */
+  async continue(id: string): Promise<void> {
+    await this.#try(async () => {
+      await send("POST", ofRun(id, "/continue"), {});
+      delete this.progress[id];
+    });
   }
 
   /** Shows runs; the first one is the reference of comparisons. */
@@ -380,12 +442,13 @@ export class Studio {
     this.select(selected.includes(id) ? selected.filter((other) => other !== id) : [...selected, id]);
   }
 
-  /** Takes the values of a run into the form. */
-  useParams(run: RunSummary): void {
+  /** Takes the values and settings of a run into the form. */
+  useForm(run: RunSummary): void {
     const values: Values = {};
     for (const [name, param] of Object.entries(run.params ?? {})) {
       if (this.param(name) && param.at_default !== true) values[name] = param.text;
     }
+    this.analysis = { ...run.settings };
     this.setValues(values);
   }
 
@@ -424,9 +487,15 @@ export class Studio {
   /** Saves the session if it has changed. A save that failed is repeated with the next change or connection. */
   #saveNow(): void {
     window.clearTimeout(this.#sessionTimer);
-    if (!this.#isUnsaved) return;
+    // Another studio may respond at the address.
+    if (!this.#isUnsaved || !this.isConnected) return;
     this.#isUnsaved = false;
-    const session: Session = { version: 1, params: this.#storedValues(), view: { ...this.settings } };
+    const session: Session = {
+      version: 1,
+      params: this.#storedValues(),
+      settings: this.analysis,
+      view: { ...this.settings },
+    };
     void this.#try(async () => {
       try {
         await sendSession(session);

@@ -55,15 +55,18 @@ export interface StudioServer {
   write(text: string): void;
   /** Starts another studio and returns its address. */
   open(subject: string): Promise<string>;
+  /** Ends the studio that started last with a signal. */
+  end(signal: NodeJS.Signals): Promise<void>;
+  /** Starts a studio, of another subject if one is given, at the port of the first one, and returns its address. */
+  restart(subject?: string): Promise<string>;
   /** Adds files of the viewer to a run. */
   addView(id: string): void;
   /** Ends the first studio without giving it time to end its runs. */
   kill(): Promise<void>;
 }
 
-/** Starts a studio and returns its address with the token. */
-export async function start(folder: string, subject: string): Promise<[ChildProcess, string]> {
-  const child = spawn(CALYX, ["studio", subject, "--no-browser"], {
+async function start(folder: string, subject: string, port = "0"): Promise<[ChildProcess, string]> {
+  const child = spawn(CALYX, ["studio", subject, "--no-browser", "--port", port], {
     cwd: folder,
     env: { ...process.env, CALYX_CACHE: "off" },
     stdio: ["ignore", "pipe", "inherit"],
@@ -76,8 +79,7 @@ export async function start(folder: string, subject: string): Promise<[ChildProc
   return [child, url ?? ""];
 }
 
-/** Ends a studio and waits for it. */
-export async function end(child: ChildProcess, signal: "SIGINT" | "SIGKILL"): Promise<void> {
+async function end(child: ChildProcess, signal: NodeJS.Signals): Promise<void> {
   if (child.exitCode !== null || child.signalCode !== null) return;
   const ended = new Promise((resolve) => child.once("exit", resolve));
   child.kill(signal);
@@ -106,7 +108,12 @@ export const test = base.extend<{ server: StudioServer }>({
         children.push(other);
         return address;
       },
-      kill: () => end(child, "SIGKILL"),
+      end: (signal) => end(children.at(-1) ?? child, signal),
+      restart: async (subject = "pair.cx") => {
+        const [other, address] = await start(folder, subject, new URL(url).port);
+        children.push(other);
+        return address;
+      },
       addView: (id) => {
         const fixture = createFixture({ positions: 3 });
         const view = join(folder, "pair.cx.studio", id, "view");

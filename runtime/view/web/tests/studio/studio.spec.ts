@@ -1,40 +1,10 @@
 // The studio in a browser: form, errors, runs, results, comparison, cancellation, a model with
 // errors, the keyboard, and accessibility.
 
-import { mkdirSync, readFileSync, renameSync, rmSync } from "node:fs";
+import { readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
-import AxeBuilder from "@axe-core/playwright";
-import type { Page } from "@playwright/test";
-import { savedFile } from "../page.ts";
+import { picture, row, run, serious, switchAutomaticOff } from "./page.ts";
 import { PAIR, expect, test } from "./server.ts";
-
-/** Folder for pictures to look at; none by default. */
-const PICTURES = process.env.CALYX_PICTURES;
-
-async function picture(page: Page, name: string): Promise<void> {
-  if (!PICTURES) return;
-  mkdirSync(PICTURES, { recursive: true });
-  await page.screenshot({ path: join(PICTURES, `${name}.png`) });
-}
-
-async function serious(page: Page): Promise<string[]> {
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  const found = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
-  return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" | ")}`);
-}
-
-const row = (page: Page, id: string) => page.locator(`[data-run="${id}"]`);
-
-async function switchAutomaticOff(page: Page): Promise<void> {
-  await page.getByLabel("Run after changes if the predicted time is below 1 s").uncheck();
-}
-
-/** Starts a run and waits until the list shows its end. */
-async function run(page: Page, id: string): Promise<void> {
-  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeEnabled();
-  await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(row(page, id)).toContainText("finished", { timeout: 60_000 });
-}
 
 test("a form has groups, units, ranges and errors at the fields", async ({ page, server }) => {
   await page.goto(server.url);
@@ -91,7 +61,7 @@ test("runs are stored, listed with their differences and compared", async ({ pag
   expect(Number(shown)).toBeCloseTo(file.outputs.contact_pressure.display.max, 1);
   await page.getByLabel("Compare Run 1").check();
   await expect(page.getByTestId("compared").getByRole("columnheader", { name: "Run 1" })).toBeVisible();
-  await expect(page.getByRole("region", { name: "Different params", exact: true })).toContainText("200 N*m");
+  await expect(page.getByRole("region", { name: "Different params and settings", exact: true })).toContainText("200 N*m");
   await expect(page.getByRole("img", { name: /Plot of transmission error in um: Run 2 .* Run 1/ })).toBeVisible();
   await picture(page, "comparison");
   await page.getByLabel("Theme").selectOption("dark");
@@ -190,10 +160,10 @@ test("a change of a param updates the geometry of the model", async ({ page, ser
   await switchAutomaticOff(page);
   await expect(page.locator(".viewer canvas")).toHaveCount(1);
   await page.getByLabel("torque", { exact: true }).fill("150");
-  await expect.poll(requested).toEqual({ params: { torque: "150" } });
+  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "150" }, settings: {} });
   await run(page, "run-0001");
   await page.getByLabel("torque", { exact: true }).fill("160");
-  await expect.poll(requested).toEqual({ params: { torque: "160" } });
+  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "160" }, settings: {} });
   await picture(page, "model");
 });
 

@@ -1,0 +1,123 @@
+// Analysis settings in the form: they override those of the model for the next runs.
+
+import type { JSX } from "preact";
+import type { Setting } from "./api.ts";
+import { FieldError, FieldHead } from "./field.tsx";
+import type { Studio } from "./store.ts";
+
+export function AnalysisSettings({ studio }: { studio: Studio }): JSX.Element | null {
+  const { analysisSettings: all, analysis } = studio;
+  if (all.length === 0) return null;
+  const details = all.filter((setting) => setting.detail);
+  const errors = studio.check?.setting_errors ?? {};
+  const isOpen = studio.settings.analysisOpen || Object.keys(errors).length > 0;
+  const hasOpenDetails = details.some(({ name }) => name in analysis || name in errors);
+  return (
+    <details
+      class="analysis"
+      open={isOpen}
+      onToggle={(event) => {
+        if (event.target === event.currentTarget) studio.setAnalysisOpen(event.currentTarget.open);
+      }}
+    >
+      <summary>
+        Analysis settings <span class="summary-value">{summaryOf(studio)}</span>
+      </summary>
+      <fieldset>
+        <legend class="hidden-text">Analysis settings</legend>
+        {all.filter((setting) => !setting.detail).map((setting) => <SettingField key={setting.name} studio={studio} setting={setting} />)}
+        <details open={hasOpenDetails}>
+          <summary>Positions, mesh and contact grid</summary>
+          {details.map((setting) => <SettingField key={setting.name} studio={studio} setting={setting} />)}
+        </details>
+      </fieldset>
+    </details>
+  );
+}
+
+function summaryOf(studio: Studio): string {
+  const count = Object.keys(studio.analysis).length;
+  if (count === 0) return "as in the model";
+  return `${count} changed`;
+}
+
+function SettingField({ studio, setting }: { studio: Studio; setting: Setting }): JSX.Element {
+  const { name, label, doc, domain } = setting;
+  const text = studio.analysis[name] ?? "";
+  const error = studio.check?.setting_errors[name];
+  const id = `setting-${name}`;
+  const describedBy = [`${id}-doc`, error && `${id}-error`].filter(Boolean).join(" ");
+  const isChanged = name in studio.analysis;
+  return (
+    <div class={`field ${isChanged ? "changed" : ""} ${error ? "invalid" : ""}`} data-setting={name}>
+      <FieldHead
+        id={id}
+        label={label}
+        title={name}
+        reset={isChanged ? `Reset ${label} to the model's own` : null}
+        onReset={() => studio.setAnalysis(name, "")}
+      >
+        {setting.kind === "boolean" && (
+          <input
+            id={id}
+            type="checkbox"
+            checked={text === "TRUE"}
+            aria-describedby={describedBy}
+            onChange={(event) => studio.setAnalysis(name, event.currentTarget.checked ? "TRUE" : "")}
+          />
+        )}
+      </FieldHead>
+      {setting.kind !== "boolean" && (
+        <div class="control">
+          <Control studio={studio} setting={setting} id={id} text={text} describedBy={describedBy} isInvalid={Boolean(error)} />
+        </div>
+      )}
+      <p class="doc" id={`${id}-doc`}>
+        {doc}
+        {domain && <span class="range">{domain}</span>}
+      </p>
+      {error && <FieldError id={`${id}-error`} error={error} />}
+    </div>
+  );
+}
+
+interface ControlProps {
+  studio: Studio;
+  setting: Setting;
+  id: string;
+  text: string;
+  describedBy: string;
+  isInvalid: boolean;
+}
+
+function Control({ studio, setting, id, text, describedBy, isInvalid }: ControlProps): JSX.Element {
+  const { name, choices } = setting;
+  if (setting.kind === "choice") {
+    const own = name === "fidelity" && text === "" ? studio.check?.plan?.fidelity : undefined;
+    return (
+      <select
+        id={id}
+        value={text}
+        aria-describedby={describedBy}
+        aria-invalid={isInvalid}
+        onChange={(event) => studio.setAnalysis(name, event.currentTarget.value)}
+      >
+        <option value="">As in the model{own && `: ${own}`}</option>
+        {choices.map((choice) => <option key={choice.name} value={choice.name}>{choice.name}: {choice.doc}</option>)}
+      </select>
+    );
+  }
+  return (
+    <input
+      id={id}
+      type="text"
+      value={text}
+      placeholder="as in the model"
+      autocomplete="off"
+      spellcheck={false}
+      aria-describedby={describedBy}
+      aria-invalid={isInvalid}
+      onInput={(event) => studio.setAnalysis(name, event.currentTarget.value)}
+    />
+  );
+}

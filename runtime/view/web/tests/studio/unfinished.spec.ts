@@ -1,0 +1,128 @@
+// Analysis settings, runs that end early, comparison of many runs, and the end and restart of the
+// studio.
+
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { picture, row, run, serious, switchAutomaticOff } from "./page.ts";
+import { PAIR, expect, test } from "./server.ts";
+
+test("analysis settings override the model, and belong to the run", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  const level = page.getByLabel("Fidelity level");
+  await expect(level.locator("option").first()).toHaveText("As in the model: analytic");
+  const planned = page.getByTestId("fidelity");
+  await expect(planned).toHaveText("analytic");
+  const time = await page.getByTestId("predicted-time").textContent();
+  await level.selectOption("plane");
+  await page.getByLabel("Error estimates").selectOption("none");
+  await expect(planned).toHaveText("plane");
+  await expect(page.getByTestId("predicted-time")).not.toHaveText(time ?? "");
+  await expect(page.getByText("2 changed", { exact: true }).first()).toBeVisible();
+  await picture(page, "settings");
+  // An invalid setting is an error at its field.
+  await page.getByText("Positions, mesh and contact grid").click();
+  await page.getByLabel("Contact cells M").fill("0");
+  await expect(page.locator('[data-setting="contact_cells"]').getByRole("alert")).toContainText("from 1 to 400");
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeDisabled();
+  expect(await serious(page)).toEqual([]);
+  await page.getByLabel("Contact cells M").fill("");
+  await level.selectOption("rigid");
+  await run(page, "run-0001");
+  await expect(row(page, "run-0001")).toContainText("fidelity rigid, error estimates none");
+  await expect(page.getByText("Set: fidelity")).toBeVisible();
+  const record = JSON.parse(readFileSync(join(server.folder, "pair.cx.studio/run-0001.json"), "utf8"));
+  expect(record.settings).toEqual({ fidelity: "rigid", error_estimates: "none" });
+  await page.getByRole("button", { name: "Reset Fidelity level to the model's own" }).click();
+  await run(page, "run-0002");
+  await page.getByLabel("Compare Run 1").check();
+  await expect(page.getByRole("region", { name: "Table of different params and settings" })).toContainText("as in the model");
+  // The session keeps settings; resetting all resets them.
+  await page.waitForTimeout(500);
+  await page.reload();
+  await expect(page.getByLabel("Error estimates")).toHaveValue("none");
+  await page.getByRole("button", { name: "Reset all" }).click();
+  await expect(page.getByLabel("Error estimates")).toHaveValue("");
+});
+
+test("a cancelled run shows the positions that it solved, and continues", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await page.getByLabel("steps", { exact: true }).fill("400");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await expect(page.getByText(/positions \d+ of \d+, .* left/)).toBeVisible();
+  await page.getByRole("button", { name: "Cancel Run 1" }).click();
+  await expect(row(page, "run-0001")).toContainText(/cancelled, \d+ of \d+ positions/);
+  await expect(page.getByTestId("so-far")).toContainText("contact pressure");
+  await expect(page.getByTestId("outputs")).toHaveCount(0);
+  await expect(page.getByText(/^Incomplete: \d+ of \d+ positions$/).first()).toBeVisible();
+  await expect(page.getByRole("img", { name: /Plot of/ }).first()).toBeVisible();
+  await picture(page, "cancelled");
+  expect(await serious(page)).toEqual([]);
+  await page.getByRole("button", { name: "Continue Run 1" }).click();
+  await expect(row(page, "run-0001")).toContainText("finished", { timeout: 60_000 });
+  await expect(page.getByTestId("outputs")).toContainText("contact pressure");
+  await expect(page.getByText(/Incomplete/)).toHaveCount(0);
+  expect(existsSync(join(server.folder, "pair.cx.studio/run-0002"))).toBe(false);
+});
+
+test("many runs are compared in tables and plots, and as many scenes as fit are drawn", { tag: "@slow" }, async ({ page, server }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  for (let number = 1; number <= 10; number++) {
+    await page.getByLabel("torque", { exact: true }).fill(String(40 * number));
+    await run(page, `run-${String(number).padStart(4, "0")}`);
+  }
+  for (let number = 1; number <= 9; number++) await page.getByLabel(`Compare Run ${number}`, { exact: true }).check();
+  await expect(page.getByTestId("compared").getByRole("columnheader")).toHaveCount(11);
+  await expect(page.getByRole("img", { name: /Plot of transmission error .* Run 9 / })).toBeVisible();
+  await expect(page.getByText(/^Not drawn: .*Run \d+ \(no space\)$/)).toBeVisible();
+  const drawn = await page.locator(".viewer canvas").count();
+  expect(drawn).toBeGreaterThan(4);
+  await picture(page, "many");
+  // Without plots there is space for more.
+  await page.locator("summary", { hasText: "Plots" }).click();
+  await expect(page.locator(".viewer canvas")).toHaveCount(9);
+  await picture(page, "many-scenes");
+  await expect(page.getByLabel("Link cameras")).toBeChecked();
+  expect(await serious(page)).toEqual([]);
+});
+
+test("the page reconnects to a new studio of the same model", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  await page.getByLabel("torque", { exact: true }).fill("150");
+  await run(page, "run-0001");
+  await server.end("SIGKILL");
+  const alert = page.getByRole("alert");
+  await expect(alert).toContainText("The studio has ended");
+  await expect(alert).toContainText(`calyx studio pair.cx --port ${new URL(server.url).port}`);
+  await expect(page.getByRole("button", { name: "Run", exact: true })).toBeDisabled();
+  // The form can be edited meanwhile.
+  await page.getByLabel("torque", { exact: true }).fill("160");
+  await picture(page, "ended");
+  const address = await server.restart();
+  await expect(alert).toContainText("Open the address that it printed");
+  const second = await page.context().newPage();
+  await second.goto(address);
+  await expect(second.getByLabel("torque", { exact: true })).toHaveValue("150");
+  await second.close();
+  await expect(alert).toHaveCount(0);
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("160");
+  await expect(row(page, "run-0001")).toHaveClass(/selected/);
+  await run(page, "run-0002");
+  await expect(row(page, "run-0002")).toContainText("torque 160 N*m");
+  // A studio of another model at the same address gets no session of this one.
+  await server.end("SIGKILL");
+  await expect(alert).toContainText("The studio has ended");
+  writeFileSync(join(server.folder, "other.cx"), PAIR);
+  const third = await page.context().newPage();
+  await third.goto(await server.restart("other.cx"));
+  await expect(alert).toContainText("is another one");
+  await page.getByLabel("torque", { exact: true }).fill("170");
+  await expect(third.getByLabel("torque", { exact: true })).toHaveValue("100");
+  await page.waitForTimeout(1500);
+  await third.reload();
+  await expect(third.getByLabel("torque", { exact: true })).toHaveValue("100");
+});
