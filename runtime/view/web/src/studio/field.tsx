@@ -10,6 +10,8 @@ import { Text } from "./text.tsx";
 const WIDEST_RATIO = 200;
 /** Largest number of steps of a slider over whole numbers. */
 const MOST_STEPS = 1000;
+/** Longest range that is shown beside the label. */
+const SHORT_RANGE = 24;
 
 interface Props {
   studio: Studio;
@@ -21,13 +23,18 @@ export function Field({ studio, param }: Props): JSX.Element {
   const isChanged = param.name in studio.values;
   const error = studio.check?.errors[param.name];
   const id = `param-${param.name}`;
-  const describedBy = [`${id}-doc`, error && `${id}-error`].filter(Boolean).join(" ");
+  const isNumeric = param.kind === "number" || param.kind === "integer" || param.kind === "array";
+  const range = isNumeric ? param.domain : "";
+  const label = words(param.name.split(".").pop() ?? param.name);
+  const isBeside = label.length + range.length < SHORT_RANGE + 12 && range.length <= SHORT_RANGE;
+  const describedBy = [range && isBeside && `${id}-range`, `${id}-doc`, error && `${id}-error`].filter(Boolean).join(" ");
   return (
     <div class={`field ${isChanged ? "changed" : ""} ${error ? "invalid" : ""}`} data-param={param.name}>
       <FieldHead
         id={id}
-        label={words(param.name.split(".").pop() ?? param.name)}
+        label={label}
         title={param.name}
+        range={isBeside && range ? range : undefined}
         reset={isChanged ? `Reset ${words(param.name)} to ${param.default ?? "its default"}` : null}
         onReset={() => studio.reset(param.name)}
       >
@@ -48,9 +55,7 @@ export function Field({ studio, param }: Props): JSX.Element {
       <p class="doc" id={`${id}-doc`}>
         {paragraphs(param.doc)}
         {!param.independent && <span class="note"> Default and range follow other params.</span>}
-        {(param.kind === "number" || param.kind === "integer" || param.kind === "array") && param.domain && (
-          <span class="range">{param.domain}</span>
-        )}
+        {range && !isBeside && <span class="range">{range}</span>}
       </p>
       {error && <FieldError id={`${id}-error`} error={error} />}
     </div>
@@ -61,6 +66,8 @@ interface HeadProps {
   id: string;
   label: string;
   title: string;
+  /** Accepted values, beside the label. */
+  range?: string;
   /** Description of the reset; null at the default. */
   reset: string | null;
   onReset: () => void;
@@ -68,11 +75,12 @@ interface HeadProps {
 }
 
 /** Label of a field with its reset; of a Boolean, with the check box. */
-export function FieldHead({ id, label, title, reset, onReset, children }: HeadProps): JSX.Element {
+export function FieldHead({ id, label, title, range, reset, onReset, children }: HeadProps): JSX.Element {
   return (
     <div class="field-head">
       {children}
       <label for={id} title={title}>{label}</label>
+      {range && <span class="range" id={`${id}-range`}>{range}</span>}
       {reset !== null && (
         <button type="button" class="quiet small" aria-label={reset} title={reset} onClick={onReset}>
           reset

@@ -46,8 +46,8 @@ function SoFar({ results }: { results: Results }): JSX.Element {
           <thead>
             <tr>
               <th scope="col">Output</th>
-              <th scope="col">Smallest so far</th>
-              <th scope="col">Largest so far</th>
+              <th scope="col">Min so far</th>
+              <th scope="col">Max so far</th>
               <th scope="col">Last</th>
             </tr>
           </thead>

@@ -2,12 +2,13 @@
 
 import type { JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { type PositionEntry, type ViewSource, Viewer, positionFileName } from "../viewer/index.ts";
+import { type PartialState, type PositionEntry, type ViewSource, Viewer, positionFileName } from "../viewer/index.ts";
 import { type ModelScene, type Results, type RunSummary, binary, get, ofRun } from "./api.ts";
 import { runName, solvedPositions } from "./format.ts";
 import { bestGrid, useSize } from "./grid.ts";
 import { provenanceOf } from "./provenance.tsx";
 import type { Studio } from "./store.ts";
+import { SharedControls } from "./shared_controls.tsx";
 import { scheme, useColourScheme } from "./theme.ts";
 
 /** Largest number of viewers side by side. Browsers have at most 16 contexts of WebGL. */
@@ -16,6 +17,8 @@ const MOST_VIEWERS = 9;
 const SMALLEST = { width: 200, height: 150 };
 /** Width below which a viewer starts without its panels, px. */
 const NARROW = 620;
+/** Width below which viewers side by side have common controls, px. */
+const COMPACT = 480;
 const STATE_DELAY = 500;
 
 export function Scene({ studio }: { studio: Studio }): JSX.Element {
@@ -53,7 +56,7 @@ export function Scene({ studio }: { studio: Studio }): JSX.Element {
       </div>
       <div class="scene-space" ref={area}>
         {showsModel && <ModelView studio={studio} scene={modelScene} />}
-        {!showsModel && drawn.length > 0 && <RunScenes studio={studio} runs={drawn} columns={grid.columns} />}
+        {!showsModel && drawn.length > 0 && <RunScenes studio={studio} runs={drawn} columns={grid.columns} isCompact={drawn.length > 1 && size.width / grid.columns < COMPACT} />}
         {!showsModel && withView.length === 0 && <NoScene studio={studio} runs={runs} />}
       </div>
     </div>
@@ -78,7 +81,15 @@ function NotDrawn({ runs, drawn }: { runs: RunSummary[]; drawn: RunSummary[] }):
   return <span class="not-drawn" role="status">Not drawn: {texts.join(", ")}</span>;
 }
 
-function RunScenes({ studio, runs, columns }: { studio: Studio; runs: RunSummary[]; columns: number }): JSX.Element {
+interface RunScenesProps {
+  studio: Studio;
+  runs: RunSummary[];
+  columns: number;
+  /** The viewers have common controls in place of their own. */
+  isCompact: boolean;
+}
+
+function RunScenes({ studio, runs, columns, isCompact }: RunScenesProps): JSX.Element {
   const viewers = useRef(new Map<string, Viewer>());
   const [count, setCount] = useState(0);
   const { linked } = studio.settings;
@@ -89,21 +100,30 @@ function RunScenes({ studio, runs, columns }: { studio: Studio; runs: RunSummary
     return () => unlink.forEach((end) => end?.());
   }, [count, linked, runs.map((run) => run.id).join()]);
   return (
-    <div class="scenes" style={{ gridTemplateColumns: `repeat(${columns}, minmax(0, 1fr))` }}>
-      {runs.map((run) => (
-        <RunScene
-          key={run.id}
-          studio={studio}
-          run={run}
-          hasTitle={runs.length > 1}
-          onViewer={(viewer) => {
-            if (viewer) viewers.current.set(run.id, viewer);
-            else viewers.current.delete(run.id);
-            setCount((before) => before + 1);
-          }}
+    <>
+      {isCompact && (
+        <SharedControls
+          viewers={() => [...viewers.current.values()]}
+          state={(studio.settings.scene ?? {}) as PartialState}
+          positions={Math.max(...runs.map((run) => run.positions ?? 0))}
         />
-      ))}
-    </div>
+      )}
+      <div class={`scenes ${isCompact ? "compact" : ""}`} style={{ gridTemplateColumns: `repeat(${columns}, minmax(0, 1fr))` }}>
+        {runs.map((run) => (
+          <RunScene
+            key={run.id}
+            studio={studio}
+            run={run}
+            hasTitle={runs.length > 1}
+            onViewer={(viewer) => {
+              if (viewer) viewers.current.set(run.id, viewer);
+              else viewers.current.delete(run.id);
+              setCount((before) => before + 1);
+            }}
+          />
+        ))}
+      </div>
+    </>
   );
 }
 
@@ -152,7 +172,7 @@ function RunScene({ studio, run, hasTitle, onViewer }: RunSceneProps): JSX.Eleme
 
 /** Creates a viewer. A narrow one has no space for its panels, and starts without them. */
 function createViewer(container: HTMLElement, studio: Studio, isAlone: boolean): Viewer {
-  const state = (studio.settings.scene ?? {}) as Parameters<Viewer["restore"]>[0];
+  const state = (studio.settings.scene ?? {}) as PartialState;
   const isWide = isAlone && container.clientWidth >= NARROW;
   const panels = isWide ? state.panels : { parts: false, settings: false, plots: false };
   const created = new Viewer(container, {

@@ -140,14 +140,16 @@ export class Studio {
 
   #follow(): void {
     if (!this.#about) return;
+    let wasConnected = true;
     this.#connection = new Connection(this.#about, (events) => this.#listen(events), () => {
-      if (this.isConnected) {
+      if (this.isConnected && !wasConnected) {
         // Errors of requests that the ended studio did not answer.
         this.notice = null;
         // A new studio has no automatic run.
         this.#previewed = "";
-        this.#saveNow();
       }
+      wasConnected = this.isConnected;
+      this.#saveNow();
       this.#changed();
     });
   }

@@ -89,6 +89,12 @@ test("a long run shows its progress and is cancelled", async ({ page, server }) 
   await page.getByRole("button", { name: "Cancel Run 1" }).click();
   await expect(row(page, "run-0001")).toContainText("cancelled");
   await expect(page.getByRole("progressbar")).toHaveCount(0);
+  // Its positions are shown, and not as results of the whole run.
+  await expect(row(page, "run-0001")).toContainText(/cancelled, \d+ of \d+ positions/);
+  await expect(page.getByTestId("so-far")).toContainText("contact pressure");
+  await expect(page.getByTestId("outputs")).toHaveCount(0);
+  await expect(page.getByRole("button", { name: "Continue Run 1" })).toBeEnabled();
+  expect(await serious(page)).toEqual([]);
 });
 
 test("a model with errors shows the diagnostic, and the page follows the editor", async ({ page, server }) => {
