@@ -13,6 +13,7 @@ use calyx_abi::context::codes;
 use calyx_rt::directory::default_directory;
 use calyx_rt::run_directory::writer;
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -329,6 +330,7 @@ impl Runs {
             );
             return Err(RequestError::conflict(message, "start a new run"));
         }
+        self.refuse_changed_model(&summary)?;
         self.refuse_too_many()?;
         let mut record = self.record(id);
         let assigned = record["params"].as_object().into_iter().flatten();
@@ -347,6 +349,19 @@ impl Runs {
         let failed = |error| RequestError::internal(format!("cannot continue {id}"), &error);
         let record = write_record(&folder, id, record).map_err(failed)?;
         self.launch((id, &directory), &form, &["--resume"], Some(record))
+    }
+
+    /// Refuses to resume a run of another text of the model. The process of the run compares the
+    /// imported files and tables as well.
+    fn refuse_changed_model(&self, summary: &Value) -> Result<(), RequestError> {
+        let text = self.model.as_deref().and_then(|model| fs::read(model).ok()).unwrap_or_default();
+        let hash =
+            Sha256::digest(text).iter().fold(String::new(), |hash, byte| hash + &format!("{byte:02x}"));
+        if summary["source"] == hash.as_str() {
+            return Ok(());
+        }
+        let help = "restore the text of the model, or start a new run with the params of this one";
+        Err(RequestError::conflict("the model has changed since this run was started", help))
     }
 
     fn refuse_too_many(&self) -> Result<(), RequestError> {

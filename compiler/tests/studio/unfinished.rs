@@ -88,6 +88,13 @@ fn a_cancelled_run_shows_its_positions_and_continues() {
             .is_empty()
     );
 
+    let model = directory.path().join("pair.cx");
+    fs::write(&model, PAIR.replace("80.1 mm", "80.2 mm")).expect("a model");
+    let refused = server.post(&format!("/api/runs/{id}/continue"), json!({}));
+    assert_eq!(refused.status, 409);
+    assert!(refused.json()["message"].as_str().expect("a message").contains("the model has changed"));
+    fs::write(&model, PAIR).expect("a model");
+
     // It continues in another studio, too.
     drop(server);
     let server = Server::start(directory.path(), &["pair.cx"]);

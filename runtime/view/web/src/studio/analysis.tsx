@@ -10,6 +10,7 @@ export function AnalysisSettings({ studio }: { studio: Studio }): JSX.Element | 
   if (all.length === 0) return null;
   const details = all.filter((setting) => setting.detail);
   const errors = studio.check?.setting_errors ?? {};
+  const changed = Object.keys(analysis).length;
   const isOpen = studio.settings.analysisOpen || Object.keys(errors).length > 0;
   const hasOpenDetails = details.some(({ name }) => name in analysis || name in errors);
   return (
@@ -21,7 +22,8 @@ export function AnalysisSettings({ studio }: { studio: Studio }): JSX.Element | 
       }}
     >
       <summary>
-        Analysis settings <span class="summary-value">{summaryOf(studio)}</span>
+        Analysis settings
+        {changed > 0 && <span class="summary-value">{changed} changed</span>}
       </summary>
       <fieldset>
         <legend class="hidden-text">Analysis settings</legend>
@@ -33,12 +35,6 @@ export function AnalysisSettings({ studio }: { studio: Studio }): JSX.Element | 
       </fieldset>
     </details>
   );
-}
-
-function summaryOf(studio: Studio): string {
-  const count = Object.keys(studio.analysis).length;
-  if (count === 0) return "as in the model";
-  return `${count} changed`;
 }
 
 function SettingField({ studio, setting }: { studio: Studio; setting: Setting }): JSX.Element {
