@@ -17,6 +17,8 @@ interface Props {
 export function SharedControls({ viewers, state, positions }: Props): JSX.Element {
   const [field, setField] = useState<Field>(state.colours?.field ?? "plain");
   const [position, setPosition] = useState(state.position ?? 0);
+  const last = Math.max(positions - 1, 0);
+  const shown = Math.min(position, last);
   const apply = (patch: PartialState) => viewers().forEach((viewer) => viewer.restore(patch));
   const goTo = (next: number) => {
     setPosition(next);
@@ -40,12 +42,12 @@ export function SharedControls({ viewers, state, positions }: Props): JSX.Elemen
         <input
           type="range"
           min={0}
-          max={Math.max(positions - 1, 0)}
-          value={position}
+          max={last}
+          value={shown}
           disabled={positions < 2}
           onInput={(event) => goTo(Number(event.currentTarget.value))}
         />
-        <output>{position} / {Math.max(positions - 1, 0)}</output>
+        <output>{shown} / {last}</output>
       </label>
     </div>
   );
