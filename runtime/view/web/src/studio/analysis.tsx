@@ -1,18 +1,24 @@
 // Analysis settings in the form: they override those of the model for the next runs.
 
 import type { JSX } from "preact";
+import { useEffect, useState } from "preact/hooks";
 import type { Setting } from "./api.ts";
 import { FieldError, FieldHead } from "./field.tsx";
 import type { Studio } from "./store.ts";
 
 export function AnalysisSettings({ studio }: { studio: Studio }): JSX.Element | null {
   const { analysisSettings: all, analysis } = studio;
-  if (all.length === 0) return null;
   const details = all.filter((setting) => setting.detail);
   const errors = studio.check?.setting_errors ?? {};
   const changed = Object.keys(analysis).length;
   const isOpen = studio.settings.analysisOpen || Object.keys(errors).length > 0;
-  const hasOpenDetails = details.some(({ name }) => name in analysis || name in errors);
+  const [detailsOpen, setDetailsOpen] = useState(false);
+  const hasDetails = details.some(({ name }) => name in analysis || name in errors);
+  // They stay open if a field is cleared.
+  useEffect(() => {
+    if (hasDetails) setDetailsOpen(true);
+  }, [hasDetails]);
+  if (all.length === 0) return null;
   return (
     <details
       class="analysis"
@@ -28,7 +34,7 @@ export function AnalysisSettings({ studio }: { studio: Studio }): JSX.Element | 
       <fieldset>
         <legend class="hidden-text">Analysis settings</legend>
         {all.filter((setting) => !setting.detail).map((setting) => <SettingField key={setting.name} studio={studio} setting={setting} />)}
-        <details open={hasOpenDetails}>
+        <details open={detailsOpen} onToggle={(event) => setDetailsOpen(event.currentTarget.open)}>
           <summary>Positions, mesh and contact grid</summary>
           {details.map((setting) => <SettingField key={setting.name} studio={studio} setting={setting} />)}
         </details>

@@ -27,6 +27,8 @@ test("analysis settings override the model, and belong to the run", async ({ pag
   await expect(page.getByRole("button", { name: "Run", exact: true })).toBeDisabled();
   expect(await serious(page)).toEqual([]);
   await page.getByLabel("Contact cells M", { exact: true }).fill("");
+  await expect(page.getByLabel("Contact cells M", { exact: true })).toBeFocused();
+  await expect(page.getByLabel("Contact cells M", { exact: true })).toBeVisible();
   await level.selectOption("rigid");
   await run(page, "run-0001");
   await expect(row(page, "run-0001")).toContainText("fidelity rigid, error estimates none");
