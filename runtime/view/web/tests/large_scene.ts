@@ -1,7 +1,7 @@
 // A large scene for measurements: a gear of 1,000 teeth with 12 planets in a ribbed housing, whose
 // displacements and stresses are known at the nodes of a mesh of tetrahedra.
 
-import { ArrayWriter } from "./array_writer.ts";
+import { ArrayWriter, meshFile } from "./array_writer.ts";
 import type { Fixture } from "./fixture.ts";
 import { gearSector } from "./gear_shapes.ts";
 
@@ -24,7 +24,8 @@ export interface SolidMesh {
   /** Outer surface and its edges. */
   triangles: Uint32Array;
   edges: Uint32Array;
-  tetrahedra: number;
+  /** Four nodes each. */
+  tetrahedra: Uint32Array;
 }
 
 /** A box that is open at the top, with ribs below its bottom. */
@@ -56,7 +57,7 @@ export function housingMesh(): SolidMesh {
   };
   // A face of the surface belongs to one tetrahedron. Keys are sorted nodes below 2^17.
   const faces = new Map<bigint, [number, number, number]>();
-  let tetrahedra = 0;
+  const tetrahedra: number[] = [];
   for (let k = 0; k < nz; k++) {
     for (let j = 0; j < ny; j++) {
       for (let i = 0; i < nx; i++) {
@@ -68,14 +69,14 @@ export function housingMesh(): SolidMesh {
             at[axis]!++;
             t.push(node(...at));
           }
-          tetrahedra++;
+          tetrahedra.push(...(isEven(path) ? t : [t[0]!, t[2]!, t[1]!, t[3]!]));
           toggleFaces(faces, t, isEven(path));
         }
       }
     }
   }
   const triangles = Uint32Array.from([...faces.values()].flat());
-  return { points: Float32Array.from(points), triangles, edges: edgesOf(triangles), tetrahedra };
+  return { points: Float32Array.from(points), triangles, edges: edgesOf(triangles), tetrahedra: Uint32Array.from(tetrahedra) };
 }
 
 const isEven = ([a, b]: readonly [number, number, number]) => (b - a + 3) % 3 === 1;
@@ -138,24 +139,25 @@ export function largeScene(housing: SolidMesh | null): Fixture {
   for (let i = 1; i <= PLANETS; i++) list.push(part(`planet ${i}`, "gear", PLANET.teeth, planet));
   if (housing) list.push(part("housing", "body", 1, housing));
   const position = new ArrayWriter();
-  const meshes = housing ? [deformedHousing(position, list.length - 1, housing)] : [];
+  const mesh = housing ? meshFile(housing) : null;
+  const meshes = housing && mesh ? [deformedHousing(position, list.length - 1, housing, mesh.name)] : [];
   const header = { position: 0, time: 0, poses: position.add("f64", 12, poses().slice(0, list.length).flat()), forces: [], meshes };
   return {
     parts: parts.finish({ model: "ring.cx", parts: list }),
     positions: [{ position: 0, time: 0, data: position.finish(header) }],
+    meshes: mesh ? { [mesh.name]: mesh.data } : {},
     meshPoints: [],
   };
 }
 
-function deformedHousing(writer: ArrayWriter, part: number, housing: SolidMesh) {
+function deformedHousing(writer: ArrayWriter, part: number, housing: SolidMesh, mesh: string) {
   const { displacements, stresses } = solution(housing);
   return {
+    mesh,
     part,
-    copies: [0],
-    points: writer.add("f32", 3, housing.points),
+    copy: 0,
     displacements: writer.add("f32", 3, displacements),
     stresses: writer.add("f32", 6, stresses),
-    triangles: writer.add("u32", 3, housing.triangles),
-    edges: writer.add("u32", 2, housing.edges),
+    stress_errors: writer.add("f32", 1, new Float32Array(housing.points.length / 3)),
   };
 }

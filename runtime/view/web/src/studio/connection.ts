@@ -14,7 +14,9 @@ const RETRY = 1000;
 
 export class Connection {
   state: ConnectionState = "connected";
+  #events: EventSource | null = null;
   #retryTimer = 0;
+  #isPaused = false;
 
   constructor(
     readonly about: About,
@@ -25,8 +27,23 @@ export class Connection {
     this.#open();
   }
 
+  /** Closes the stream: a browser opens six connections to a server, for all of its pages. */
+  pause(): void {
+    this.#isPaused = true;
+    window.clearTimeout(this.#retryTimer);
+    this.#events?.close();
+  }
+
+  /** Opens the stream again, which reloads everything. */
+  resume(): void {
+    if (!this.#isPaused) return;
+    this.#isPaused = false;
+    void this.#search();
+  }
+
   #open(): void {
     const events = new EventSource("/api/events");
+    this.#events = events;
     this.listen(events);
     events.onopen = () => this.#become("connected");
     // The browser repeats a stream that ends, but not one that is refused.
@@ -45,6 +62,7 @@ export class Connection {
   async #search(): Promise<void> {
     window.clearTimeout(this.#retryTimer);
     const state = await this.#probe();
+    if (this.#isPaused) return;
     if (state === "connected") {
       this.#open();
       return;

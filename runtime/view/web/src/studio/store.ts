@@ -71,8 +71,6 @@ export class Studio {
   isStarting = false;
 
   #listeners = new Set<() => void>();
-  /** Stream of events; null while the page is hidden. */
-  #events: EventSource | null = null;
   #checkTimer = 0;
   #sessionTimer = 0;
   #isUnsaved = false;
@@ -112,11 +110,9 @@ export class Studio {
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") {
         this.#saveNow();
-        // A browser opens six connections to a server, for all of its pages.
-        this.#events?.close();
-        this.#events = null;
-      } else if (!this.#events) {
-        this.#follow();
+        this.#connection?.pause();
+      } else {
+        this.#connection?.resume();
       }
     });
     this.#follow();

@@ -67,7 +67,7 @@ test("a page whose studio is killed says so, and its run is listed by the next s
   await openWithoutAutomatic(page, server.url);
   await startLongRun(page);
   await expect.poll(() => stored(server)).toBeGreaterThan(2);
-  await server.kill();
+  await server.end("SIGKILL");
   await expect(page.getByRole("alert")).toContainText("Start calyx studio pair.cx again");
   await expect(runButton(page)).toBeDisabled();
   // The form stays usable: its values can be read and copied.

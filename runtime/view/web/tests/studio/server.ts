@@ -61,11 +61,10 @@ export interface StudioServer {
   restart(subject?: string): Promise<string>;
   /** Adds files of the viewer to a run. */
   addView(id: string): void;
-  /** Ends the first studio without giving it time to end its runs. */
-  kill(): Promise<void>;
 }
 
-async function start(folder: string, subject: string, port = "0"): Promise<[ChildProcess, string]> {
+/** Starts a studio and returns its address with the token. */
+export async function start(folder: string, subject: string, port = "0"): Promise<[ChildProcess, string]> {
   const child = spawn(CALYX, ["studio", subject, "--no-browser", "--port", port], {
     cwd: folder,
     env: { ...process.env, CALYX_CACHE: "off" },
@@ -79,7 +78,8 @@ async function start(folder: string, subject: string, port = "0"): Promise<[Chil
   return [child, url ?? ""];
 }
 
-async function end(child: ChildProcess, signal: NodeJS.Signals): Promise<void> {
+/** Ends a studio and waits for it. */
+export async function end(child: ChildProcess, signal: NodeJS.Signals): Promise<void> {
   if (child.exitCode !== null || child.signalCode !== null) return;
   const ended = new Promise((resolve) => child.once("exit", resolve));
   child.kill(signal);
@@ -122,6 +122,7 @@ export const test = base.extend<{ server: StudioServer }>({
         for (const { position, data } of fixture.positions) {
           writeFileSync(join(view, `position-${String(position).padStart(4, "0")}.bin`), data);
         }
+        for (const [name, data] of Object.entries(fixture.meshes)) writeFileSync(join(view, name), data);
       },
     });
     for (const each of children) await end(each, "SIGINT");

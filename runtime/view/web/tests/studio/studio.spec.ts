@@ -3,6 +3,7 @@
 
 import { readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
+import { savedFile } from "../page.ts";
 import { picture, row, run, serious, switchAutomaticOff } from "./page.ts";
 import { PAIR, expect, test } from "./server.ts";
 
@@ -166,10 +167,10 @@ test("a change of a param updates the geometry of the model", async ({ page, ser
   await switchAutomaticOff(page);
   await expect(page.locator(".viewer canvas")).toHaveCount(1);
   await page.getByLabel("torque", { exact: true }).fill("150");
-  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "150" }, settings: {} });
+  await expect.poll(requested).toEqual({ params: { torque: "150" }, settings: {} });
   await run(page, "run-0001");
   await page.getByLabel("torque", { exact: true }).fill("160");
-  await expect.poll(() => requested.at(-1)).toEqual({ params: { torque: "160" }, settings: {} });
+  await expect.poll(requested).toEqual({ params: { torque: "160" }, settings: {} });
   await picture(page, "model");
 });
 
