@@ -21,8 +21,9 @@ function writeRun(folder: string): number {
   writeFileSync(join(folder, "pair.cx"), PAIR);
   execFileSync(CALYX, ["run", "pair.cx", "--quiet", "--no-cache", "--out", "results", "--set", `steps=${POSITIONS}`], { cwd: folder });
   const view = join(folder, "results/view");
-  const { parts, positions } = largeScene(housingMesh());
+  const { parts, positions, meshes } = largeScene(housingMesh());
   writeFileSync(join(view, "parts.bin"), parts);
+  for (const [name, data] of Object.entries(meshes)) writeFileSync(join(view, name), data);
   for (let i = 0; i < POSITIONS; i++) writeFileSync(join(view, `position-${String(i).padStart(4, "0")}.bin`), positions[0]!.data);
   return positions[0]!.data.length;
 }
