@@ -48,24 +48,24 @@ impl Summaries {
     /// before it wrote this file; `null` if there is neither.
     pub fn of(&self, directory: &Path) -> Value {
         let now = stamp(directory, &CHANGING);
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        match known.get(directory) {
-            Some((then, summary)) if *then == now => summary.clone(),
-            _ => {
-                let summary = described(directory).ok().flatten().map_or(Value::Null, |run| {
-                    let mut summary = summary(&run);
-                    if is_incomplete(&run) {
-                        summary["positions"] = json!(rows(directory));
-                    }
-                    let has_meshes =
-                        fs::read_dir(directory.join("vtu")).is_ok_and(|mut all| all.next().is_some());
-                    summary["settings"] = settings::of_run(&run, has_meshes).into();
-                    summary
-                });
-                known.insert(directory.to_owned(), (now, summary.clone()));
-                summary
-            }
+        // Not locked while files are read: a slow disk would stop all requests.
+        let known = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((then, summary)) = known().get(directory)
+            && *then == now
+        {
+            return summary.clone();
         }
+        let summary = described(directory).ok().flatten().map_or(Value::Null, |run| {
+            let mut summary = summary(&run);
+            if is_incomplete(&run) {
+                summary["positions"] = json!(rows(directory));
+            }
+            let has_meshes = fs::read_dir(directory.join("vtu")).is_ok_and(|mut all| all.next().is_some());
+            summary["settings"] = settings::of_run(&run, has_meshes).into();
+            summary
+        });
+        known().insert(directory.to_owned(), (now, summary.clone()));
+        summary
     }
 }
 
@@ -112,6 +112,7 @@ const LONGEST_HEAD: u64 = 16 << 20;
 /// # Errors
 /// A file cannot be read.
 fn described(directory: &Path) -> io::Result<Option<Value>> {
+    ["run.json", "journal.jsonl"].into_iter().try_for_each(|name| check_file(&directory.join(name)))?;
     if let Some(run) = read_run(directory)? {
         return Ok(Some(run));
     }
@@ -130,6 +131,14 @@ fn described(directory: &Path) -> io::Result<Option<Value>> {
         run["incomplete"] = json!({ "code": null, "message": null });
         run
     }))
+}
+
+/// Rejects a path that exists and is no file: reading from a pipe would wait for ever.
+fn check_file(path: &Path) -> io::Result<()> {
+    match fs::metadata(path) {
+        Ok(about) if !about.is_file() => Err(io::Error::other("it is no file")),
+        _ => Ok(()),
+    }
 }
 
 /// Returns true for a run that has not ended, or ended before its last position.
@@ -242,7 +251,8 @@ pub(crate) fn times(directory: &Path) -> Result<Vec<Option<f64>>, RequestError> 
 
 /// Returns the complete rows of `steps.csv`; `None` if there is no such table.
 fn text_of_steps(directory: &Path) -> Result<Option<String>, RequestError> {
-    match fs::read_to_string(directory.join("steps.csv")) {
+    let path = directory.join("steps.csv");
+    match check_file(&path).and_then(|()| fs::read_to_string(path)) {
         Ok(mut text) => {
             text.truncate(text.rfind('\n').map_or(0, |end| end + 1));
             Ok(Some(text))
@@ -275,6 +285,19 @@ mod tests {
         assert_eq!(outputs["a"], json!({ "doc": "", "unit": "MPa", "min": 2.0, "max": 5.0, "last": 3.0 }));
         let summary = Summaries::default().of(path);
         assert_eq!((&summary["positions"], &summary["settings"]["contact_cells"]), (&json!(3), &json!("6")));
+    }
+
+    /// Reading from a pipe would wait for a writer.
+    #[cfg(unix)]
+    #[test]
+    fn pipes_in_place_of_results_are_not_read() {
+        let directory = tempfile::tempdir().expect("a temporary folder");
+        for name in ["run.json", "steps.csv"] {
+            let made = std::process::Command::new("mkfifo").arg(directory.path().join(name)).status();
+            assert!(made.expect("mkfifo").success());
+        }
+        assert!(run(directory.path()).is_err() && times(directory.path()).is_err());
+        assert!(Summaries::default().of(directory.path()).is_null());
     }
 
     #[test]

@@ -308,7 +308,11 @@ impl Runs {
             "messages": [],
         });
         let record = write_record(&folder, &id, record).map_err(failed)?;
-        self.launch((&id, &directory), form, &[], Some(record))?;
+        let file = record.0.clone();
+        self.launch((&id, &directory), form, &[], Some(record)).inspect_err(|_| {
+            // The directory is still empty. If it cannot be removed, the run is listed as ended.
+            let _ = fs::remove_dir(&directory).and_then(|()| fs::remove_file(file));
+        })?;
         Ok(id)
     }
 

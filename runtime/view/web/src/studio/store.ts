@@ -82,6 +82,7 @@ export class Studio {
   #checkAbort: AbortController | null = null;
   #isLoaded = false;
   #previewed = "";
+  #keepsOpened = false;
   /** Runs that were started after the last list. */
   #started = new Set<string>();
 
@@ -103,6 +104,7 @@ export class Studio {
       this.analysisSettings = about.settings;
       if (!this.withoutModel) await this.#restoreSession();
       if (about.opened) this.settings.selected = [about.opened];
+      this.#keepsOpened = about.opened !== null;
     });
     this.#isLoaded = true;
     // A page that is closed or hidden may not run again.
@@ -371,6 +373,11 @@ export class Studio {
     const key = JSON.stringify([this.check?.version, form]);
     if (!this.settings.automatic || !this.check?.runnable || !this.isQuick || this.#previewed === key) return;
     this.#previewed = key;
+    if (this.#keepsOpened) {
+      // The run that the studio was opened with stays until a param changes.
+      this.#keepsOpened = false;
+      return;
+    }
     await send("POST", "/api/preview", form);
     this.#started.add("preview");
     const selected = this.settings.selected;
