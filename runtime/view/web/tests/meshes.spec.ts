@@ -2,6 +2,7 @@
 
 import { expect, test } from "@playwright/test";
 import type { Viewer } from "../src/viewer/index.ts";
+import { edgesBySide } from "../src/viewer/seams.ts";
 import { displacement, embeddedData, createFixture, WHEEL, writePage } from "./fixture.ts";
 import { gearSector } from "./gear_shapes.ts";
 import { fixture, open, project, restore, settle, state } from "./page.ts";
@@ -77,4 +78,19 @@ test("each mesh is read once, for all positions and viewers of a run", { tag: "@
   expect(Object.values(reads.counts)).toEqual([1, 1]);
   expect(reads.values[0]).toBe(reads.values[1]);
   expect(problems).toEqual([]);
+});
+
+test("open edges of a twisted sector are those of their neighbours", () => {
+  // Four edges around each seam of a ring of 12 copies that is twisted by more than a pitch.
+  const points: number[] = [];
+  for (const side of [0, 1]) {
+    for (const [radius, z] of [[0.03, -0.01], [0.04, -0.01], [0.04, 0.01], [0.03, 0.01]] as const) {
+      const angle = (side * 2 * Math.PI) / 12 + 40 * z;
+      points.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
+    }
+  }
+  const loop = (first: number) => [0, 1, 2, 3].flatMap((k) => [first + k, first + ((k + 1) % 4)]);
+  const found = edgesBySide(Uint32Array.from([...loop(4), ...loop(0)]), Float32Array.from(points), 12);
+  expect(found[1]).toEqual(loop(4));
+  expect(found[-1]).toEqual(loop(0));
 });

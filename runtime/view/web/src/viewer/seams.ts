@@ -90,6 +90,32 @@ export class MeshClosure {
   }
 }
 
+/**
+ * Open edges of a sector on the side of the next copy (1) and on that of the previous one (-1): the
+ * copy there has an edge at the same place. Angles alone do not tell, because a helical sector is twisted.
+ */
+export function edgesBySide(edges: Uint32Array, points: Float32Array, copies: number): Record<1 | -1, number[]> {
+  const middles: [number, number, number][] = [];
+  for (let i = 0; i < edges.length; i += 2) {
+    const [a, b] = [3 * edges[i]!, 3 * edges[i + 1]!];
+    middles.push([points[a]! + points[b]!, points[a + 1]! + points[b + 1]!, points[a + 2]! + points[b + 2]!]);
+  }
+  const [cos, sin] = [Math.cos((2 * Math.PI) / copies), Math.sin((2 * Math.PI) / copies)];
+  /** Square of the distance from the edges of the copy on this side. */
+  const distance = ([x, y, z]: [number, number, number], side: 1 | -1) => {
+    const [u, v] = [cos * x + side * sin * y, cos * y - side * sin * x];
+    let least = Infinity;
+    for (const [p, q, r] of middles) least = Math.min(least, (p - u) ** 2 + (q - v) ** 2 + (r - z) ** 2);
+    return least;
+  };
+  const result: Record<1 | -1, number[]> = { 1: [], [-1]: [] };
+  middles.forEach((middle, i) => {
+    const side = distance(middle, 1) <= distance(middle, -1) ? 1 : -1;
+    result[side].push(edges[2 * i]!, edges[2 * i + 1]!);
+  });
+  return result;
+}
+
 /** Closes the seams of copies next to copies that are left out. */
 export class OpenCopies {
   readonly meshes: THREE.Mesh[];
@@ -101,21 +127,9 @@ export class OpenCopies {
     private readonly copies: number,
     materials: MaterialSet,
   ) {
-    let x = 0;
-    let y = 0;
-    for (let i = 0; i < points.length; i += 3) {
-      x += points[i]!;
-      y += points[i + 1]!;
-    }
-    const { openEdges } = surface;
-    this.#sides = [1, -1].map((sign) => {
-      const edges: number[] = [];
-      for (let i = 0; i < openEdges.length; i += 2) {
-        const [a, b] = [3 * openEdges[i]!, 3 * openEdges[i + 1]!];
-        const [mx, my] = [points[a]! + points[b]!, points[a + 1]! + points[b + 1]!];
-        // On the side of the next copy if the middle of the edge is counter-clockwise of the sector's.
-        if (Math.sign(x * my - y * mx) === sign) edges.push(openEdges[i]!, openEdges[i + 1]!);
-      }
+    const bySide = edgesBySide(surface.openEdges, points, copies);
+    this.#sides = ([1, -1] as const).map((sign) => {
+      const edges = bySide[sign];
       const geometry = new THREE.InstancedBufferGeometry();
       geometry.setAttribute("position", new THREE.Float32BufferAttribute(fan(edges, points), 3));
       const rotation = new THREE.InstancedBufferAttribute(new Float32Array(2 * copies), 2);
