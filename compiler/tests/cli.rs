@@ -133,6 +133,11 @@ fn sweeps_tabulate_their_cases() {
 }
 
 #[test]
+fn samples_and_study_files_vary_params() {
+    hold(include_str!("cli/study.md"));
+}
+
+#[test]
 fn options_change_the_analysis() {
     hold(include_str!("cli/overriding.md"));
 }

@@ -63,6 +63,52 @@ fn rows_are_those_of_single_runs_at_any_number_of_threads_and_after_a_kill() {
     }
 }
 
+/// Runs of a sample: its rows are those of single runs with the text of the table as values, with a
+/// fidelity level as an axis, and a sweep that was killed continues with the same files.
+#[test]
+fn samples_are_those_of_single_runs_at_any_number_of_threads_and_after_a_kill() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    fs::write(at.join("pair.cx"), model()).expect("written");
+    let study = "[axes]\nfidelity = [\"rigid\", \"analytic\"]\n\n[tolerances]\ntorque = \"normal(20 N*m, 2 N*m)\"\n\n[sampling]\nsamples = 3\nseed = 4\n";
+    fs::write(at.join("study.toml"), study).expect("written");
+    let sweep = |threads: &str, out: &str| {
+        let arguments = ["sweep", "pair.cx", "--study", "study.toml", "--quiet"];
+        let (status, told) = calyx(at, &[&arguments[..], &["--threads", threads, "--out", out]].concat());
+        assert_eq!(status, Some(0), "{told}");
+        let names = ["sweep.csv", "sweep.html", "sample_statistics.csv", "explained_variation.csv"];
+        names.map(|name| fs::read_to_string(at.join(out).join(name)).expect(name))
+    };
+    let whole = sweep("1", "one");
+    assert_eq!(sweep("3", "three"), whole);
+    let journal = at.join("one/cases.jsonl");
+    let text = fs::read_to_string(&journal).expect("a journal");
+    assert_eq!(text.lines().count(), 7, "{text}");
+    fs::write(&journal, &text[..text.len() / 2]).expect("written");
+    assert_eq!(sweep("2", "one"), whole);
+
+    let rows = table(&at.join("one/sweep.csv"));
+    assert_eq!(rows.len(), 6);
+    for row in [&rows[0], &rows[5]] {
+        let set = format!("torque={}", row["torque [N*m]"]);
+        let run =
+            ["run", "pair.cx", "--set", &set, "--fidelity", &row["fidelity"], "--out", "run", "--quiet"];
+        let (status, told) = calyx(at, &run);
+        assert_eq!(status, Some(0), "{told}");
+        let run = fs::read_to_string(at.join("run/run.json")).expect("a run");
+        let run: Value = serde_json::from_str(&run).expect("JSON");
+        let line = text.lines().nth(row["case"].parse::<usize>().expect("a number")).expect("a line");
+        let line: Value = serde_json::from_str(line).expect("JSON");
+        let outputs = line["row"]["outputs"].as_object().expect("outputs");
+        assert!(!outputs.is_empty());
+        for (name, statistics) in outputs {
+            for statistic in ["min", "mean", "max", "peak_to_peak"] {
+                assert_eq!(statistics[statistic], run["outputs"][name][statistic], "{name} {statistic}");
+            }
+        }
+    }
+}
+
 #[test]
 fn failed_cases_and_those_of_changed_tables_are_solved_again() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,7 +1,6 @@
 //! `calyx sweep --dry-run`: lists the cases of a sweep with a predicted time, without solving them.
 
 use calyx::check_run_within;
-use calyx::rt::ParamAssignment;
 use calyx::rt::console::{print, println};
 use calyx::rt::options::rates_file;
 use calyx::rt::sweep::Sweep;
@@ -21,10 +20,8 @@ pub fn list(file: &Path, sweep: &Sweep, table: &SweepTable, allowed: &Arc<[PathB
     let rates = Rates::of_this_machine(rates_file().as_deref(), false);
     let count = table.cases.len();
     let time = |index: usize| {
-        let varied = table.params.iter().zip(&table.cases[index].values);
-        let varied = varied.map(|(param, value)| ParamAssignment::value(&param.name, value.clone()));
-        let given: Vec<ParamAssignment> = sweep.given.iter().cloned().chain(varied).collect();
-        let checked = check_run_within(file, allowed, &given, sweep.overrides, None).ok()?;
+        let (given, overrides) = sweep.given_in(&table.cases[index]);
+        let checked = check_run_within(file, allowed, &given, overrides, None).ok()?;
         // A model without an analysis takes no time.
         Some(checked.plan.filter(|_| checked.refused.is_none())?.cost(&rates).time())
     };

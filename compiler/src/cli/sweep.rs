@@ -13,9 +13,14 @@ use calyx::rt::page::sweep as page;
 use calyx::rt::progress::{Progress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::settings_override::OverrideArguments;
-use calyx::rt::sweep::{Axis, CaseFile, Durations, JOURNAL, Outcome, Sweep as Cases};
+use calyx::rt::study::{self, EXPLAINED_VARIATION, Group, Method, Objective, SAMPLE_STATISTICS, Sample};
+use calyx::rt::sweep::{
+    Axis, CaseFile, Durations, JOURNAL, Outcome, Sampling, StudyFile, Sweep as Cases, Tolerance, objective,
+};
 use calyx::rt::sweep_table::{PRINTED_TEXT, SweepTable};
-use calyx::rt::{Engine, EngineConfig, Error, ModelDescription, ParamAssignment, RunError, interrupt};
+use calyx::rt::{
+    Engine, EngineConfig, Error, InvalidParam, ModelDescription, ParamAssignment, RunError, interrupt,
+};
 use clap::Args;
 use std::io;
 use std::num::NonZeroUsize;
@@ -31,6 +36,16 @@ The values of an axis:
   --over torque=50,200,800            a list
   --over fidelity=analytic,medium     a list of choices
   --over \"coast=*\"                    all choices of a text or Boolean param
+`fidelity` is the fidelity level of the analysis, unless the model has a param of this name.
+
+Toleranced params have a distribution, of which --samples values are taken:
+  --sample \"slope = normal(0 um, 5 um)\"              mean and standard deviation
+  --sample \"slope = normal(-15 um..15 um)\"           bounds at three standard deviations
+  --sample \"slope = truncated_normal(0 um, 5 um, -10 um..10 um)\"
+  --sample \"crown = uniform(3 um..9 um)\"
+  --sample \"crown = triangular(3 um..9 um, 5 um)\"    bounds and mode
+A sample has statistics with confidence intervals, sample_statistics.csv, and the params that explain the variation,
+explained_variation.csv. A study file in TOML, --study, has axes, distributions and objectives in one place.
 
 Load cases in a file, with param names in the first line and optional columns `name` and `duration`:
   name,torque,speed,duration
@@ -47,6 +62,8 @@ Examples:
   calyx sweep pair.cx --cases load_cases.csv --set fidelity=medium
   calyx sweep pair.cx --over torque=50..500:10          continues after an interruption
   calyx sweep pair.cx --cases load_cases.csv --dry-run  lists the cases without solving them
+  calyx sweep pair.cx --sample \"slope = normal(0 um, 5 um)\" --samples 200 --seed 1
+  calyx sweep pair.cx --study study.toml
 
 Several axes give all their combinations. A case has the same numbers as `calyx run` with these params, to the last bit. A case that
 fails is a row with its reason.
@@ -64,6 +81,27 @@ pub struct Sweep {
     /// `duration`
     #[arg(long, value_name = "FILE")]
     cases: Option<PathBuf>,
+    /// Read axes, tolerances and objectives from a study file in TOML
+    #[arg(long, value_name = "FILE")]
+    study: Option<PathBuf>,
+    /// Sample a toleranced param: NAME = normal(MEAN, STANDARD_DEVIATION), and others; repeatable
+    #[arg(long, value_name = "NAME=DISTRIBUTION")]
+    sample: Vec<String>,
+    /// Number of samples of toleranced params
+    #[arg(long, value_name = "N")]
+    samples: Option<usize>,
+    /// Seed of the samples: the same seed gives the same samples [default: 0]
+    #[arg(long, value_name = "SEED")]
+    seed: Option<u64>,
+    /// Method of sampling: latin_hypercube, sobol or random [default: latin_hypercube]
+    ///
+    /// With sobol and random, more samples of the same seed contain the fewer ones.
+    #[arg(long, value_name = "METHOD", value_parser = method)]
+    method: Option<Method>,
+    /// Objective whose trade-off with a second one is shown: "min OUTPUT.STATISTIC" or "max ...";
+    /// give two
+    #[arg(long, value_name = "OBJECTIVE")]
+    objective: Vec<String>,
     /// Slope p of the Woehler damage line for equivalent torques of meshes (ISO 6336-6); repeatable
     /// [default: 6.61, for pitting of hardened steels]
     #[arg(long, value_name = "P", value_parser = slope)]
@@ -84,7 +122,8 @@ pub struct Sweep {
     /// Directory for the results [default: the model's file name with the suffix .sweep]
     ///
     /// Contains sweep.csv (one row per case), sweep.html, cases.jsonl (finished cases, from which
-    /// an interrupted sweep continues), and with --cases component_loads.csv and duty_cycle.csv.
+    /// an interrupted sweep continues), with --cases component_loads.csv and duty_cycle.csv, and with
+    /// samples sample_statistics.csv and explained_variation.csv.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write to a directory that contains other files
@@ -114,16 +153,23 @@ impl Sweep {
 
     pub fn run(self) -> ExitCode {
         let format = MessageFormat::Human;
-        let given = match given_of(self.params.as_deref(), &self.set) {
-            Ok(given) => given,
-            Err(refused) => {
-                format.refused(&refused);
-                return ExitCode::from(USAGE);
-            }
+        let usage = |refused: &InvalidParam| {
+            format.refused(refused);
+            ExitCode::from(USAGE)
         };
-        if self.over.is_empty() && self.cases.is_none() {
-            format.failure("the sweep varies nothing", "name a param, like `--over torque=50..500:10`");
-            return ExitCode::from(USAGE);
+        let file = match self.study.as_deref().map(StudyFile::read).transpose() {
+            Ok(file) => file,
+            Err(refused) => return usage(&refused),
+        };
+        // Values of the command line follow those of the study file, because the last one counts.
+        let mut given = file.as_ref().map(|file| file.params.clone()).unwrap_or_default();
+        match given_of(self.params.as_deref(), &self.set) {
+            Ok(own) => given.extend(own),
+            Err(refused) => return usage(&refused),
+        }
+        if self.over.is_empty() && self.cases.is_none() && self.study.is_none() && self.sample.is_empty() {
+            let help = "name a param, like `--over torque=50..500:10`";
+            return usage(&InvalidParam::new("the sweep varies nothing", help));
         }
         let overrides = self.overrides.to_override();
         let check = || check_run_within(&self.file, &self.allow.paths(), &given, overrides, None);
@@ -132,9 +178,12 @@ impl Sweep {
             Err(status) => return status,
         };
         let program = module.as_program();
-        let (axes, durations) = match self.axes(program.description()) {
-            Ok(axes) => axes,
-            Err(error) => return failed(format, &module, RunError::Run(error)),
+        let content = match self.content(file.as_ref(), program.description()) {
+            Ok(content) => content,
+            Err(mistakes) => {
+                mistakes.iter().for_each(|mistake| format.refused(mistake));
+                return ExitCode::from(USAGE);
+            }
         };
         let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".sweep"));
         let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
@@ -143,9 +192,11 @@ impl Sweep {
             program,
             given,
             overrides,
-            axes,
-            load_cases: self.cases.is_some(),
-            durations,
+            axes: content.axes,
+            load_cases: content.load_cases,
+            durations: content.durations,
+            sample: content.sample,
+            objectives: content.objectives,
             directory: directory.clone(),
             engine: Engine::new(EngineConfig { threads, store, ..EngineConfig::default() }),
             workers: threads,
@@ -179,23 +230,63 @@ impl Sweep {
         }
     }
 
-    /// Returns the axes, with that of the file of cases first, and the durations of its cases.
-    fn axes(&self, description: &ModelDescription) -> Result<(Vec<Axis>, Option<Durations>), Error> {
-        let (mut axes, mut durations) = (Vec::new(), None);
+    /// Combines the study file with the options.
+    fn content(
+        &self,
+        file: Option<&StudyFile>,
+        description: &ModelDescription,
+    ) -> Result<Content, Vec<InvalidParam>> {
+        let mut study = file.map(|file| file.study(description)).transpose()?.unwrap_or_default();
+        let given = |error: Error| match error {
+            Error::Given(refused) => vec![refused],
+            Error::Model(error) => vec![InvalidParam::new(error.message, error.help)],
+        };
         if let Some(path) = &self.cases {
-            let file = CaseFile::read(path, description)?;
-            if file.duration_is_param && !self.quiet {
+            if study.cases.is_some() {
+                let message = "`--cases` and the study file name files of load cases";
+                return Err(vec![InvalidParam::new(message, "give one of them")]);
+            }
+            study.cases = Some(CaseFile::read(path, description).map_err(given)?);
+        }
+        let mut content = Content { load_cases: study.cases.is_some(), ..Content::default() };
+        if let Some(cases) = study.cases {
+            if cases.duration_is_param && !self.quiet {
                 MessageFormat::Human.note(
                     "`duration` is a param of the model, so that the column is its value, and the cases are no duty cycle\n",
                 );
             }
-            axes.push(file.axis);
-            durations = file.durations;
+            content.axes.push(cases.axis);
+            content.durations = cases.durations;
         }
+        content.axes.append(&mut study.axes);
         for text in &self.over {
-            axes.push(Axis::parse(text, description)?);
+            content.axes.push(Axis::parse(text, description).map_err(given)?);
         }
-        Ok((axes, durations))
+        for text in &self.sample {
+            study.tolerances.push(Tolerance::parse(text, description).map_err(given)?);
+        }
+        let own = Sampling { method: self.method, samples: self.samples, seed: self.seed };
+        let sample = own.or(study.sampling).axis(study.tolerances, description).map_err(given)?;
+        if let Some((axis, sample)) = sample {
+            content.axes.push(axis);
+            content.sample = Some(sample);
+        }
+        content.objectives = study.objectives;
+        for text in &self.objective {
+            content.objectives.push(objective::parse(text, description).map_err(given)?);
+        }
+        match (content.axes.len(), content.objectives.len()) {
+            (0, _) => {
+                let help = "add `[axes]` or `[tolerances]` to the study file, or `--over torque=50..500:10`";
+                Err(vec![InvalidParam::new("the sweep varies nothing", help)])
+            }
+            (_, 0 | 2) => Ok(content),
+            (_, count) => {
+                let help = "give two objectives, like `--objective \"min stress\" --objective \"min mass\"`";
+                let message = format!("the trade-off has {count} objectives instead of two");
+                Err(vec![InvalidParam::new(message, help)])
+            }
+        }
     }
 
     /// Writes the results and prints the table.
@@ -205,10 +296,15 @@ impl Sweep {
         let slopes = if self.damage_slope.is_empty() { &[PITTING_SLOPE][..] } else { &self.damage_slope };
         let cycle = DutyCycle::of(table, slopes);
         let values = cycle.as_ref().and_then(|cycle| cycle.as_ref().ok());
-        if let Err(error) = write(directory, table, cycle.as_ref()) {
+        let groups = study::groups(table);
+        if let Err(error) = write(directory, table, cycle.as_ref(), &groups) {
             return format.unwritable(directory.path(), &error.to_string());
         }
-        print!("{}", table.text());
+        match table.sample {
+            // A sample has too many cases to print.
+            Some(_) => print!("{}", study::text(table, &groups)),
+            None => print!("{}", table.text()),
+        }
         if let Some(values) = values {
             print!("\n{}", values.text());
         }
@@ -239,6 +335,9 @@ impl Sweep {
         directory: &Path,
     ) {
         let format = MessageFormat::Human;
+        if table.sample.is_some() {
+            format.note("sweep.csv has the cases, sample_statistics.csv confidence intervals, and explained_variation.csv the influence of each param\n");
+        }
         if table.unprinted() > 0 {
             let (all, left) = (table.outputs.len(), table.unprinted());
             format.note(&format!("the table shows {} of {all} outputs; sweep.csv has all\n", all - left));
@@ -266,6 +365,22 @@ impl Sweep {
     }
 }
 
+/// What the command line and the study file describe.
+#[derive(Default)]
+struct Content {
+    axes: Vec<Axis>,
+    load_cases: bool,
+    durations: Option<Durations>,
+    sample: Option<Sample>,
+    objectives: Vec<Objective>,
+}
+
+/// Parses a method of sampling.
+fn method(text: &str) -> Result<Method, String> {
+    let known = Method::ALL.map(Method::name).join(", ");
+    Method::named(text).ok_or_else(|| format!("choose from {known}"))
+}
+
 /// Parses a slope of a damage line.
 fn slope(text: &str) -> Result<f64, String> {
     let slope = text.parse().ok().filter(|slope: &f64| slope.is_finite() && *slope >= 1.0);
@@ -277,10 +392,21 @@ fn write(
     directory: &RunDirectory,
     table: &SweepTable,
     cycle: Option<&Result<DutyCycle, String>>,
+    groups: &[Group],
 ) -> io::Result<()> {
     let path = directory.path();
     table.write(&path.join("sweep.csv"))?;
-    page::write(&path.join("sweep.html"), table, cycle)?;
+    page::write(&path.join("sweep.html"), table, cycle, groups)?;
+    match table.sample {
+        Some(_) => {
+            study::write_statistics(&directory.claim(SAMPLE_STATISTICS)?, table, groups)?;
+            study::write_explained_variation(&directory.claim(EXPLAINED_VARIATION)?, table, groups)?;
+        }
+        None => {
+            directory.remove_owned(SAMPLE_STATISTICS)?;
+            directory.remove_owned(EXPLAINED_VARIATION)?;
+        }
+    }
     match table.load_cases {
         true => component_table::write(&directory.claim(component_table::NAME)?, table)?,
         false => directory.remove_owned(component_table::NAME)?,

@@ -24,6 +24,7 @@ pub mod page;
 #[cfg(feature = "pages")]
 pub mod signals;
 pub mod stress_range;
+pub mod study;
 pub mod summary_table;
 pub mod sweep;
 #[cfg(feature = "pages")]

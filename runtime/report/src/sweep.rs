@@ -1,10 +1,11 @@
 //! Results of a sweep: one row per case, as a file and as text.
 
 use crate::durations::Durations;
+use crate::study::{Objective, Sample};
 use crate::summary_table::{align, number};
 use calyx_abi::description::{Exponents, OWN_BASES, OutputDescription, ParamDescription, ParamValue};
 use calyx_abi::quantity::fits;
-use calyx_abi::units::{from_si, shortest};
+use calyx_abi::units::{from_si, shortest, to_si};
 use calyx_runtime::component_loads::ComponentLoads;
 use calyx_runtime::results::OutputSummary;
 use serde::{Deserialize, Serialize};
@@ -32,7 +33,7 @@ pub(crate) fn exact(value: f64) -> String {
 pub const PRINTED_TEXT: &str = "printed.txt";
 
 /// Number of outputs in the printed table.
-const PRINTED: usize = 6;
+pub(crate) const PRINTED: usize = 6;
 
 /// Column of a table: a param or an output, with its unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -71,22 +72,32 @@ impl From<&OutputDescription> for Column {
 
 impl Column {
     /// Returns the heading of a column with this statistic, like `torque.max [N*m]`.
-    fn heading(&self, statistic: &str) -> String {
+    pub(crate) fn heading(&self, statistic: &str) -> String {
         let name =
             if statistic.is_empty() { self.name.clone() } else { format!("{}.{statistic}", self.name) };
         if self.unit.is_empty() || self.unit == "1" { name } else { format!("{name} [{}]", self.unit) }
     }
 
-    /// Returns a value of a param in the unit of the column with all digits.
-    fn exact(&self, value: &ParamValue) -> String {
+    /// Returns a value of a param in the unit of the column with all digits: `--set` with this text
+    /// sets the same bits.
+    pub(crate) fn exact(&self, value: &ParamValue) -> String {
         match value {
-            ParamValue::Number(si) => exact(from_si(*si, self.factor)),
+            ParamValue::Number(si) => exact(self.reversible(*si)),
             ParamValue::Numbers(all) => {
-                let all: Vec<String> = all.iter().map(|si| exact(from_si(*si, self.factor))).collect();
+                let all: Vec<String> = all.iter().map(|si| exact(self.reversible(*si))).collect();
                 format!("[{}]", all.join(", "))
             }
             other => self.shown(other),
         }
+    }
+
+    /// Returns the number in the unit of the column that converts to the same number in SI, with few
+    /// digits if there is a choice.
+    fn reversible(&self, si: f64) -> f64 {
+        let value = from_si(si, self.factor);
+        let short = format!("{value:.14e}").parse().unwrap_or(value);
+        let near = [short, value, value.next_down(), value.next_up()];
+        near.into_iter().find(|near| to_si(*near, self.factor) == si).unwrap_or(value)
     }
 
     /// Returns a value of a param in the unit of the column, as text.
@@ -176,6 +187,10 @@ pub struct SweepTable {
     pub load_cases: bool,
     /// Durations of all cases, solved or not; `None` without a duty cycle.
     pub durations: Option<Durations>,
+    /// Sample of toleranced params, which are the last ones; `None` without them.
+    pub sample: Option<Sample>,
+    /// Objectives whose trade-off is shown: two, or none.
+    pub objectives: Vec<Objective>,
 }
 
 impl SweepTable {

@@ -66,6 +66,8 @@ pub use calyx_abi::Cancel;
 pub use calyx_abi::description::{ModelDescription, ParamValue};
 pub use calyx_abi::shell;
 #[cfg(feature = "command")]
+pub use calyx_report::study;
+#[cfg(feature = "command")]
 pub use calyx_report::sweep as sweep_table;
 pub use calyx_report::{component_table, directory, duty_cycle, page, tradeoff, view};
 pub use calyx_runtime::settings_override::Override;

@@ -332,7 +332,8 @@ fn read_numbers(
     .collect()
 }
 
-fn read_number(
+/// Converts an assigned value to a number in SI, for a param of any range.
+pub(crate) fn read_number(
     param: &ParamDescription,
     value: &AssignedValue,
     description: &ModelDescription,
@@ -406,6 +407,13 @@ fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), I
         range => format!("`{}` = {} is outside its range, {range}", param.name, shown(param, value)),
     };
     Err(InvalidParam::new(message, "give a value within the range, or widen the range in the model"))
+}
+
+/// Checks a number for a param whose range does not depend on other params; others are checked
+/// later.
+pub(crate) fn check_number(param: &ParamDescription, si: f64) -> Result<(), InvalidParam> {
+    let ends = if param.independent { (param.low, param.high) } else { (None, None) };
+    check_range(param, si, ends)
 }
 
 fn check_ranges(param: &ParamDescription, values: &[f64], ends: Ends) -> Result<(), InvalidParam> {

@@ -216,8 +216,19 @@ fn toml(file: &Arc<FileDescription>) -> Result<Vec<ParamAssignment>, InvalidPara
             help,
         )
     })?;
+    toml_assignments(file, table.into_inner())
+}
+
+/// Returns the assignments of a table of a TOML file, in the order of the file.
+///
+/// # Errors
+/// A value is not one of a param, or a param is given twice.
+pub(crate) fn toml_assignments(
+    file: &Arc<FileDescription>,
+    table: DeTable<'_>,
+) -> Result<Vec<ParamAssignment>, InvalidParam> {
     let mut all: Vec<ParamAssignment> = Vec::new();
-    for (name, value) in table.into_inner() {
+    for (name, value) in table {
         toml_entry(file, name.as_ref(), name.span(), value, &mut all)?;
     }
     // The table is sorted by name; errors are reported in the order of the file.
@@ -267,7 +278,7 @@ fn holds_instances(value: &Spanned<DeValue>) -> bool {
 }
 
 /// Converts a value; returns the kind of one that no param takes.
-fn toml_value(value: DeValue<'_>) -> Result<AssignedValue, &'static str> {
+pub(crate) fn toml_value(value: DeValue<'_>) -> Result<AssignedValue, &'static str> {
     Ok(match value {
         DeValue::Boolean(truth) => AssignedValue::Bool(truth),
         DeValue::String(text) => AssignedValue::String(text.into_owned()),

@@ -9,6 +9,7 @@
 
 use calyx_report::directory::{REPORT, SIGNALS};
 use calyx_report::former_keys::{self, ResultFile};
+use calyx_report::study::{EXPLAINED_VARIATION, SAMPLE_STATISTICS};
 use calyx_report::sweep::PRINTED_TEXT;
 use calyx_report::{body_pictures, component_table, duty_cycle, journal, page, view, vtu};
 use serde_json::Value;
@@ -130,8 +131,16 @@ impl Kind {
 }
 
 /// Files of a sweep.
-pub const FILES_OF_A_SWEEP: [&str; 6] =
-    ["sweep.csv", "sweep.html", "cases.jsonl", component_table::NAME, duty_cycle::NAME, PRINTED_TEXT];
+pub const FILES_OF_A_SWEEP: [&str; 8] = [
+    "sweep.csv",
+    "sweep.html",
+    "cases.jsonl",
+    component_table::NAME,
+    duty_cycle::NAME,
+    PRINTED_TEXT,
+    SAMPLE_STATISTICS,
+    EXPLAINED_VARIATION,
+];
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.

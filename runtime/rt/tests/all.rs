@@ -11,3 +11,4 @@ mod progress;
 mod resume;
 mod run_directory;
 mod schema;
+mod study;

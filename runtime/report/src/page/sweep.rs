@@ -1,9 +1,12 @@
-//! `sweep.html`: the cases of a sweep as one self-contained page, with plots over the first varied
-//! number.
+//! `sweep.html`: the cases of a sweep as one self-contained page, with plots that suit the number of
+//! varied params: curves over one, heat maps over two, parallel coordinates of more.
 
 use super::chart::{self, Axis, Curve, Scale, WIDE};
-use super::{figure, load_cases};
+use super::heat_map::{self, Grid};
+use super::parallel::{self, Coordinate, Kind};
+use super::{figure, load_cases, pareto, tolerances};
 use crate::duty_cycle::DutyCycle;
+use crate::study::{Group, Statistic};
 use crate::sweep::{Case, Column, Row, Statistics, SweepTable};
 use calyx_abi::description::ParamValue;
 use calyx_abi::units::from_si;
@@ -17,15 +20,28 @@ const CURVES: usize = 6;
 /// Largest number of rows in the table of the page; the file has all.
 const ROWS: usize = 500;
 
-/// Writes the page of a sweep, with the values over its duty cycle if there is one.
+/// Smallest number of values along both axes of a heat map.
+const CELLS: usize = 3;
+/// Largest number of heat maps of an output, one per combination of the other params.
+const MAPS: usize = 3;
+/// Number of outputs with a coordinate in a plot of parallel coordinates.
+const COORDINATES: usize = 4;
+
+/// Writes the page of a sweep, with the values over its duty cycle if there is one, and the
+/// statistics of its samples.
 ///
 /// # Errors
 /// The file cannot be written.
-pub fn write(path: &Path, table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>) -> io::Result<()> {
-    fs::write(path, page(table, cycle).into_string())
+pub fn write(
+    path: &Path,
+    table: &SweepTable,
+    cycle: Option<&Result<DutyCycle, String>>,
+    groups: &[Group],
+) -> io::Result<()> {
+    fs::write(path, page(table, cycle, groups).into_string())
 }
 
-fn page(table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>) -> Markup {
+fn page(table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>, groups: &[Group]) -> Markup {
     let title = format!("Sweep of {}", table.model);
     html! {
         (DOCTYPE)
@@ -46,6 +62,8 @@ fn page(table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>) -> Markup
                 main {
                     (load_cases::duty_cycle(table, cycle))
                     (load_cases::section(table))
+                    (tolerances::section(table, groups))
+                    (pareto::section(table))
                     section id="plots" { h2 { "Outputs" } (plots(table)) }
                     section id="cases" { h2 { "Cases" } (cases(table)) }
                     (printed(table))
@@ -79,15 +97,7 @@ type Family<'t> = (String, Vec<(&'t Case, &'t Row)>);
 fn families(table: &SweepTable, abscissa: usize) -> Vec<Family<'_>> {
     let mut families: Vec<Family<'_>> = Vec::new();
     for (case, row) in table.cases.iter().zip(&table.rows) {
-        let others =
-            table.params.iter().zip(&case.values).enumerate().filter(|(param, _)| *param != abscissa);
-        let mut parts: Vec<String> = others
-            .map(|(_, (column, value))| {
-                format!("{} = {} {}", column.name, column.shown(value), column.unit).trim_end().to_owned()
-            })
-            .collect();
-        parts.splice(0..0, (!case.name.is_empty()).then(|| case.name.clone()));
-        let name = parts.join(", ");
+        let name = others(table, case, &[abscissa]);
         match families.iter_mut().find(|(known, _)| *known == name) {
             Some((_, members)) => members.push((case, row)),
             None => families.push((name, vec![(case, row)])),
@@ -97,6 +107,175 @@ fn families(table: &SweepTable, abscissa: usize) -> Vec<Family<'_>> {
 }
 
 fn plots(table: &SweepTable) -> Markup {
+    let varied: Vec<usize> = (0..table.params.len()).filter(|&param| is_varied(table, param)).collect();
+    let parallel = if varied.len() > 2 {
+        parallel_coordinates(table, &varied)
+    } else {
+        html! {}
+    };
+    // Curves over random samples would jump.
+    if table.sample.is_some() {
+        let shown = if parallel.0.is_empty() {
+            html! { p.note { "See the distributions above." } }
+        } else {
+            parallel
+        };
+        return shown;
+    }
+    let numbers: Vec<usize> =
+        varied.iter().copied().filter(|&param| number_of(&table.cases[0], param).is_some()).collect();
+    let maps = match numbers[..] {
+        [x, y] => heat_maps(table, [x, y]),
+        _ => None,
+    };
+    // Curves show few values of the second axis better than many.
+    let many = maps.is_some() && numbers.iter().all(|&param| distinct(table, param).len() > CURVES);
+    html! { (parallel) (maps.unwrap_or_default()) @if !many { (curves(table)) } }
+}
+
+/// Returns whether a param has several values.
+fn is_varied(table: &SweepTable, param: usize) -> bool {
+    table.cases.iter().any(|case| case.values.get(param) != table.cases[0].values.get(param))
+}
+
+/// Returns the different values of a param, numbers in ascending order.
+fn distinct(table: &SweepTable, param: usize) -> Vec<ParamValue> {
+    let mut all: Vec<ParamValue> = Vec::new();
+    for value in table.cases.iter().filter_map(|case| case.values.get(param)) {
+        if !all.contains(value) {
+            all.push(value.clone());
+        }
+    }
+    all.sort_by(|one, other| match (one, other) {
+        (ParamValue::Number(one), ParamValue::Number(other)) => one.total_cmp(other),
+        _ => std::cmp::Ordering::Equal,
+    });
+    all
+}
+
+/// Draws a coordinate per varied param and per output. Of many params or outputs, the first ones
+/// are drawn.
+fn parallel_coordinates(table: &SweepTable, varied: &[usize]) -> Markup {
+    let outputs = table.outputs.len().min(COORDINATES);
+    let params = varied.iter().take(parallel::AXES.saturating_sub(outputs));
+    let solved: Vec<(&Case, &Row)> = table.cases.iter().zip(&table.rows).collect();
+    let unit = |column: &Column| if column.unit == "1" { String::new() } else { column.unit.clone() };
+    let of_param = |&param: &usize| {
+        let column = &table.params[param];
+        let numbers: Option<Vec<f64>> = solved.iter().map(|(case, _)| number_of(case, param)).collect();
+        let kind = match numbers {
+            Some(numbers) => Kind::Numbers(numbers.iter().map(|si| from_si(*si, column.factor)).collect()),
+            None => {
+                let all = distinct(table, param);
+                let index = |case: &Case| all.iter().position(|value| Some(value) == case.values.get(param));
+                let indices = solved.iter().map(|(case, _)| index(case).unwrap_or(0)).collect();
+                Kind::Choices(indices, all.iter().map(|value| column.shown(value)).collect())
+            }
+        };
+        Coordinate { name: column.name.clone(), unit: unit(column), kind }
+    };
+    let objective = table.objectives.first();
+    let statistic = |column: &Column| {
+        let own = table.objectives.iter().find(|objective| objective.output == column.name);
+        own.map_or(Statistic::Max, |objective| objective.statistic)
+    };
+    let of_output = |column: &Column| {
+        let statistic = statistic(column);
+        let value = |row: &Row| table.value(row, column, |all| statistic.of(all));
+        let numbers = solved.iter().map(|(_, row)| value(row)).collect();
+        let name = format!("{}.{}", column.name, statistic.name());
+        Coordinate { name, unit: unit(column), kind: Kind::Numbers(numbers) }
+    };
+    let mut coordinates: Vec<Coordinate> = params.map(of_param).collect();
+    let first = coordinates.len();
+    // Objectives come first.
+    let mut columns: Vec<&Column> = table.outputs.iter().collect();
+    columns.sort_by_key(|column| !table.objectives.iter().any(|objective| objective.output == column.name));
+    columns.truncate(outputs);
+    let by = columns.iter().position(|column| objective.is_some_and(|first| first.output == column.name));
+    coordinates.extend(columns.into_iter().map(of_output));
+    let by = (first + by.unwrap_or(0)).min(coordinates.len().saturating_sub(1));
+    let of = coordinates.get(by).map_or("", |coordinate| coordinate.name.as_str());
+    let caption = format!(
+        "Parallel coordinates: a line is a case, and each axis a varied param or an output. Lines are coloured by {of}, from blue (low) to red (high)."
+    );
+    figure(&parallel::plot(&coordinates, by), &caption)
+}
+
+/// Draws heat maps over two params; `None` if their values form no grid.
+fn heat_maps(table: &SweepTable, [x, y]: [usize; 2]) -> Option<Markup> {
+    let [columns, rows] = [x, y].map(|param| distinct(table, param));
+    if columns.len() < CELLS || rows.len() < CELLS {
+        return None;
+    }
+    let mut members: Vec<(String, Vec<(&Case, &Row)>)> = Vec::new();
+    for (case, row) in table.cases.iter().zip(&table.rows) {
+        let name = others(table, case, &[x, y]);
+        match members.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, all)) => all.push((case, row)),
+            None => members.push((name, vec![(case, row)])),
+        }
+    }
+    // Rows of a file are no grid.
+    if members.iter().all(|(_, all)| 2 * all.len() < columns.len() * rows.len()) {
+        return None;
+    }
+    let text = |param: usize, all: &[ParamValue]| -> Vec<String> {
+        let shown = |value: &ParamValue| match value {
+            ParamValue::Number(si) => crate::summary_table::number(from_si(*si, table.params[param].factor)),
+            other => table.params[param].shown(other),
+        };
+        all.iter().map(shown).collect()
+    };
+    let map = |output: &Column, statistic: Statistic, (name, all): &(String, Vec<(&Case, &Row)>)| {
+        let mut values = vec![vec![f64::NAN; columns.len()]; rows.len()];
+        for (case, row) in all {
+            let column = columns.iter().position(|value| *value == case.values[x]);
+            let line = rows.iter().position(|value| *value == case.values[y]);
+            if let (Some(column), Some(line)) = (column, line) {
+                values[line][column] = table.value(row, output, |all| statistic.of(all));
+            }
+        }
+        let known = || values.iter().flatten().filter(|value| value.is_finite());
+        if known().all(|value| *value == 0.0) {
+            return html! {};
+        }
+        let grid = Grid { columns: text(x, &columns), rows: text(y, &rows), values };
+        let axis = |param: usize| Axis { what: &table.params[param].name, unit: &table.params[param].unit };
+        let value = Axis { what: "", unit: &output.unit };
+        let of = if name.is_empty() { String::new() } else { format!(", {name}") };
+        let caption = format!(
+            "{}: {} of each case over {} and {}{of}.",
+            output.name,
+            statistic.described(),
+            table.params[x].name,
+            table.params[y].name
+        );
+        figure(&heat_map::plot(&axis(x), &axis(y), &value, &grid), &caption)
+    };
+    let left_out = members.len().saturating_sub(MAPS);
+    Some(html! {
+        @if left_out > 0 { p.note { "The heat maps show the first " (MAPS) " of " (members.len()) " combinations of the other params; sweep.csv has all cases." } }
+        @for output in &table.outputs { @for statistic in [Statistic::Max, Statistic::PeakToPeak] {
+            @for member in members.iter().take(MAPS) { (map(output, statistic, member)) }
+        } }
+    })
+}
+
+/// Names the values of a case without those of some params.
+fn others(table: &SweepTable, case: &Case, without: &[usize]) -> String {
+    let others = table.params.iter().zip(&case.values).enumerate();
+    let others = others.filter(|(param, _)| !without.contains(param));
+    let mut parts: Vec<String> = others
+        .map(|(_, (column, value))| {
+            format!("{} = {} {}", column.name, column.shown(value), column.unit).trim_end().to_owned()
+        })
+        .collect();
+    parts.splice(0..0, (!case.name.is_empty()).then(|| case.name.clone()));
+    parts.join(", ")
+}
+
+fn curves(table: &SweepTable) -> Markup {
     let families = abscissa(table).map(|abscissa| (abscissa, families(table, abscissa)));
     // Cases that no curve connects.
     let Some((abscissa, families)) =
@@ -251,21 +430,21 @@ mod tests {
     #[test]
     fn a_logarithmic_axis_has_equal_distances_of_equal_ratios() {
         let logarithmic = SweepTable { logarithmic: vec![0], ..table() };
-        let at = points(&page(&logarithmic, None).into_string());
+        let at = points(&page(&logarithmic, None, &[]).into_string());
         assert_eq!(at.len(), 3);
         assert!((at[1] - at[0] - (at[2] - at[1])).abs() <= 1, "{at:?}");
-        let at = points(&page(&table(), None).into_string());
+        let at = points(&page(&table(), None, &[]).into_string());
         assert!(at[2] - at[1] > 5 * (at[1] - at[0]), "{at:?}");
     }
 
     #[test]
     fn load_cases_have_tables_of_components_and_the_duty_cycle() {
-        let plain = page(&table(), None).into_string();
+        let plain = page(&table(), None, &[]).into_string();
         assert!(!plain.contains("id=\"loads\"") && !plain.contains("id=\"duty-cycle\""));
         let durations = Durations { values: vec![1.0, 1.0, 2.0], are_times: false };
         let table = SweepTable { load_cases: true, durations: Some(durations), ..table() };
         let cycle = DutyCycle::of(&table, &[]);
-        let shown = page(&table, cycle.as_ref()).into_string();
+        let shown = page(&table, cycle.as_ref(), &[]).into_string();
         for part in [
             "Radial force, mean, N",
             "<th scope=\"row\">left &lt;1&gt;</th><td>1</td><td>2</td><td><b>3</b></td>",
@@ -275,7 +454,7 @@ mod tests {
         ] {
             assert!(shown.contains(part), "the page lacks {part}");
         }
-        let failed = page(&table, Some(&Err("case 2 failed".into()))).into_string();
+        let failed = page(&table, Some(&Err("case 2 failed".into())), &[]).into_string();
         assert!(failed.contains("There are no values over the duty cycle: case 2 failed."));
     }
 }

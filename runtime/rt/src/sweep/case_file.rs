@@ -2,9 +2,10 @@
 
 use super::axis::{Axis, refused};
 use super::duration::{self, Entry};
+use super::varied::Varied;
 use crate::error::Error;
 use crate::param_assignment::AssignedValue;
-use crate::params::{InvalidParam, Setting, index_of};
+use crate::params::{InvalidParam, index_of};
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_report::durations::Durations;
 use std::fmt::Display;
@@ -33,7 +34,7 @@ enum Column {
     /// Durations, with the unit in the heading.
     Duration(String),
     /// Param, with the unit in the heading.
-    Param(usize, String),
+    Param(Varied, String),
 }
 
 impl CaseFile {
@@ -68,7 +69,7 @@ impl CaseFile {
             }
         }
         let param = |column: &Column| match column {
-            Column::Param(index, _) => Some(*index),
+            Column::Param(varied, _) => Some(*varied),
             Column::Name | Column::Duration(_) => None,
         };
         let mut axis = Axis {
@@ -88,8 +89,8 @@ impl CaseFile {
                     Column::Duration(unit) => {
                         entries.push(duration::parse(cell, unit, &place, &description.known_units)?);
                     }
-                    Column::Param(index, unit) => {
-                        point.push(value_of((cell, unit), *index, &place, description)?);
+                    Column::Param(varied, unit) => {
+                        point.push(value_of((cell, unit), *varied, &place, description)?);
                     }
                 }
             }
@@ -98,7 +99,8 @@ impl CaseFile {
         if axis.points.is_empty() {
             return Err(refused(format!("{shown} has no case"), "add a line of values below the names"));
         }
-        let is_param = index_of(description, DURATION).is_ok_and(|index| axis.params.contains(&index));
+        let is_param =
+            index_of(description, DURATION).is_ok_and(|index| axis.params.contains(&Varied::Param(index)));
         Ok(CaseFile {
             durations: (durations == 1).then(|| duration::of(&entries, &shown)).transpose()?,
             axis,
@@ -128,8 +130,8 @@ fn column_of(heading: &str, description: &ModelDescription) -> Result<Column, Er
         Some((name, unit)) if index_of(description, heading).is_err() => (name.trim(), unit.trim()),
         _ => (heading, ""),
     };
-    match (name, index_of(description, name)) {
-        (_, Ok(index)) => Ok(Column::Param(index, unit.to_owned())),
+    match (name, Varied::named(name, description)) {
+        (_, Ok(varied)) => Ok(Column::Param(varied, unit.to_owned())),
         (NAME, Err(_)) => Ok(Column::Name),
         (DURATION, Err(_)) => Ok(Column::Duration(unit.to_owned())),
         (_, Err(error)) => Err(error),
@@ -139,20 +141,20 @@ fn column_of(heading: &str, description: &ModelDescription) -> Result<Column, Er
 /// Returns the value of a param from a cell and the unit of its heading.
 fn value_of(
     (cell, unit): (&str, &str),
-    index: usize,
+    varied: Varied,
     place: &str,
     description: &ModelDescription,
 ) -> Result<ParamValue, Error> {
     if cell.is_empty() {
         return Err(refused(
-            format!("{place} has no value of `{}`", description.params[index].name),
+            format!("{place} has no value of `{}`", varied.name(description)),
             "give every case a value of every param in the first line",
         ));
     }
     let has_unit = cell.parse::<f64>().is_err();
     let text = if unit.is_empty() || has_unit { cell.to_owned() } else { format!("{cell} {unit}") };
-    let set = Setting::new(description, index, &AssignedValue::Text(text), None);
-    set.map(|set| set.value).map_err(|error| in_file(error, &place))
+    let value = varied.value(&AssignedValue::Text(text), None, description);
+    value.map_err(|error| in_file(error, &place))
 }
 
 /// Adds the name of a file, or a place in it, to an error.

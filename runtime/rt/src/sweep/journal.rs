@@ -28,6 +28,9 @@ pub struct Journal(Mutex<File>);
 pub struct Line {
     /// Values of all params, SI.
     pub params: Value,
+    /// Fidelity level, if it is an axis.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fidelity: Option<String>,
     /// Content of each table that the case has read, by name.
     pub tables: BTreeMap<String, String>,
     pub row: Row,
@@ -36,9 +39,22 @@ pub struct Line {
 }
 
 impl Line {
+    /// Returns the text by which the case is known.
+    pub fn key(&self) -> String {
+        key(&self.params, self.fidelity.as_deref())
+    }
+
     /// Returns the row, as of another case, with the columns of its outputs.
     pub fn solved(self, case: usize) -> Solved {
         (Row { case, ..self.row }, self.columns)
+    }
+}
+
+/// Returns the text by which a case with these params is known.
+pub fn key(params: &Value, fidelity: Option<&str>) -> String {
+    match fidelity {
+        None => params.to_string(),
+        Some(fidelity) => format!("{params} {fidelity}"),
     }
 }
 

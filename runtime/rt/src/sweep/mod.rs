@@ -6,13 +6,23 @@
 
 mod axis;
 mod case_file;
+mod distribution;
 mod duration;
 mod journal;
+pub mod objective;
+pub mod sampling;
+mod study_file;
+mod tolerances;
+mod varied;
 
 pub use axis::{Axis, MOST_CASES};
 pub use calyx_report::durations::Durations;
 pub use case_file::CaseFile;
+pub use distribution::{Distribution, standard_normal_quantile};
 pub use journal::JOURNAL;
+pub use study_file::{Study, StudyFile};
+pub use tolerances::{Sampling, Tolerance};
+pub use varied::{FIDELITY, Varied};
 
 use crate::engine::Engine;
 use crate::error::Error;
@@ -22,9 +32,12 @@ use crate::params::InvalidParam;
 use crate::program::Program;
 use crate::results::Results;
 use crate::run::RunError;
+use calyx_abi::description::ParamValue;
 use calyx_abi::{Cancel, Status};
 use calyx_report::directory::head;
+use calyx_report::study::{Objective, Sample};
 use calyx_report::sweep::{Case, Column, Row, Statistics, SweepTable};
+use calyx_runtime::scene::Fidelity;
 use calyx_runtime::settings_override::Override;
 use journal::{Journal, Line, fingerprint};
 use serde_json::{Value, json};
@@ -48,6 +61,10 @@ pub struct Sweep {
     pub load_cases: bool,
     /// Durations of the load cases, if they are a duty cycle.
     pub durations: Option<Durations>,
+    /// Sample of toleranced params, if it is the last axis.
+    pub sample: Option<Sample>,
+    /// Objectives whose trade-off is shown: two, or none.
+    pub objectives: Vec<Objective>,
     /// Directory of the sweep, locked by the caller.
     pub directory: PathBuf,
     pub engine: Engine,
@@ -94,32 +111,39 @@ impl Printed {
 type Solved = (Row, Vec<Column>);
 
 impl Sweep {
-    /// Returns the indices of the varied params, and all cases.
+    /// Returns what the sweep varies, and all cases.
     ///
     /// # Errors
     /// Two axes vary one param, a varied param is also set, a duty cycle has other axes, or there
     /// are too many cases.
-    pub fn cases(&self) -> Result<(Vec<usize>, Vec<Case>), Error> {
+    pub fn cases(&self) -> Result<(Vec<Varied>, Vec<Case>), Error> {
         if self.durations.is_some() && self.axes.len() > 1 {
             return Err(Error::Given(InvalidParam::new(
-                "a duty cycle is combined with `--over`",
+                "a duty cycle is combined with other axes",
                 "set the other params with `--set`, one sweep with its own `--out` per value, or remove the column `duration`",
             )));
         }
-        let mut params: Vec<usize> = Vec::new();
+        let description = self.program.description();
+        let mut params: Vec<Varied> = Vec::new();
         for &param in self.axes.iter().flat_map(|axis| &axis.params) {
-            let name = &self.program.description().params[param].name;
+            let name = param.name(description);
             if params.contains(&param) {
                 return Err(Error::Given(InvalidParam::new(
                     format!("two axes vary `{name}`"),
                     "give each param one list of values",
                 )));
             }
-            if self.given.iter().any(|given| given.name == *name) {
-                return Err(Error::Given(InvalidParam::new(
-                    format!("`{name}` is varied and also set to one value"),
-                    "remove it from `--set` and the params file, or do not vary it",
-                )));
+            let is_set = match param {
+                Varied::Param(_) => self.given.iter().any(|given| given.name == name),
+                Varied::Fidelity => self.overrides.fidelity.is_some(),
+            };
+            if is_set {
+                let help = match param {
+                    Varied::Param(_) => "remove it from `--set` and the params file, or do not vary it",
+                    Varied::Fidelity => "remove the option `--fidelity`, or do not vary it",
+                };
+                let message = format!("`{name}` is varied and also set to one value");
+                return Err(Error::Given(InvalidParam::new(message, help)));
             }
             params.push(param);
         }
@@ -150,12 +174,24 @@ impl Sweep {
     /// Those of [`Sweep::cases`], or a value is invalid.
     pub fn planned(&self) -> Result<SweepTable, Error> {
         let (params, cases) = self.cases()?;
-        for case in &cases {
-            self.instance_of(&params, case)?.params()?;
+        for (number, case) in (1..).zip(&cases) {
+            self.check(&params, number, case)?;
         }
         let rows = (1..=cases.len()).map(|case| (case, (Row { case, ..Row::default() }, Vec::new())));
         let rows = rows.collect();
         Ok(self.table(&params, cases, rows))
+    }
+
+    /// Checks the values of a case: ranges may depend on other params.
+    fn check(&self, params: &[Varied], number: usize, case: &Case) -> Result<(), Error> {
+        let checked = self.instance_of(params, case).and_then(|instance| instance.params());
+        match checked {
+            Err(Error::Given(why)) if why.origin.is_none() => {
+                let message = format!("case {number}: {}", why.message);
+                Err(Error::Given(InvalidParam { message, ..why }))
+            }
+            checked => checked.map(|_| ()),
+        }
     }
 
     fn instance(&self) -> Result<Instance, Error> {
@@ -168,12 +204,32 @@ impl Sweep {
         Ok(instance)
     }
 
+    /// Returns the values that a case assigns to params, and its overrides.
+    pub fn given_in(&self, case: &Case) -> (Vec<ParamAssignment>, Override) {
+        let params: Vec<Varied> = self.axes.iter().flat_map(|axis| axis.params.clone()).collect();
+        let description = self.program.description();
+        let varied = params.iter().zip(&case.values).filter(|(param, _)| **param != Varied::Fidelity);
+        let varied =
+            varied.map(|(param, value)| ParamAssignment::value(param.name(description), value.clone()));
+        let given = self.given.iter().cloned().chain(varied).collect();
+        (given, self.overrides_in(&params, case))
+    }
+
+    fn overrides_in(&self, params: &[Varied], case: &Case) -> Override {
+        let fidelity = fidelity_of(params, case).and_then(Fidelity::named);
+        Override { fidelity: fidelity.or(self.overrides.fidelity), ..self.overrides }
+    }
+
     /// Returns the instance of a case.
-    fn instance_of(&self, params: &[usize], case: &Case) -> Result<Instance, Error> {
+    fn instance_of(&self, params: &[Varied], case: &Case) -> Result<Instance, Error> {
         let mut instance = self.instance()?;
         for (&param, value) in params.iter().zip(&case.values) {
-            instance.set(self.program.description().params[param].name.as_str(), value.clone())?;
+            if let Varied::Param(index) = param {
+                let name = self.program.description().params[index].name.as_str();
+                instance.set(name, value.clone())?;
+            }
         }
+        instance.override_analysis(self.overrides_in(params, case));
         instance.request_component_loads(self.load_cases);
         Ok(instance)
     }
@@ -182,9 +238,17 @@ impl Sweep {
     /// receives the number of finished cases after each.
     ///
     /// # Errors
-    /// An assigned value is invalid, or the journal cannot be written.
+    /// A value of a case is out of range, before any case is solved, or the journal cannot be written.
     pub fn run(&self, done: impl Fn(usize, usize) + Sync) -> Result<Outcome, RunError> {
         let (params, cases) = self.cases().map_err(RunError::Run)?;
+        for (number, case) in (1..).zip(&cases) {
+            // Errors of the model are those of its case.
+            match self.check(&params, number, case) {
+                Err(error @ Error::Given(_)) => return Err(RunError::Run(error)),
+                _ if self.cancel.is_cancelled() => break,
+                _ => {}
+            }
+        }
         let base = self.instance().map_err(RunError::Run)?.params().map_err(RunError::Run)?;
         let mut subject = head(self.program.description(), &base, &self.overrides);
         if let Some(subject) = subject.as_object_mut() {
@@ -230,7 +294,7 @@ impl Sweep {
         Ok(Outcome { table: self.table(&params, cases, solved), count, earlier })
     }
 
-    fn table(&self, params: &[usize], cases: Vec<Case>, solved: BTreeMap<usize, Solved>) -> SweepTable {
+    fn table(&self, params: &[Varied], cases: Vec<Case>, solved: BTreeMap<usize, Solved>) -> SweepTable {
         let description = self.program.description();
         let mut outputs: Vec<Column> = Vec::new();
         for column in solved.values().flat_map(|(_, columns)| columns) {
@@ -238,17 +302,16 @@ impl Sweep {
                 outputs.push(column.clone());
             }
         }
-        let mut varied: Vec<usize> = Vec::new();
-        let mut logarithmic = Vec::new();
+        let (mut before, mut logarithmic) = (0, Vec::new());
         for axis in &self.axes {
-            logarithmic.extend(axis.logarithmic.then_some(varied.len()));
-            varied.extend(&axis.params);
+            logarithmic.extend(axis.logarithmic.then_some(before));
+            before += axis.params.len();
         }
         let cases = cases.into_iter().enumerate().filter(|(k, _)| solved.contains_key(&(k + 1)));
         SweepTable {
             model: description.name.clone(),
             doc: description.doc.clone(),
-            params: params.iter().map(|&param| Column::from(&description.params[param])).collect(),
+            params: params.iter().map(|param| param.column(description)).collect(),
             outputs,
             cases: cases.map(|(_, case)| case).collect(),
             rows: solved.into_values().map(|(row, _)| row).collect(),
@@ -256,11 +319,13 @@ impl Sweep {
             logarithmic,
             load_cases: self.load_cases,
             durations: self.durations.clone(),
+            sample: self.sample.clone(),
+            objectives: self.objectives.clone(),
         }
     }
 
     /// Returns the cases that the lines of a journal have solved, by their numbers.
-    fn known(&self, params: &[usize], cases: &[Case], lines: Vec<Line>) -> BTreeMap<usize, Solved> {
+    fn known(&self, params: &[Varied], cases: &[Case], lines: Vec<Line>) -> BTreeMap<usize, Solved> {
         let directory = self.program.directory();
         let mut hashes: BTreeMap<String, String> = BTreeMap::new();
         let mut by_params: BTreeMap<String, Line> = BTreeMap::new();
@@ -273,7 +338,7 @@ impl Sweep {
                 hash.or_insert_with(|| fingerprint(directory.as_deref(), table)) == known
             });
             if current {
-                by_params.insert(line.params.to_string(), line);
+                by_params.insert(line.key(), line);
             }
         }
         let mut solved = BTreeMap::new();
@@ -281,8 +346,8 @@ impl Sweep {
             return solved;
         }
         for (k, case) in cases.iter().enumerate() {
-            let params = self.instance_of(params, case).and_then(|instance| instance.params());
-            let key = params.map(|params| json!(params).to_string());
+            let values = self.instance_of(params, case).and_then(|instance| instance.params());
+            let key = values.map(|values| journal::key(&json!(values), fidelity_of(params, case)));
             if let Some(line) = key.ok().and_then(|key| by_params.remove(&key)) {
                 solved.insert(k + 1, line.solved(k + 1));
             }
@@ -291,25 +356,34 @@ impl Sweep {
     }
 
     /// Solves a case; `None` if the sweep is cancelled.
-    fn solve(&self, params: &[usize], number: usize, case: &Case) -> Option<Line> {
+    fn solve(&self, params: &[Varied], number: usize, case: &Case) -> Option<Line> {
         let printed = Printed::default();
         let solved = self.instance_of(params, case).and_then(|mut instance| {
-            let params = json!(instance.params()?);
+            let values = json!(instance.params()?);
             printed.collect(&mut instance);
-            Ok((params, instance.solve()?))
+            Ok((values, instance.solve()?))
         });
         let failure = match solved {
-            Ok((params, results)) => return Some(self.line(number, params, &results, printed.lines())),
+            Ok((values, results)) => {
+                let fidelity = fidelity_of(params, case).map(str::to_owned);
+                return Some(self.line(number, (values, fidelity), &results, printed.lines()));
+            }
             Err(Error::Model(error)) if error.status() == Status::Cancelled => return None,
             Err(Error::Model(error)) => format!("{}: {}", error.code, error.message),
             Err(Error::Given(why)) => why.message,
         };
         let row = Row { case: number, failure: Some(failure), printed: printed.lines(), ..Row::default() };
-        Some(Line { params: Value::Null, tables: BTreeMap::new(), row, columns: Vec::new() })
+        Some(Line { params: Value::Null, fidelity: None, tables: BTreeMap::new(), row, columns: Vec::new() })
     }
 
     /// Returns the line of a solved case.
-    fn line(&self, case: usize, params: Value, results: &Results, printed: Vec<String>) -> Line {
+    fn line(
+        &self,
+        case: usize,
+        (params, fidelity): (Value, Option<String>),
+        results: &Results,
+        printed: Vec<String>,
+    ) -> Line {
         let description = results.description();
         let columns = description.outputs.iter().map(Column::from);
         let statistics = description.outputs.iter().zip(results.summaries());
@@ -330,6 +404,16 @@ impl Sweep {
         };
         let directory = self.program.directory();
         let table = |name: &String| (name.clone(), fingerprint(directory.as_deref(), name));
-        Line { params, tables: results.tables().iter().map(table).collect(), row, columns: columns.collect() }
+        let tables = results.tables().iter().map(table).collect();
+        Line { params, fidelity, tables, row, columns: columns.collect() }
+    }
+}
+
+/// Returns the fidelity level of a case, if it is an axis.
+fn fidelity_of<'c>(params: &[Varied], case: &'c Case) -> Option<&'c str> {
+    let at = params.iter().position(|param| *param == Varied::Fidelity)?;
+    match case.values.get(at)? {
+        ParamValue::String(level) => Some(level),
+        _ => None,
     }
 }
