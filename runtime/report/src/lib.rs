@@ -21,6 +21,7 @@ pub mod journal;
 pub mod modes_table;
 #[cfg(feature = "pages")]
 pub mod page;
+pub mod sample;
 #[cfg(feature = "pages")]
 pub mod signals;
 pub mod stress_range;

@@ -1,7 +1,7 @@
 //! Results of a sweep: one row per case, as a file and as text.
 
 use crate::durations::Durations;
-use crate::study::{Objective, Sample};
+use crate::sample::{Objective, Sample, Statistic};
 use crate::summary_table::{align, number};
 use calyx_abi::description::{Exponents, OWN_BASES, OutputDescription, ParamDescription, ParamValue};
 use calyx_abi::quantity::fits;
@@ -127,6 +127,16 @@ pub struct Statistics {
 }
 
 impl Statistics {
+    /// Returns one of the statistics, SI.
+    pub fn get(&self, statistic: Statistic) -> Option<f64> {
+        match statistic {
+            Statistic::Min => self.min,
+            Statistic::Mean => self.mean,
+            Statistic::Max => self.max,
+            Statistic::PeakToPeak => self.peak_to_peak,
+        }
+    }
+
     /// Returns the statistics of a summary.
     pub fn of(summary: &OutputSummary) -> Statistics {
         let known = |value: f64| value.is_finite().then_some(value);

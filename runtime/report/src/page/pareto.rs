@@ -20,7 +20,7 @@ pub fn section(table: &SweepTable) -> Markup {
     let column = |objective: &Objective| table.outputs.iter().find(|column| column.name == objective.output);
     let (Some(x), Some(y)) = (column(first), column(second)) else { return PreEscaped(String::new()) };
     let value = |row: &Row, column: &Column, objective: &Objective| {
-        table.value(row, column, |all| objective.statistic.of(all))
+        table.value(row, column, |all| all.get(objective.statistic))
     };
     let points: Vec<(usize, [f64; 2])> = table
         .rows

@@ -181,7 +181,7 @@ fn parallel_coordinates(table: &SweepTable, varied: &[usize]) -> Markup {
     };
     let of_output = |column: &Column| {
         let statistic = statistic(column);
-        let value = |row: &Row| table.value(row, column, |all| statistic.of(all));
+        let value = |row: &Row| table.value(row, column, |all| all.get(statistic));
         let numbers = solved.iter().map(|(_, row)| value(row)).collect();
         let name = format!("{}.{}", column.name, statistic.name());
         Coordinate { name, unit: unit(column), kind: Kind::Numbers(numbers) }
@@ -233,7 +233,7 @@ fn heat_maps(table: &SweepTable, [x, y]: [usize; 2]) -> Option<Markup> {
             let column = columns.iter().position(|value| *value == case.values[x]);
             let line = rows.iter().position(|value| *value == case.values[y]);
             if let (Some(column), Some(line)) = (column, line) {
-                values[line][column] = table.value(row, output, |all| statistic.of(all));
+                values[line][column] = table.value(row, output, |all| all.get(statistic));
             }
         }
         let known = || values.iter().flatten().filter(|value| value.is_finite());

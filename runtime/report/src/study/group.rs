@@ -2,7 +2,7 @@
 
 use super::sensitivity::Sensitivities;
 use super::statistics::{Estimate, PERCENTILES, mean, percentile, standard_deviation};
-use super::{Sample, Statistic};
+use crate::sample::{Sample, Statistic};
 use crate::sweep::{Case, Row, SweepTable};
 use calyx_abi::description::ParamValue;
 
@@ -88,7 +88,7 @@ fn variation(
     (output, statistic): (usize, Statistic),
 ) -> Option<Variation> {
     let column = &table.outputs[output];
-    let value = |row: &Row| table.value(row, column, |all| statistic.of(all));
+    let value = |row: &Row| table.value(row, column, |all| all.get(statistic));
     let known: Vec<(&Case, f64)> =
         solved.iter().map(|(case, row)| (*case, value(row))).filter(|(_, value)| value.is_finite()).collect();
     if known.len() < 2 {

@@ -1,8 +1,8 @@
 //! Statistics of a sample as text.
 
-use super::group::Group;
+use super::group::{Group, Variation};
 use super::statistics::PERCENTILES;
-use super::{Statistic, Variation};
+use crate::sample::Statistic;
 use crate::summary_table::{align, number};
 use crate::sweep::{PRINTED, SweepTable};
 
