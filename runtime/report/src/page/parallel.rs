@@ -78,6 +78,14 @@ fn colour(part: f64) -> RGBColor {
     RGBColor(red, green, blue)
 }
 
+/// Shortens a long name.
+fn shortened(name: &str) -> String {
+    if name.chars().count() <= LETTERS {
+        return name.to_owned();
+    }
+    name.chars().take(LETTERS - 1).chain(['…']).collect()
+}
+
 /// Draws the cases, coloured by the coordinate `by`. Cases without a value of a coordinate are left
 /// out.
 pub fn plot(coordinates: &[Coordinate], by: usize) -> Plot {
@@ -116,7 +124,7 @@ pub fn plot(coordinates: &[Coordinate], by: usize) -> Plot {
             let line = if k % 2 == 0 { 12 } else { 48 };
             let unit =
                 if coordinate.unit.is_empty() { String::new() } else { format!(", {}", coordinate.unit) };
-            let name: String = coordinate.name.chars().take(LETTERS).collect();
+            let name = shortened(&coordinate.name);
             let style = text(FONT - 4).pos(Pos::new(side, VPos::Top));
             area.draw(&Text::new(format!("{name}{unit}"), (at, line), style))?;
             for (part, value) in coordinate.labels() {

@@ -183,7 +183,10 @@ fn parallel_coordinates(table: &SweepTable, varied: &[usize]) -> Markup {
         let statistic = statistic(column);
         let value = |row: &Row| table.value(row, column, |all| all.get(statistic));
         let numbers = solved.iter().map(|(_, row)| value(row)).collect();
-        let name = format!("{}.{}", column.name, statistic.name());
+        let name = match statistic {
+            Statistic::Max => column.name.clone(),
+            statistic => format!("{}.{}", column.name, statistic.name()),
+        };
         Coordinate { name, unit: unit(column), kind: Kind::Numbers(numbers) }
     };
     let mut coordinates: Vec<Coordinate> = params.map(of_param).collect();
@@ -197,7 +200,7 @@ fn parallel_coordinates(table: &SweepTable, varied: &[usize]) -> Markup {
     let by = (first + by.unwrap_or(0)).min(coordinates.len().saturating_sub(1));
     let of = coordinates.get(by).map_or("", |coordinate| coordinate.name.as_str());
     let caption = format!(
-        "Parallel coordinates: a line is a case, and each axis a varied param or an output. Lines are coloured by {of}, from blue (low) to red (high)."
+        "Parallel coordinates: a line is a case, and each axis a varied param or an output. Lines are coloured by {of}, from blue (low) to red (high). Cases without a value of an axis are left out."
     );
     figure(&parallel::plot(&coordinates, by), &caption)
 }

@@ -18,7 +18,7 @@ const GROUPS: usize = 6;
 const BARS: usize = 8;
 /// Size of a bar chart: its width, and the heights of a bar with its name and of the abscissa.
 const BAR_CHART: [i32; 3] = [640, 66, 110];
-/// Smallest number of samples of which the tails of a distribution function are drawn.
+/// Largest number of samples of which each step of the distribution function is drawn.
 const STEPS: usize = 400;
 
 /// Shows the statistics of a sample; nothing without one.
@@ -47,7 +47,7 @@ pub fn section(table: &SweepTable, groups: &[Group]) -> Markup {
             @if few { p.notice { "The samples are few for so many params: compare the intervals of the sensitivities, not the values." } }
             @if groups.len() > GROUPS { p.note { "The plots show the first " (GROUPS) " of " (groups.len()) " combinations of the other params; the files have all." } }
             (percentiles_over_axis(table, groups))
-            @for variation in shown(&groups[0]) { (output(table, groups, variation)) }
+            @for variation in shown(&groups[0]).filter(|variation| variation.varies()) { (output(table, groups, variation)) }
             @for group in groups.iter().take(GROUPS) { (statistics(table, group)) }
         }
     }

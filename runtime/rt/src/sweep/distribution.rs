@@ -78,9 +78,13 @@ impl Distribution {
         }
     }
 
-    /// Describes the distribution as it is written on a command line, in the unit of the param.
+    /// Describes the distribution as it is written on a command line, in the unit of the param, with
+    /// six digits.
     pub fn shown(&self, param: &ParamDescription) -> String {
-        let number = |si: f64| shortest(from_si(si, param.unit.factor));
+        let number = |si: f64| {
+            let value = from_si(si, param.unit.factor);
+            shortest(format!("{value:.5e}").parse().unwrap_or(value))
+        };
         let unit = if param.unit.name == "1" { "" } else { param.unit.name.as_str() };
         let value = |si: f64| format!("{} {unit}", number(si)).trim_end().to_owned();
         let range = |low: f64, high: f64| format!("{}..{}", value(low), value(high));
