@@ -14,7 +14,7 @@ const MARGIN: [i32; 4] = [110, 110, 130, 60];
 /// Colours of the lowest and the highest line: both are legible on white and on black.
 const ENDS: [[f64; 3]; 2] = [[58.0, 134.0, 214.0], [226.0, 92.0, 56.0]];
 /// Largest number of letters of a name above an axis.
-const LETTERS: usize = 22;
+const LETTERS: usize = 18;
 
 /// Vertical axis.
 pub struct Coordinate {

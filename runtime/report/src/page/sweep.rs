@@ -193,7 +193,8 @@ fn parallel_coordinates(table: &SweepTable, varied: &[usize]) -> Markup {
     let first = coordinates.len();
     // Objectives come first.
     let mut columns: Vec<&Column> = table.outputs.iter().collect();
-    columns.sort_by_key(|column| !table.objectives.iter().any(|objective| objective.output == column.name));
+    let place = |column: &Column| table.objectives.iter().position(|own| own.output == column.name);
+    columns.sort_by_key(|column| place(column).unwrap_or(usize::MAX));
     columns.truncate(outputs);
     let by = columns.iter().position(|column| objective.is_some_and(|first| first.output == column.name));
     coordinates.extend(columns.into_iter().map(of_output));
