@@ -136,7 +136,7 @@ fn the_same_seed_gives_the_same_points_and_more_samples_keep_the_earlier_ones() 
 }
 
 /// Bits of the fourth point of each method with seed 1.
-const RECORDED: [u64; 3] = [0, 0, 0];
+const RECORDED: [u64; 3] = [4600251776070316024, 4599844662572744704, 4597070021082055684];
 
 /// The sum of two standard normal params has known percentiles: the intervals contain them with the
 /// stated probability, also for points that are more even than independent ones.
