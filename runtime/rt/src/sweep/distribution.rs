@@ -135,7 +135,7 @@ pub fn standard_normal_quantile(part: f64) -> f64 {
 /// Numerator and denominator for the central part.
 const CENTRE: [[f64; 8]; 2] = [
     [
-        2509.080_928_730_122_7,
+        2_509.080_928_730_122_7,
         33_430.575_583_588_13,
         67_265.770_927_008_7,
         45_921.953_931_549_87,
