@@ -34,6 +34,9 @@ const DISTRIBUTION_FORMS: &str = "write a text like \"normal(0 um, 5 um)\", or a
 type Table<'t> = DeTable<'t>;
 type Value<'t> = Spanned<DeValue<'t>>;
 
+/// Function that reads a param by its name, the location of the name, and the value.
+type Entry<'e, 'r> = dyn FnMut(&mut Reader<'r>, &str, Range<usize>, &Value<'_>) + 'e;
+
 /// Text of a study file whose syntax is correct.
 #[derive(Clone, Debug)]
 pub struct StudyFile {
@@ -144,7 +147,7 @@ struct Reader<'r> {
     mistakes: Vec<InvalidParam>,
 }
 
-impl Reader<'_> {
+impl<'r> Reader<'r> {
     fn mistake(&mut self, at: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
         let origin = self.study.origin(at);
         self.mistakes.push(InvalidParam { origin, ..InvalidParam::new(message, help) });
@@ -239,12 +242,7 @@ impl Reader<'_> {
 
     /// Calls `each` with the names of params and their values. A table under a name that no param
     /// has contains the params of an instance of a component.
-    fn entries(
-        &mut self,
-        table: &Table<'_>,
-        prefix: &str,
-        each: &mut dyn FnMut(&mut Self, &str, Range<usize>, &Value<'_>),
-    ) {
+    fn entries(&mut self, table: &Table<'_>, prefix: &str, each: &mut Entry<'_, 'r>) {
         for (key, value) in table {
             let name = format!("{prefix}{}", key.get_ref());
             let is_instance = |param: &str| {
