@@ -109,8 +109,8 @@ impl Run {
     }
 }
 
-/// Cancels the run at the end of a stream, as Ctrl-C does. A process that is killed closes its pipes,
-/// so that no run outlives the studio that started it.
+/// Cancels the run at the end of a stream, as Ctrl-C does. A process that is killed closes its
+/// pipes, so that no run outlives the studio that started it.
 fn cancel_at_end_of(mut stream: impl Read + Send + 'static) {
     thread::spawn(move || {
         // An error ends the stream as well.

@@ -122,8 +122,8 @@ pub struct Sweep {
     /// Directory for the results [default: the model's file name with the suffix .sweep]
     ///
     /// Contains sweep.csv (one row per case), sweep.html, cases.jsonl (finished cases, from which
-    /// an interrupted sweep continues), with --cases component_loads.csv and duty_cycle.csv, and with
-    /// samples sample_statistics.csv and explained_variation.csv.
+    /// an interrupted sweep continues), with --cases component_loads.csv and duty_cycle.csv, and
+    /// with samples sample_statistics.csv and explained_variation.csv.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write to a directory that contains other files
@@ -365,7 +365,7 @@ impl Sweep {
     }
 }
 
-/// What the command line and the study file describe.
+/// Content of the command line and the study file.
 #[derive(Default)]
 struct Content {
     axes: Vec<Axis>,

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 /// Values of a form: texts by name, as after `--set`.
 pub(crate) type Values = BTreeMap<String, String>;
 
-/// What a form assigns: values of params, and analysis settings.
+/// Content of a form: values of params, and analysis settings.
 #[derive(Clone, Default)]
 pub(crate) struct Form {
     pub params: Values,

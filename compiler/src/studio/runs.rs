@@ -285,8 +285,8 @@ impl Runs {
         Ok(summary)
     }
 
-    /// Starts a run in a new directory and returns its identifier. `positions` is the planned number
-    /// of positions, or `null`.
+    /// Starts a run in a new directory and returns its identifier. `positions` is the planned
+    /// number of positions, or `null`.
     ///
     /// # Errors
     /// There is no model, too many runs are in progress, or the directory or the process cannot be

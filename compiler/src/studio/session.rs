@@ -1,5 +1,5 @@
-//! The session of a model, `session.json`: the values and settings of the form, selected runs, camera
-//! and visibility.
+//! The session of a model, `session.json`: the values and settings of the form, selected runs,
+//! camera and visibility.
 
 use super::error::RequestError;
 use super::folder;

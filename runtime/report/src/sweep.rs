@@ -91,8 +91,8 @@ impl Column {
         }
     }
 
-    /// Returns the number in the unit of the column that converts to the same number in SI, with few
-    /// digits if there is a choice.
+    /// Returns the number in the unit of the column that converts to the same number in SI, with
+    /// few digits if there is a choice.
     fn reversible(&self, si: f64) -> f64 {
         let value = from_si(si, self.factor);
         let short = format!("{value:.14e}").parse().unwrap_or(value);

@@ -26,8 +26,8 @@ pub struct ViewFiles {
 }
 
 impl ViewFiles {
-    /// Begins in a run directory. The name of the model and its system of units are written into the
-    /// file of parts.
+    /// Begins in a run directory. The name of the model and its system of units are written into
+    /// the file of parts.
     ///
     /// # Errors
     /// The folder cannot be created.

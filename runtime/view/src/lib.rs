@@ -1,5 +1,5 @@
-//! Three-dimensional view of a run: the files of shapes, positions and meshes in a run directory, and a
-//! self-contained page that displays them in a browser.
+//! Three-dimensional view of a run: the files of shapes, positions and meshes in a run directory,
+//! and a self-contained page that displays them in a browser.
 //!
 //! The format of the files is described in `docs/view-files.md`. The page's program is the bundle
 //! in `web/dist`, whose sources are in `web/src`.

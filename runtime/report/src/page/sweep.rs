@@ -1,5 +1,5 @@
-//! `sweep.html`: the cases of a sweep as one self-contained page, with plots that suit the number of
-//! varied params: curves over one, heat maps over two, parallel coordinates of more.
+//! `sweep.html`: the cases of a sweep as one self-contained page, with plots that suit the number
+//! of varied params: curves over one, heat maps over two, parallel coordinates of more.
 
 use super::chart::{self, Axis, Curve, Scale, WIDE};
 use super::heat_map::{self, Grid};

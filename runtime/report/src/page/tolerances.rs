@@ -163,8 +163,8 @@ fn steps(sorted: &[f64]) -> Vec<(f64, f64)> {
     (0..STEPS).map(at).map(|k| (sorted[k], percent(k) + 50.0 / count as f64)).collect()
 }
 
-/// Draws bars of the first-order indices with their intervals, the largest first. Each name is above
-/// its bar.
+/// Draws bars of the first-order indices with their intervals, the largest first. Each name is
+/// above its bar.
 fn bars(params: &[Column], all: &Sensitivities) -> String {
     let [width, step, below] = BAR_CHART;
     let order: Vec<usize> = all.order().into_iter().take(BARS).collect();

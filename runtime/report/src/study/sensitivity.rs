@@ -152,8 +152,8 @@ fn standardized_ranks(values: &[f64]) -> Vec<f64> {
     ranks.iter().map(|rank| if norm > 0.0 { (rank - mean) / norm } else { 0.0 }).collect()
 }
 
-/// Returns the inverse of a symmetric positive definite matrix by the algorithm of Gauss and Jordan,
-/// which needs no pivoting; `None` if it is nearly singular.
+/// Returns the inverse of a symmetric positive definite matrix by the algorithm of Gauss and
+/// Jordan, which needs no pivoting; `None` if it is nearly singular.
 fn inverse(mut matrix: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
     let size = matrix.len();
     for k in 0..size {

@@ -50,8 +50,8 @@ impl Axis {
     }
 
     /// Parses the values of a quantity: `FROM..TO:COUNT` for equally spaced numbers with both ends
-    /// (`:COUNTlog` on a logarithmic scale), `A,B,C` for a list, or `*` for all choices of a text or
-    /// Boolean param.
+    /// (`:COUNTlog` on a logarithmic scale), `A,B,C` for a list, or `*` for all choices of a text
+    /// or Boolean param.
     ///
     /// # Errors
     /// The values are invalid.

@@ -78,8 +78,8 @@ impl Distribution {
         }
     }
 
-    /// Describes the distribution as it is written on a command line, in the unit of the param, with
-    /// six digits.
+    /// Describes the distribution as it is written on a command line, in the unit of the param,
+    /// with six digits.
     pub fn shown(&self, param: &ParamDescription) -> String {
         let number = |si: f64| {
             let value = from_si(si, param.unit.factor);

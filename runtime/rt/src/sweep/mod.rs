@@ -238,7 +238,8 @@ impl Sweep {
     /// receives the number of finished cases after each.
     ///
     /// # Errors
-    /// A value of a case is out of range, before any case is solved, or the journal cannot be written.
+    /// A value of a case is out of range, before any case is solved, or the journal cannot be
+    /// written.
     pub fn run(&self, done: impl Fn(usize, usize) + Sync) -> Result<Outcome, RunError> {
         let (params, cases) = self.cases().map_err(RunError::Run)?;
         for (number, case) in (1..).zip(&cases) {

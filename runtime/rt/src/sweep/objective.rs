@@ -6,8 +6,8 @@ use crate::params::output_of;
 use calyx_abi::description::ModelDescription;
 use calyx_report::study::{Objective, Statistic};
 
-/// Parses `min OUTPUT.STATISTIC` or `max OUTPUT.STATISTIC`. Without a statistic, the objective is the
-/// largest value over the positions.
+/// Parses `min OUTPUT.STATISTIC` or `max OUTPUT.STATISTIC`. Without a statistic, the objective is
+/// the largest value over the positions.
 ///
 /// # Errors
 /// The text has another form, or the model has no such output.

@@ -46,7 +46,7 @@ pub struct StudyFile {
     directory: PathBuf,
 }
 
-/// What a study file describes.
+/// Content of a study file.
 #[derive(Debug, Default)]
 pub struct Study {
     /// Load cases.
