@@ -92,7 +92,8 @@ export const FIELDS: Record<Field, { label: string; quantity: "stress" | "length
 export const EXPLANATIONS: Partial<Record<Field, string>> = {
   stress_error:
     "Estimated error of the stresses, as von Mises stress: the difference between the averaged stresses at a node " +
-    "and those of its elements (Zienkiewicz and Zhu). Where it is large, a finer mesh changes the stresses.",
+    "and those of its elements (Zienkiewicz and Zhu). Where it is large, a finer mesh changes the stresses. It is " +
+    "largest at contacts, whose loads are concentrated at nodes: lower the upper limit to judge the fillets.",
 };
 
 /** Value of a field at a node, in SI units; NaN if it is unknown. */
