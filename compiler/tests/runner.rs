@@ -176,9 +176,9 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     let count = expected["steps.csv"].lines().count() as u64 - 1;
     assert!(count > 6, "{}", expected["steps.csv"]);
     // Run, steps and report, five tables, the former name of one of them, three VTU files per
-    // position and their lists, two pictures of bodies and their list, the parts of the viewer and
-    // a file of it per position.
-    assert_eq!(expected.len() as u64, 3 + 5 + 1 + 3 * count + 3 + 3 + 1 + count, "{:?}", expected.keys());
+    // position and their lists, two pictures of bodies and their list, the parts of the viewer, the
+    // meshes of both gears and a file per position.
+    assert_eq!(expected.len() as u64, 3 + 5 + 1 + 3 * count + 3 + 3 + 3 + count, "{:?}", expected.keys());
     let moments =
         [(Way::CalyxRun, 0), (Way::CalyxRun, count / 2), (Way::Executable, 2), (Way::Executable, count)];
     for (way, positions) in moments {
