@@ -68,14 +68,14 @@ test("a page whose studio is killed says so, and its run is listed by the next s
   await startLongRun(page);
   await expect.poll(() => stored(server)).toBeGreaterThan(2);
   await server.end("SIGKILL");
-  await expect(page.getByRole("alert")).toContainText("Start calyx studio pair.cx again");
+  await expect(page.getByRole("alert")).toContainText("start calyx studio pair.cx --port");
   await expect(runButton(page)).toBeDisabled();
   // The form stays usable: its values can be read and copied.
   await page.getByLabel("torque", { exact: true }).fill("150");
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("150");
   await page.goto(await server.open("pair.cx"));
-  // The run goes on without its studio, or has ended with the positions that it stored.
-  await expect(row(page, "run-0001")).toContainText(/written by another process|interrupted|finished/);
+  // The run ends with its studio and keeps the positions that it stored.
+  await expect(row(page, "run-0001")).toContainText(/written by another process|interrupted|cancelled|finished/);
   await expect(page.getByLabel("steps", { exact: true })).toHaveValue("10000");
 });
 
