@@ -192,8 +192,7 @@ fn meshes_are_the_solved_ones() {
             .flat_map(|body| body.sectors.iter().map(move |sector| (body, sector)))
             .collect();
         assert_eq!(meshes.len(), sectors.len());
-        // A gear has one mesh for all teeth. In the plane, teeth near the contact have a finer one.
-        assert_eq!(files.meshes.len(), if spur { 4 } else { 2 }, "{fidelity}");
+        assert_eq!(files.meshes.len(), 2, "{fidelity}");
         for (mesh, (body, sector)) in meshes.iter().zip(sectors) {
             let part = mesh["part"].as_u64().expect("a number") as usize;
             assert_eq!(fields.parts[part].of, PartOf::Body(body.number));
