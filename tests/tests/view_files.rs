@@ -176,7 +176,8 @@ fn contacts_lie_on_both_gears_and_carry_the_load() {
 }
 
 /// The nodes of meshes have the positions, displacements and stresses of the fields that the VTU
-/// files contain. Teeth of a gear share meshes, and the cells of a spur gear fill its outer surface.
+/// files contain. Teeth of a gear share meshes, and the cells of a spur gear fill its outer
+/// surface.
 #[test]
 fn meshes_are_the_solved_ones() {
     for (fidelity, spur) in [("medium", false), ("plane", true)] {
@@ -223,6 +224,20 @@ fn meshes_are_the_solved_ones() {
             }
         }
     }
+}
+
+/// Viewers share meshes by their names: other shapes have other names, other loads the same ones.
+#[test]
+fn names_of_meshes_differ_with_the_shape() {
+    let names = |model: &str| -> Vec<String> {
+        let files = Files::of(&fields_of(&model.replace("20 deg", "0 deg"), "plane"));
+        files.meshes.into_keys().collect()
+    };
+    let model = PAIR.replace("85.2", "80.1");
+    let known = names(&model);
+    assert_eq!(known, names(&model.replace("100 N*m", "50 N*m")));
+    let larger = names(&model.replace("2.5 mm", "2.6 mm").replace("80.1", "83.3"));
+    assert!(larger.iter().all(|name| !known.contains(name)), "{known:?} {larger:?}");
 }
 
 /// Returns the volume that the outer surface of a mesh encloses, and that of its hexahedra, m³.

@@ -1,14 +1,15 @@
 //! Content of the files of meshes, and the values of a position at their nodes.
 //!
-//! A mesh is written once. Positions refer to it by its name, which is a hash of its part and
-//! connectivity, so that a run that is resumed finds the meshes of the earlier one. All teeth of a
-//! gear share a mesh.
+//! A mesh is written once. Positions refer to it by its name, which is a hash of the shape of its
+//! part and of its connectivity. Both are exactly the same at all positions, unlike the points,
+//! which are known in ground coordinates: so a run that is resumed finds the meshes of the earlier
+//! one, and meshes of runs with other shapes have other names. All teeth of a gear share a mesh.
 
 use crate::array_file::Arrays;
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::observables::{ElasticBodyField, Fields, Part, PartOf, SectorField};
 use calyx_runtime::stress::rotated;
-use calyx_runtime::structure::outer_surface::{Cell, CellKind, Skin};
+use calyx_runtime::structure::outer_surface::{Cell, CellKind, OuterSurface, Skin};
 use calyx_runtime::vec3::{Vector, dot, minus};
 use serde_json::{Value, json};
 use std::borrow::Cow;
@@ -69,6 +70,7 @@ impl Meshes {
 /// Mesh of a part at a position, in ground coordinates.
 struct Deformed<'a> {
     part: usize,
+    shape: &'a OuterSurface,
     /// Copy of the shape of the part that this mesh replaces.
     copy: u32,
     /// Angle of this copy about the z axis of the part, rad.
@@ -98,13 +100,21 @@ fn deformed(fields: &Fields) -> Vec<Deformed<'_>> {
             let shown =
                 if is_plane { Cow::Owned(extruded(sector, ends(shape))) } else { Cow::Borrowed(sector) };
             let angle = f64::from(sector.tooth) * pitch;
-            Deformed { part, copy: sector.tooth, angle, pose, field: Field::Sector(shown) }
+            Deformed {
+                part,
+                shape: &shape.surface,
+                copy: sector.tooth,
+                angle,
+                pose,
+                field: Field::Sector(shown),
+            }
         }));
     }
     for body in &fields.elastic_bodies {
         let is_own = |part: &Part| matches!(part.of, PartOf::Connection(_)) && part.name == body.body;
         let Some((part, pose)) = placed(&is_own) else { continue };
-        all.push(Deformed { part, copy: 0, angle: 0.0, pose, field: Field::Body(body) });
+        let shape = &fields.parts[part].surface;
+        all.push(Deformed { part, shape, copy: 0, angle: 0.0, pose, field: Field::Body(body) });
     }
     all
 }
@@ -133,7 +143,8 @@ impl Deformed<'_> {
 
     fn name(&self) -> String {
         let mut hasher = DefaultHasher::new();
-        self.part.hash(&mut hasher);
+        (self.part, self.shape.copies).hash(&mut hasher);
+        self.shape.points.as_flattened().iter().for_each(|part| part.to_bits().hash(&mut hasher));
         for cell in self.cells() {
             (cell.kind as u8, cell.corners, cell.element).hash(&mut hasher);
         }

@@ -28,7 +28,7 @@ export const FIREFOX: LaunchOptions | null = existsSync(firefoxPath)
       executablePath: firefoxPath,
       downloadsPath: DOWNLOADS,
       firefoxUserPrefs: {
-        // Firefox accepts Mesa's llvmpipe only if it is told to. It needs an X server for its OpenGL
+        // Firefox accepts Mesa's llvmpipe only on request. It needs an X server for its OpenGL
         // context also with --headless: run the tests by xvfb-run.
         "webgl.force-enabled": true,
         // Playwright cannot emulate these through BiDi.

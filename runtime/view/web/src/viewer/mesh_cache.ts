@@ -1,5 +1,5 @@
-// Meshes of all viewers of a page. The name of a mesh file contains a checksum of its content, so that
-// equal names mean equal meshes: positions, and viewers side by side, share them.
+// Meshes of all viewers of a page. The name of a mesh file contains a hash of the shape of its part and of
+// its connectivity, so that equal names mean equal meshes: positions, and viewers side by side, share them.
 
 import { readMeshShape, type MeshShape } from "./run_data.ts";
 

@@ -1,4 +1,4 @@
-// What the panel of the contact pattern displays, and the envelope over the positions.
+// Content of the panel of the contact pattern, and the envelope over the positions.
 
 import type { Core } from "./core.ts";
 import { boundsOf, Envelope, isIncluded, loadedSide, PatternAxes, patternCells, type Bounds, type PatternCell, type PatternChoice } from "./pattern.ts";

@@ -79,7 +79,7 @@ test("a page whose studio is killed says so, and its run is listed by the next s
   await expect(page.getByLabel("steps", { exact: true })).toHaveValue("10000");
 });
 
-test("a run goes on without a page", { tag: "@slow" }, async ({ page, server }) => {
+test("a run continues without a page", { tag: "@slow" }, async ({ page, server }) => {
   await openWithoutAutomatic(page, server.url);
   await startLongRun(page);
   const context = page.context();
