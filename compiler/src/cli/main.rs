@@ -17,6 +17,7 @@ mod fmt;
 mod lsp;
 mod messages;
 mod new;
+mod optimize;
 mod repl;
 mod report;
 mod run;
@@ -77,6 +78,14 @@ enum Command {
     /// row per case, sweep.csv, and a page with plots, sweep.html.
     #[command(after_help = sweep::EXAMPLES)]
     Sweep(sweep::Sweep),
+    /// Find the values of params at which an output of a model is best
+    ///
+    /// Minimizes or maximizes a statistic of an output over several load cases, within bounds of
+    /// other outputs, by local searches from several designs. Writes the best design as a params
+    /// file, and a page with the searches, the active constraints and the influence of each
+    /// variable.
+    #[command(after_help = optimize::EXAMPLES)]
+    Optimize(optimize::Optimize),
     /// Set params, run a model and compare its results in the browser
     ///
     /// Starts a server on this computer, prints its address and opens it in the browser: a form of
@@ -158,6 +167,7 @@ impl Command {
             Command::Run(command) => command.warnings(),
             Command::Tradeoff(command) => command.warnings(),
             Command::Sweep(command) => command.warnings(),
+            Command::Optimize(command) => command.warnings(),
             _ => Some(MessageFormat::Human),
         }
     }
@@ -185,6 +195,7 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
+        Command::Optimize(command) => command.run(),
         Command::Studio(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::View(command) => command.run(),

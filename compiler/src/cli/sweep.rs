@@ -421,8 +421,8 @@ fn write(
     }
 }
 
-/// Prints the error of a sweep.
-fn failed(format: MessageFormat, module: &calyx::Module, error: RunError) -> ExitCode {
+/// Prints the error of a sweep or an optimization.
+pub fn failed(format: MessageFormat, module: &calyx::Module, error: RunError) -> ExitCode {
     match error {
         RunError::Run(Error::Given(why)) => {
             format.refused(&why);

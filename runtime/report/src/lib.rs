@@ -19,6 +19,7 @@ pub mod forced_response;
 pub mod former_keys;
 pub mod journal;
 pub mod modes_table;
+pub mod optimization;
 #[cfg(feature = "pages")]
 pub mod page;
 pub mod sample;

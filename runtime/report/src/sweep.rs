@@ -93,7 +93,7 @@ impl Column {
 
     /// Returns the number in the unit of the column that converts to the same number in SI, with
     /// few digits if there is a choice.
-    fn reversible(&self, si: f64) -> f64 {
+    pub(crate) fn reversible(&self, si: f64) -> f64 {
         let value = from_si(si, self.factor);
         let short = format!("{value:.14e}").parse().unwrap_or(value);
         let near = [short, value, value.next_down(), value.next_up()];

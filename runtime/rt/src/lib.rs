@@ -37,6 +37,8 @@ pub mod messages;
 mod names;
 pub mod nan_log;
 #[cfg(feature = "command")]
+pub mod optimization;
+#[cfg(feature = "command")]
 pub mod options;
 pub mod param_assignment;
 pub mod params;

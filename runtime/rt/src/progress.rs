@@ -82,6 +82,14 @@ impl Progress {
         }
     }
 
+    /// Shows the state of a search whose end is unknown, and how many steps it has done.
+    pub fn searching(&self, state: &str, done: usize) {
+        self.bar.set_message(state.to_owned());
+        if let Some(Ok(stage)) = self.lines.as_ref().map(Mutex::lock) {
+            eprintln!("{}", line(stage.0, done, None, None));
+        }
+    }
+
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }

@@ -9,6 +9,7 @@
 
 use calyx_report::directory::{REPORT, SIGNALS};
 use calyx_report::former_keys::{self, ResultFile};
+use calyx_report::optimization::{DESIGNS, OPTIMUM};
 use calyx_report::study::{EXPLAINED_VARIATION, SAMPLE_STATISTICS};
 use calyx_report::sweep::PRINTED_TEXT;
 use calyx_report::{body_pictures, component_table, duty_cycle, journal, page, view, vtu};
@@ -45,6 +46,8 @@ pub enum Kind {
     Tradeoff,
     /// Written by `calyx sweep`.
     Sweep,
+    /// Written by `calyx optimize`.
+    Optimization,
 }
 
 impl Kind {
@@ -58,6 +61,9 @@ impl Kind {
             Kind::Sweep => {
                 "Calyx sweep directory, format 1. `calyx sweep` replaces only the files listed here.\n"
             }
+            Kind::Optimization => {
+                "Calyx optimization directory, format 1. `calyx optimize` replaces only the files listed here.\n"
+            }
         }
     }
 
@@ -68,6 +74,7 @@ impl Kind {
             Kind::Run => &FILES_OF_A_RUN,
             Kind::Tradeoff => &["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"],
             Kind::Sweep => &FILES_OF_A_SWEEP,
+            Kind::Optimization => &FILES_OF_AN_OPTIMIZATION,
         }
     }
 
@@ -75,7 +82,7 @@ impl Kind {
     fn folders(self) -> &'static [&'static str] {
         match self {
             Kind::Run => &[SIGNALS, vtu::FOLDER, body_pictures::FOLDER, view::FOLDER],
-            Kind::Tradeoff | Kind::Sweep => &[],
+            Kind::Tradeoff | Kind::Sweep | Kind::Optimization => &[],
         }
     }
 
@@ -109,8 +116,8 @@ impl Kind {
             Kind::Tradeoff => {
                 read("tradeoff.json").filter(|all| has(all, &["model", "settings", "reference"]))?;
             }
-            // All sweeps have a marker.
-            Kind::Sweep => return None,
+            // All sweeps and optimizations have a marker.
+            Kind::Sweep | Kind::Optimization => return None,
         }
         names.retain(|name| self.allows(name));
         Some(names)
@@ -141,6 +148,9 @@ pub const FILES_OF_A_SWEEP: [&str; 8] = [
     SAMPLE_STATISTICS,
     EXPLAINED_VARIATION,
 ];
+
+/// Files of an optimization.
+const FILES_OF_AN_OPTIMIZATION: [&str; 4] = [OPTIMUM, DESIGNS, "evaluations.jsonl", page::optimization::NAME];
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.

@@ -19,6 +19,7 @@ mod heat_map;
 mod k_chart;
 mod load_cases;
 mod logarithmic;
+pub mod optimization;
 mod parallel;
 mod pareto;
 mod power_flow;
@@ -40,6 +41,26 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use units::Units;
+
+/// Returns a self-contained page with a title, what follows it in the header, and the content.
+fn document(title: &str, header: Markup, main: Markup) -> Markup {
+    html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                title { (title) }
+                style { (PreEscaped(include_str!("style.css"))) }
+            }
+            body {
+                header { h1 { (title) } (header) }
+                main { (main) }
+            }
+        }
+    }
+}
 
 /// Names of the finished page and of the one that is being written, in a run directory.
 pub const FILES: [&str; 2] = [REPORT, "report.html.part"];

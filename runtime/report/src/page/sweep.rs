@@ -4,13 +4,13 @@
 use super::chart::{self, Axis, Curve, Scale, WIDE};
 use super::heat_map::{self, Grid};
 use super::parallel::{self, Coordinate, Kind};
-use super::{figure, load_cases, pareto, tolerances};
+use super::{document, figure, load_cases, pareto, tolerances};
 use crate::duty_cycle::DutyCycle;
 use crate::study::{Group, Statistic};
 use crate::sweep::{Case, Column, Row, Statistics, SweepTable};
 use calyx_abi::description::ParamValue;
 use calyx_abi::units::from_si;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -42,36 +42,21 @@ pub fn write(
 }
 
 fn page(table: &SweepTable, cycle: Option<&Result<DutyCycle, String>>, groups: &[Group]) -> Markup {
-    let title = format!("Sweep of {}", table.model);
-    html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (title) }
-                style { (PreEscaped(include_str!("style.css"))) }
-            }
-            body {
-                header {
-                    h1 { (title) }
-                    @if let Some(line) = table.doc.lines().next().filter(|line| !line.is_empty()) { p { (line) } }
-                    p { (table.rows.len()) " cases" @if table.failures() > 0 { ", of which " (table.failures()) " failed" } "." }
-                }
-                main {
-                    (load_cases::duty_cycle(table, cycle))
-                    (load_cases::section(table))
-                    (tolerances::section(table, groups))
-                    (pareto::section(table))
-                    section id="plots" { h2 { "Outputs" } (plots(table)) }
-                    section id="cases" { h2 { "Cases" } (cases(table)) }
-                    (printed(table))
-                    (warnings(table))
-                }
-            }
-        }
-    }
+    let header = html! {
+        @if let Some(line) = table.doc.lines().next().filter(|line| !line.is_empty()) { p { (line) } }
+        p { (table.rows.len()) " cases" @if table.failures() > 0 { ", of which " (table.failures()) " failed" } "." }
+    };
+    let main = html! {
+        (load_cases::duty_cycle(table, cycle))
+        (load_cases::section(table))
+        (tolerances::section(table, groups))
+        (pareto::section(table))
+        section id="plots" { h2 { "Outputs" } (plots(table)) }
+        section id="cases" { h2 { "Cases" } (cases(table)) }
+        (printed(table))
+        (warnings(table))
+    };
+    document(&format!("Sweep of {}", table.model), header, main)
 }
 
 /// Returns the index of the first param that is a number with several values: the abscissa.

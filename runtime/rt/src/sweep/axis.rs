@@ -92,7 +92,7 @@ pub(super) fn check_not_array(varied: Varied, description: &ModelDescription) ->
 
 /// Refuses values of a number of which some have a unit and others not: 50..100 N*m would mean
 /// 50 in another unit.
-pub(super) fn check_units(
+pub(crate) fn check_units(
     varied: Varied,
     texts: &[impl AsRef<str>],
     description: &ModelDescription,

@@ -6,6 +6,7 @@
 use super::Solved;
 use calyx_report::sweep::{Column, Row};
 use calyx_runtime::cache::Key;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -67,14 +68,13 @@ pub fn fingerprint(directory: Option<&Path>, table: &str) -> String {
 }
 
 impl Journal {
-    /// Opens the journal in a directory and returns its cases. A journal of another `subject`, or
-    /// version, is replaced. An incomplete last line, of a sweep that was killed, is ignored.
+    /// Opens the journal at a path and returns its lines. A journal of another `subject`, or
+    /// version, is replaced. An incomplete last line, of a process that was killed, is ignored.
     ///
     /// # Errors
     /// The file cannot be read or written.
-    pub fn open(directory: &Path, subject: &Value) -> io::Result<(Journal, Vec<Line>)> {
-        let path = directory.join(JOURNAL);
-        let text = match fs::read(&path) {
+    pub fn open<L: DeserializeOwned>(path: &Path, subject: &Value) -> io::Result<(Journal, Vec<L>)> {
+        let text = match fs::read(path) {
             Ok(text) => text,
             Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
             Err(error) => return Err(error),
@@ -90,7 +90,7 @@ impl Journal {
                 cases.push(case);
             }
         }
-        let mut file = OpenOptions::new().create(true).append(true).open(&path)?;
+        let mut file = OpenOptions::new().create(true).append(true).open(path)?;
         file.set_len(kept as u64)?;
         if kept == 0 {
             writeln!(file, "{subject}")?;
@@ -102,7 +102,7 @@ impl Journal {
     ///
     /// # Errors
     /// The file cannot be written.
-    pub fn write(&self, line: &Line) -> io::Result<()> {
+    pub fn write(&self, line: &impl Serialize) -> io::Result<()> {
         let mut text = serde_json::to_string(line)?;
         text.push('\n');
         let mut file = self.0.lock().unwrap_or_else(PoisonError::into_inner);

@@ -8,13 +8,14 @@ mod axis;
 mod case_file;
 mod distribution;
 mod duration;
-mod journal;
+pub(crate) mod journal;
 pub mod objective;
 pub mod sampling;
-mod study_file;
+pub(crate) mod study_file;
 mod tolerances;
 mod varied;
 
+pub(crate) use axis::check_units;
 pub use axis::{Axis, MOST_CASES};
 pub use calyx_report::durations::Durations;
 pub use case_file::CaseFile;
@@ -194,7 +195,7 @@ impl Sweep {
         }
     }
 
-    fn instance(&self) -> Result<Instance, Error> {
+    pub(crate) fn instance(&self) -> Result<Instance, Error> {
         let mut instance = Instance::new(&self.engine, self.program.clone());
         for given in &self.given {
             instance.give(given)?;
@@ -257,7 +258,7 @@ impl Sweep {
             subject.insert("journal".to_owned(), json!(journal::FORMAT));
         }
         let unwritable = |error| RunError::Io { path: self.directory.join(JOURNAL), error };
-        let (journal, lines) = Journal::open(&self.directory, &subject).map_err(unwritable)?;
+        let (journal, lines) = Journal::open(&self.directory.join(JOURNAL), &subject).map_err(unwritable)?;
         let mut solved = self.known(&params, &cases, lines);
         let earlier = solved.len();
         let left: Vec<usize> = (1..=cases.len()).filter(|case| !solved.contains_key(case)).collect();
@@ -411,7 +412,7 @@ impl Sweep {
 }
 
 /// Returns the fidelity level of a case, if it is an axis.
-fn fidelity_of<'c>(params: &[Varied], case: &'c Case) -> Option<&'c str> {
+pub(crate) fn fidelity_of<'c>(params: &[Varied], case: &'c Case) -> Option<&'c str> {
     let at = params.iter().position(|param| *param == Varied::Fidelity)?;
     match case.values.get(at)? {
         ParamValue::String(level) => Some(level),

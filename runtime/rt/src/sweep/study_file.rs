@@ -20,6 +20,8 @@ use toml::de::{DeTable, DeValue};
 
 /// Keys of a study file.
 const KEYS: [&str; 6] = ["cases", "objectives", "params", "axes", "tolerances", "sampling"];
+/// Keys of an optimization, which a sweep refuses.
+const OF_AN_OPTIMIZATION: [&str; 5] = ["objective", "constraints", "variables", "deviations", "optimization"];
 /// Keys of a range.
 const RANGE_KEYS: [&str; 4] = ["from", "to", "count", "scale"];
 /// Keys of a distribution.
@@ -31,11 +33,11 @@ const AXIS_FORMS: &str = "write a list, a range like `{ from = \"50 N*m\", to = 
 /// Remedy for a value that is no distribution.
 const DISTRIBUTION_FORMS: &str = "write a text like \"normal(0 um, 5 um)\", or a table like `{ distribution = \"normal\", mean = \"0 um\", standard_deviation = \"5 um\" }`";
 
-type Table<'t> = DeTable<'t>;
-type Value<'t> = Spanned<DeValue<'t>>;
+pub(crate) type Table<'t> = DeTable<'t>;
+pub(crate) type Value<'t> = Spanned<DeValue<'t>>;
 
 /// Function that reads a param by its name, the location of the name, and the value.
-type Entry<'e, 'r> = dyn FnMut(&mut Reader<'r>, &str, Range<usize>, &Value<'_>) + 'e;
+pub(crate) type Entry<'e, 'r> = dyn FnMut(&mut Reader<'r>, &str, Range<usize>, &Value<'_>) + 'e;
 
 /// Text of a study file whose syntax is correct.
 #[derive(Clone, Debug)]
@@ -105,7 +107,7 @@ impl StudyFile {
         }
     }
 
-    fn origin(&self, at: Range<usize>) -> Option<Origin> {
+    pub(crate) fn origin(&self, at: Range<usize>) -> Option<Origin> {
         Some(Origin { file: self.file.clone(), start: at.start, end: at.end })
     }
 
@@ -114,10 +116,32 @@ impl StudyFile {
     /// # Errors
     /// All mistakes of the file, in its order.
     pub fn study(&self, description: &ModelDescription) -> Result<Study, Vec<InvalidParam>> {
+        self.read_with(description, &KEYS, "a study file", |reader, root, study| {
+            if let Some(objectives) = root.get("objectives") {
+                study.objectives = reader.objectives(objectives);
+            }
+        })
+    }
+
+    /// Reads the content for a model, with `keys` at the top level of the file, which is called
+    /// `owner` in messages. `more` reads what is not common to all studies.
+    ///
+    /// # Errors
+    /// All mistakes of the file, in its order.
+    pub(crate) fn read_with(
+        &self,
+        description: &ModelDescription,
+        keys: &[&str],
+        owner: &str,
+        more: impl FnOnce(&mut Reader<'_>, &Table<'_>, &mut Study),
+    ) -> Result<Study, Vec<InvalidParam>> {
         let mut reader = Reader { study: self, description, mistakes: Vec::new() };
         let mut study = Study::default();
         if let Ok(table) = DeTable::parse(&self.file.text) {
-            reader.root(table.get_ref(), &mut study);
+            let root = table.get_ref();
+            reader.check_keys(root, keys, owner);
+            reader.root(root, &mut study);
+            more(&mut reader, root, &mut study);
         }
         let mut mistakes = reader.mistakes;
         if mistakes.is_empty() {
@@ -129,7 +153,7 @@ impl StudyFile {
 }
 
 /// Returns the kind of a value, as messages state it.
-fn kind_of(value: &DeValue<'_>) -> &'static str {
+pub(crate) fn kind_of(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text",
         DeValue::Integer(_) | DeValue::Float(_) => "a number",
@@ -141,14 +165,31 @@ fn kind_of(value: &DeValue<'_>) -> &'static str {
 }
 
 /// Reader that collects the mistakes of a file.
-struct Reader<'r> {
+pub(crate) struct Reader<'r> {
     study: &'r StudyFile,
-    description: &'r ModelDescription,
+    pub(crate) description: &'r ModelDescription,
     mistakes: Vec<InvalidParam>,
 }
 
 impl<'r> Reader<'r> {
-    fn mistake(&mut self, at: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
+    /// Returns a reader of the same file for another description, without mistakes.
+    pub(crate) fn with_description<'d>(&self, description: &'d ModelDescription) -> Reader<'d>
+    where
+        'r: 'd,
+    {
+        Reader { study: self.study, description, mistakes: Vec::new() }
+    }
+
+    pub(crate) fn into_mistakes(self) -> Vec<InvalidParam> {
+        self.mistakes
+    }
+
+    /// Adds mistakes of another reader.
+    pub(crate) fn extend(&mut self, mistakes: Vec<InvalidParam>) {
+        self.mistakes.extend(mistakes);
+    }
+
+    pub(crate) fn mistake(&mut self, at: Range<usize>, message: impl Into<String>, help: impl Into<String>) {
         let origin = self.study.origin(at);
         self.mistakes.push(InvalidParam { origin, ..InvalidParam::new(message, help) });
     }
@@ -164,14 +205,19 @@ impl<'r> Reader<'r> {
         }
     }
 
-    fn recorded<T>(&mut self, at: Range<usize>, result: Result<T, Error>) -> Option<T> {
+    pub(crate) fn recorded<T>(&mut self, at: Range<usize>, result: Result<T, Error>) -> Option<T> {
         result.map_err(|error| self.record(at, error)).ok()
     }
 
     /// Records keys that a table does not have.
-    fn check_keys(&mut self, table: &Table<'_>, known: &[&str], owner: &str) {
+    pub(crate) fn check_keys(&mut self, table: &Table<'_>, known: &[&str], owner: &str) {
         for key in table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
             let name = key.get_ref();
+            if known == KEYS && OF_AN_OPTIMIZATION.contains(&name.as_ref()) {
+                let message = format!("`{name}` belongs to an optimization");
+                self.mistake(key.span(), message, "run `calyx optimize` with this file, or remove the key");
+                continue;
+            }
             let near = known.iter().find(|known| strsim::damerau_levenshtein(known, name) <= 2);
             let mut help = near.map(|near| format!("did you mean `{near}`? ")).unwrap_or_default();
             help += &format!("{owner} has the keys {}", known.join(", "));
@@ -179,7 +225,7 @@ impl<'r> Reader<'r> {
         }
     }
 
-    fn text<'t>(&mut self, value: &'t Value<'_>, key: &str, help: &str) -> Option<&'t str> {
+    pub(crate) fn text<'t>(&mut self, value: &'t Value<'_>, key: &str, help: &str) -> Option<&'t str> {
         match value.get_ref() {
             DeValue::String(text) => Some(text.as_ref()),
             other => {
@@ -189,7 +235,12 @@ impl<'r> Reader<'r> {
         }
     }
 
-    fn whole<T: std::str::FromStr>(&mut self, value: &Value<'_>, key: &str, help: &str) -> Option<T> {
+    pub(crate) fn whole<T: std::str::FromStr>(
+        &mut self,
+        value: &Value<'_>,
+        key: &str,
+        help: &str,
+    ) -> Option<T> {
         let number = match value.get_ref() {
             DeValue::Integer(number) if number.radix() == 10 => number.as_str().parse().ok(),
             _ => None,
@@ -201,7 +252,7 @@ impl<'r> Reader<'r> {
         number
     }
 
-    fn sub_table<'t, 'v>(&mut self, value: &'t Value<'v>, key: &str) -> Option<&'t Table<'v>> {
+    pub(crate) fn sub_table<'t, 'v>(&mut self, value: &'t Value<'v>, key: &str) -> Option<&'t Table<'v>> {
         match value.get_ref() {
             DeValue::Table(table) => Some(table),
             other => {
@@ -213,7 +264,6 @@ impl<'r> Reader<'r> {
     }
 
     fn root(&mut self, root: &Table<'_>, study: &mut Study) {
-        self.check_keys(root, &KEYS, "a study file");
         if let Some(cases) = root.get("cases") {
             study.cases = self.cases(cases);
         }
@@ -233,16 +283,13 @@ impl<'r> Reader<'r> {
         if let Some(table) = root.get("sampling").and_then(|value| self.sub_table(value, "sampling")) {
             study.sampling = self.sampling(table);
         }
-        if let Some(objectives) = root.get("objectives") {
-            study.objectives = self.objectives(objectives);
-        }
         self.check_repeated(root, study);
         self.check_sample(root, study);
     }
 
     /// Calls `each` with the names of params and their values. A table under a name that no param
     /// has contains the params of an instance of a component.
-    fn entries(&mut self, table: &Table<'_>, prefix: &str, each: &mut Entry<'_, 'r>) {
+    pub(crate) fn entries(&mut self, table: &Table<'_>, prefix: &str, each: &mut Entry<'_, 'r>) {
         for (key, value) in table {
             let name = format!("{prefix}{}", key.get_ref());
             let is_instance = |param: &str| {
@@ -313,7 +360,7 @@ impl<'r> Reader<'r> {
         self.recorded(value.span(), value_of)
     }
 
-    fn assigned(&mut self, value: &Value<'_>) -> Option<AssignedValue> {
+    pub(crate) fn assigned(&mut self, value: &Value<'_>) -> Option<AssignedValue> {
         match toml_value(value.get_ref().clone()) {
             Ok(assigned) => Some(assigned),
             Err(kind) => {
@@ -374,7 +421,7 @@ impl<'r> Reader<'r> {
         Some(Axis::of(varied, values.collect(), log))
     }
 
-    fn tolerance(&mut self, name: &str, at: Range<usize>, value: &Value<'_>) -> Option<Tolerance> {
+    pub(crate) fn tolerance(&mut self, name: &str, at: Range<usize>, value: &Value<'_>) -> Option<Tolerance> {
         let param = toleranced(name, self.description);
         let param = self.recorded(at, param)?;
         let distribution = match value.get_ref() {

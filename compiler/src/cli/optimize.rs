@@ -1,0 +1,234 @@
+//! `calyx optimize`: finds the values of params at which an output is best.
+
+use crate::allow::AllowPath;
+use crate::compile::compile;
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE, beside};
+use crate::sweep::failed;
+use calyx::check_run_within;
+use calyx::rt::console::print;
+use calyx::rt::interrupt;
+use calyx::rt::optimization::{
+    self, DESIGNS, EVALUATIONS, OPTIMUM, Optimization, Optimizer, State, write_designs, write_optimum,
+};
+use calyx::rt::options::{RunArguments, given_of};
+use calyx::rt::page::optimization as page;
+use calyx::rt::progress::{Progress, ProgressFormat};
+use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
+use calyx::rt::settings_override::OverrideArguments;
+use calyx::rt::sweep::StudyFile;
+use calyx::rt::{Engine, EngineConfig, InvalidParam, ParamAssignment};
+use calyx_abi::units::from_si;
+use clap::Args;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::thread::available_parallelism;
+
+pub const EXAMPLES: &str = "\
+The study file has variables with their ranges, an objective, and usually constraints and load cases:
+
+  objective = \"min transmission_error.peak_to_peak\"
+  constraints = [\"max_contact_pressure <= 200 ksi\"]
+
+  [variables]
+  tip_relief = \"0 inch..0.002 inch\"
+  lead_crown = { from = \"0 inch\", to = \"0.001 inch\", initial = \"0.0005 inch\" }
+
+  [axes]                        # load cases; a CSV file of them: cases = \"load_cases.csv\"
+  torque = [500, 1000, 1500]
+
+  [optimization]                # all of these are optional
+  starts = 5                    # local searches from different designs
+  over_cases = \"worst\"          # or \"mean\", \"percentile 90\"
+
+Tolerances make the optimum robust: each design is evaluated with all samples.
+
+  [tolerances]
+  center_distance = \"normal(2.999 inch..3.001 inch)\"
+  [deviations]                  # of variables
+  tip_relief = \"normal(0 inch, 0.0001 inch)\"
+  [sampling]
+  samples = 16
+
+Examples:
+  calyx optimize pair.cx study.toml                    results go to pair.cx.optimum
+  calyx optimize pair.cx study.toml --fidelity plane   at another fidelity level
+  calyx optimize pair.cx study.toml                    continues after an interruption
+  calyx run pair.cx --params pair.cx.optimum/optimum.toml
+
+Constraints hold in every load case. Estimates of errors are not computed, unless --error-estimates asks for them: run the optimum
+with them afterwards.
+
+Exit status: 0 if an optimum was found that meets all constraints, 1 if not or after an interruption, 2 for wrong usage of the
+command.";
+
+#[derive(Args)]
+pub struct Optimize {
+    /// The model (.cx file)
+    file: PathBuf,
+    /// The study file (TOML)
+    study: PathBuf,
+    /// Read load cases from a CSV file with a column per param, see `calyx sweep`
+    #[arg(long, value_name = "FILE")]
+    cases: Option<PathBuf>,
+    /// Set a param in all designs, see `calyx run`
+    #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
+    set: Vec<ParamAssignment>,
+    /// Read params of all designs from FILE.json or FILE.toml, see `calyx run`
+    #[arg(long, value_name = "FILE")]
+    params: Option<PathBuf>,
+    #[command(flatten)]
+    overrides: OverrideArguments,
+    #[command(flatten)]
+    allow: AllowPath,
+    /// Directory for the results [default: the model's file name with the suffix .optimum]
+    ///
+    /// Contains optimum.toml (the params of the best design), optimization.html, designs.csv (one
+    /// row per design) and evaluations.jsonl (solved load cases, from which an interrupted
+    /// optimization continues).
+    #[arg(short, long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write to a directory that contains other files
+    ///
+    /// Files with the names of results are replaced; all others are kept.
+    #[arg(long)]
+    force: bool,
+    /// Number of threads, and of load cases at a time [default: number of cores]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Do not use the structure cache on disk
+    #[arg(long)]
+    no_cache: bool,
+    /// Print only the table and errors
+    #[arg(long)]
+    quiet: bool,
+    /// Format of progress on standard error
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    progress: ProgressFormat,
+}
+
+impl Optimize {
+    /// Returns the format of warnings; `None` if only errors are printed.
+    pub fn warnings(&self) -> Option<MessageFormat> {
+        (!self.quiet).then_some(MessageFormat::Human)
+    }
+
+    pub fn run(self) -> ExitCode {
+        let format = MessageFormat::Human;
+        let refused = |all: &[InvalidParam]| {
+            all.iter().for_each(|refused| format.refused(refused));
+            ExitCode::from(USAGE)
+        };
+        let study = match StudyFile::read(&self.study) {
+            Ok(study) => study,
+            Err(why) => return refused(&[why]),
+        };
+        // Values of the command line follow those of the study file, because the last one counts.
+        let mut given = study.params.clone();
+        match given_of(self.params.as_deref(), &self.set) {
+            Ok(own) => given.extend(own),
+            Err(why) => return refused(&[why]),
+        }
+        let overrides = self.overrides.to_override();
+        let check = || check_run_within(&self.file, &self.allow.paths(), &given, overrides, None);
+        let (module, _) = match compile(&self.file, self.quiet, format, check) {
+            Ok(compiled) => compiled,
+            Err(status) => return status,
+        };
+        let program = module.as_program();
+        let problem = match optimization::read(&study, self.cases.as_deref(), program.description()) {
+            Ok((problem, _)) => problem,
+            Err(mistakes) => return refused(&mistakes),
+        };
+        let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".optimum"));
+        let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+        let store = RunArguments::store_of(None, self.no_cache);
+        let optimizer = Optimizer {
+            program,
+            given,
+            overrides,
+            problem,
+            directory: directory.clone(),
+            engine: Engine::new(EngineConfig { threads, store, ..EngineConfig::default() }),
+            workers: threads,
+            cancel: interrupt::flag(),
+        };
+        let locked = RunDirectory::lock(&directory, Kind::Optimization, self.force).and_then(|locked| {
+            let listed = locked.claim_all([EVALUATIONS, DESIGNS, OPTIMUM, page::NAME]);
+            listed.map(|()| locked).map_err(|error| DirectoryError::Io { path: directory.clone(), error })
+        });
+        let locked = match locked {
+            Ok(locked) => locked,
+            Err(error) => return format.directory(&error),
+        };
+        let progress = Progress::new(self.progress, self.quiet, true);
+        progress.stage("designs");
+        let name = &optimizer.problem.objective.output;
+        let output = optimizer.program.description().outputs.iter().find(|output| output.name == *name);
+        let unit = output.map(|output| (output.unit.factor, output.unit.name.clone()));
+        let shown = |si: f64| match &unit {
+            Some((factor, unit)) if unit != "1" => format!("{:.4} {unit}", from_si(si, *factor)),
+            Some((factor, _)) => format!("{:.4}", from_si(si, *factor)),
+            None => format!("{si:.4}"),
+        };
+        let outcome = optimizer.run(|state| progress.searching(&described(state, shown), state.designs));
+        progress.finish();
+        match outcome {
+            Ok(outcome) => self.report(&outcome, &locked),
+            Err(error) => failed(format, &module, error),
+        }
+    }
+
+    /// Writes the results and prints the table.
+    fn report(&self, outcome: &Optimization, directory: &RunDirectory) -> ExitCode {
+        let format = MessageFormat::Human;
+        let path = directory.path();
+        let written = write_designs(&path.join(DESIGNS), outcome)
+            .and_then(|()| write_optimum(&path.join(OPTIMUM), outcome))
+            .and_then(|()| page::write(&path.join(page::NAME), outcome));
+        if let Err(error) = written {
+            return format.unwritable(path, &error.to_string());
+        }
+        print!("{}", optimization::text(outcome));
+        if !self.quiet {
+            self.explain(path);
+        }
+        if outcome.interrupted {
+            let message = format!("interrupted after {} designs", outcome.designs.len());
+            format.failure(&message, "run the same command again to continue");
+            return ExitCode::from(MODEL_ERROR);
+        }
+        match outcome.best() {
+            Some((_, values)) if values.violation <= optimization::FEASIBLE => ExitCode::SUCCESS,
+            Some(_) => {
+                let help = "widen the ranges of the variables, or relax the bounds; optimization.html shows which ones conflict";
+                format.failure("no design meets all constraints", help);
+                ExitCode::from(MODEL_ERROR)
+            }
+            None => {
+                let help = "designs.csv has the reason of each";
+                format.failure("all designs failed", help);
+                ExitCode::from(MODEL_ERROR)
+            }
+        }
+    }
+
+    fn explain(&self, directory: &Path) {
+        let optimum = directory.join(OPTIMUM);
+        MessageFormat::Human.note(&format!(
+            "run the optimum with `calyx run {} --params {}`; designs and plots are in {}\n",
+            self.file.display(),
+            optimum.display(),
+            directory.display()
+        ));
+    }
+}
+
+/// Describes the state of an optimization in a line.
+fn described(state: &State, shown: impl Fn(f64) -> String) -> String {
+    let [ended, all] = state.searches;
+    let best = state
+        .best
+        .map_or("no design meets the constraints yet".to_owned(), |best| format!("best {}", shown(best)));
+    format!("{} designs, {best}, {ended} of {all} searches ended", state.designs)
+}

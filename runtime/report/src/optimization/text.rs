@@ -1,0 +1,124 @@
+//! Results of an optimization as text.
+
+use super::{FEASIBLE, Optimization, STEP};
+use crate::summary_table::{align, number};
+use calyx_abi::units::from_si;
+
+/// Formats the optimum: variables, objective by load case, constraints, and the searches.
+pub fn text(all: &Optimization) -> String {
+    let Some((variables, optimum)) = all.best() else { return "all designs failed\n".to_owned() };
+    let mut text = align(&variable_rows(all, variables));
+    text.push('\n');
+    text += &align(&value_rows(all));
+    text.push('\n');
+    text += &agreement(all);
+    if optimum.violation > FEASIBLE {
+        text += &format!(
+            "no design meets all constraints; this one exceeds a bound by {:.2} %\n",
+            100.0 * optimum.violation
+        );
+    }
+    text
+}
+
+fn variable_rows(all: &Optimization, variables: &[f64]) -> Vec<Vec<String>> {
+    let step = format!("{:.0} % of range", 100.0 * STEP);
+    let head = [
+        "variable",
+        "unit",
+        "from",
+        "to",
+        "initial",
+        "optimum",
+        "",
+        &format!("objective at -{step}"),
+        &format!("at +{step}"),
+    ];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for (k, (variable, si)) in all.variables.iter().zip(variables).enumerate() {
+        let unit = if variable.column.unit == "1" { "" } else { variable.column.unit.as_str() };
+        let mut row = vec![variable.column.name.clone(), unit.to_owned()];
+        row.extend([variable.low, variable.high, variable.initial].map(|si| variable.shown(si)));
+        row.push(number(from_si(*si, variable.column.factor)));
+        row.push(all.bound_of(k, *si).map(|bound| format!("at {bound}")).unwrap_or_default());
+        row.extend([0, 1].map(|side| influence(all, k, side)));
+        rows.push(row);
+    }
+    rows
+}
+
+/// Describes the change of the objective after a step of a variable.
+pub(crate) fn influence(all: &Optimization, variable: usize, side: usize) -> String {
+    let (Some((_, optimum)), Some(influence)) = (all.best(), all.influences.get(variable)) else {
+        return String::new();
+    };
+    let Some(values) = &influence.steps[side] else { return String::new() };
+    let change = (values.objective - optimum.objective) / optimum.objective.abs();
+    let change =
+        if change.is_finite() { format!("{:+.2} %", 100.0 * change) } else { number(values.objective) };
+    let violates = values.violation > FEASIBLE.max(optimum.violation);
+    if violates { format!("{change}, violates") } else { change }
+}
+
+fn value_rows(all: &Optimization) -> Vec<Vec<String>> {
+    let Some((_, optimum)) = all.best() else { return Vec::new() };
+    let mut rows = vec![["", "unit", "initial", "optimum", ""].map(str::to_owned).to_vec()];
+    let initial = all.initial.as_ref().ok();
+    let shown =
+        |si: Option<f64>, factor: f64| si.map_or("failed".to_owned(), |si| number(from_si(si, factor)));
+    let unit = |unit: &str| if unit == "1" { String::new() } else { unit.to_owned() };
+    let name = format!("{}.{}", all.column.name, all.objective.statistic.name());
+    let factor = all.column.factor;
+    rows.push(vec![
+        name.clone(),
+        unit(&all.column.unit),
+        shown(initial.map(|values| values.objective), factor),
+        number(from_si(optimum.objective, factor)),
+        "objective".to_owned(),
+    ]);
+    if all.cases.len() > 1 {
+        for (k, label) in all.cases.iter().enumerate() {
+            rows.push(vec![
+                format!("  {label}"),
+                unit(&all.column.unit),
+                shown(initial.map(|values| values.cases[k]), factor),
+                number(from_si(optimum.cases[k], factor)),
+                String::new(),
+            ]);
+        }
+    }
+    for (k, (constraint, column)) in all.constraints.iter().zip(&all.constraint_columns).enumerate() {
+        let at = |values| all.governing(values, k).map(|(_, value)| value);
+        let case = all.governing(optimum, k).map(|(case, _)| case).filter(|_| all.cases.len() > 1);
+        let mut state = if all.is_active(optimum, k) { "active" } else { "" }.to_owned();
+        if let Some(case) = case {
+            state = format!("{state} {}", all.cases[case]).trim().to_owned();
+        }
+        rows.push(vec![
+            constraint.shown(column),
+            unit(&column.unit),
+            shown(initial.and_then(at), column.factor),
+            shown(at(optimum), column.factor),
+            state,
+        ]);
+    }
+    rows
+}
+
+/// States how many searches have the same optimum.
+pub(crate) fn agreement(all: &Optimization) -> String {
+    let count = all.searches.len();
+    let alike = |k: usize| (0..count).filter(|&search| all.agreement(search)[k]).count();
+    let designs = all.designs.len();
+    if count == 1 {
+        return format!("1 search with {designs} designs\n");
+    }
+    let [objective, variables] = [alike(0), alike(1)];
+    let mut text = format!("{objective} of {count} searches have this objective within 0.1 %");
+    text += &match variables {
+        all if all == objective => ", with the same variables within 1 % of their ranges".to_owned(),
+        1 => ", but other variables: the optimum is not unique, or flat".to_owned(),
+        some => format!(", {some} of them with the same variables within 1 % of their ranges"),
+    };
+    text + &format!("; {designs} designs\n")
+}

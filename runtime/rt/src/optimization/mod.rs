@@ -1,0 +1,214 @@
+//! Optimization of a model: the values of some params at which a statistic of an output is best,
+//! within bounds of others, over load cases and samples of toleranced params.
+//!
+//! Several local searches begin at different designs. Each is COBYLA of Powell: linear models of all
+//! functions, interpolated at the corners of a simplex, minimized within a trust region. It needs no
+//! derivatives, and a maximum over positions or load cases is a set of functions below a common
+//! bound, whose kinks are therefore exact. Every evaluated load case is a line of a journal, from
+//! which an interrupted optimization continues: the searches are deterministic, and repeat their
+//! designs from the journal.
+//!
+//! See `docs/theory/optimization.md`.
+
+mod evaluation;
+mod functions;
+mod local_search;
+mod optimality;
+mod problem;
+mod study;
+
+pub use calyx_report::optimization::{
+    Constraint, DESIGNS, FEASIBLE, Measure, OPTIMUM, Optimization, Variable, text, write_designs,
+    write_optimum,
+};
+pub use evaluation::EVALUATIONS;
+pub use problem::{Effort, Problem};
+pub use study::read;
+
+use crate::engine::Engine;
+use crate::param_assignment::ParamAssignment;
+use crate::params::output_of;
+use crate::program::Program;
+use crate::run::RunError;
+use crate::sweep::sampling::coordinates;
+use calyx_abi::Cancel;
+use calyx_report::optimization::{Influence, Optimality, STEP, Search, Values, compare};
+use calyx_report::study::Method;
+use calyx_report::sweep::Column;
+use calyx_runtime::settings_override::Override;
+use evaluation::{Evaluator, Stop};
+use rayon::prelude::*;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Number of designs per search from which the starts are chosen.
+const CANDIDATES: usize = 6;
+
+/// A model and what is optimized.
+pub struct Optimizer {
+    pub program: Arc<dyn Program>,
+    /// Values assigned to params in all designs.
+    pub given: Vec<ParamAssignment>,
+    /// Overrides of the analysis settings.
+    pub overrides: Override,
+    pub problem: Problem,
+    /// Directory of the journal, locked by the caller.
+    pub directory: PathBuf,
+    pub engine: Engine,
+    /// Number of load cases that are solved at a time.
+    pub workers: usize,
+    pub cancel: Cancel,
+}
+
+/// State of an optimization, after each design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Number of evaluated designs.
+    pub designs: usize,
+    /// Number of searches that have ended, and of all.
+    pub searches: [usize; 2],
+    /// Best feasible objective, SI.
+    pub best: Option<f64>,
+}
+
+impl Optimizer {
+    /// Runs the optimization, or continues it. `done` receives the state after each design.
+    ///
+    /// # Errors
+    /// A value is invalid, every design of the starts failed, or the journal cannot be written.
+    pub fn run(&self, done: impl Fn(&State) + Sync) -> Result<Optimization, RunError> {
+        let evaluator = Evaluator::new(self, &done)?;
+        let workers = rayon::ThreadPoolBuilder::new().num_threads(self.workers.max(1)).build();
+        let workers = workers.map_err(|error| RunError::Io {
+            path: self.directory.clone(),
+            error: std::io::Error::other(error),
+        })?;
+        let ended = workers.install(|| self.search(&evaluator));
+        let mut all = self.summary(&evaluator)?;
+        match ended {
+            Ok(searches) => {
+                all.initial = evaluator.values(0, &self.initial()).map_err(|stop| evaluator.failure(stop))?;
+                all.searches = searches;
+            }
+            Err(Stop::Cancelled) => {
+                all.interrupted = true;
+                all.searches = evaluator.searches(self.problem.effort.starts);
+            }
+            Err(Stop::Unwritable) => return Err(evaluator.failure(Stop::Unwritable)),
+        }
+        if !all.interrupted {
+            let near = workers.install(|| self.near_optimum(&evaluator, &all));
+            match near {
+                Ok((influences, optimality)) => (all.influences, all.optimality) = (influences, optimality),
+                Err(Stop::Cancelled) => all.interrupted = true,
+                Err(stop) => return Err(evaluator.failure(stop)),
+            }
+        }
+        all.designs = evaluator.designs();
+        Ok(all)
+    }
+
+    /// Returns the coordinates of the initial design in the unit cube.
+    fn initial(&self) -> Vec<f64> {
+        let variables = self.problem.variables.iter();
+        variables.map(|variable| (variable.initial - variable.low) / (variable.high - variable.low)).collect()
+    }
+
+    /// Runs all local searches.
+    fn search(&self, evaluator: &Evaluator<'_>) -> Result<Vec<Search>, Stop> {
+        let starts = self.starts(evaluator)?;
+        let search = |(k, start): (usize, &Vec<f64>)| {
+            let found = local_search::run(evaluator, k + 1, start, self.problem.effort)?;
+            evaluator.end_search();
+            Ok(found)
+        };
+        starts.par_iter().enumerate().map(search).collect()
+    }
+
+    /// Returns the starts in the unit cube: the initial design, and the best ones of a Latin
+    /// hypercube.
+    fn starts(&self, evaluator: &Evaluator<'_>) -> Result<Vec<Vec<f64>>, Stop> {
+        let count = self.problem.effort.starts;
+        let mut starts = vec![self.initial()];
+        if count == 1 {
+            return Ok(starts);
+        }
+        let variables = self.problem.variables.len();
+        let points = CANDIDATES * (count - 1);
+        let by_variable: Vec<Vec<f64>> = (0..variables)
+            .map(|k| coordinates(Method::LatinHypercube, self.problem.effort.seed, k, points))
+            .collect();
+        let candidate = |point: usize| by_variable.iter().map(|all| all[point]).collect::<Vec<f64>>();
+        let mut candidates: Vec<Vec<f64>> = starts.clone();
+        candidates.extend((0..points).map(candidate));
+        let evaluated = candidates.par_iter().map(|at| evaluator.values(0, at));
+        let values = evaluated.collect::<Result<Vec<Result<Values, String>>, Stop>>()?;
+        let mut ranked: Vec<(Vec<f64>, &Values)> = Vec::new();
+        for (at, values) in candidates.into_iter().zip(&values).skip(1) {
+            ranked.extend(values.as_ref().ok().map(|values| (at, values)));
+        }
+        // A stable order: the better of two designs first, equal ones in the order of the sample.
+        ranked.sort_by(|(_, one), (_, other)| compare(&self.problem.objective, one, other));
+        starts.extend(ranked.into_iter().map(|(at, _)| at).take(count - 1));
+        if values[0].is_err() && starts.len() > 1 {
+            starts.remove(0);
+        }
+        Ok(starts)
+    }
+
+    /// Evaluates designs near the optimum.
+    fn near_optimum(
+        &self,
+        evaluator: &Evaluator<'_>,
+        all: &Optimization,
+    ) -> Result<(Vec<Influence>, Option<Optimality>), Stop> {
+        let Some((best, _)) = all.best() else { return Ok((Vec::new(), None)) };
+        let variables = &self.problem.variables;
+        let unit = |(variable, si): (&Variable, &f64)| (si - variable.low) / (variable.high - variable.low);
+        let at: Vec<f64> = variables.iter().zip(best).map(unit).collect();
+        let beside = |k: usize| {
+            let step = |sign: f64| {
+                let mut moved = at.clone();
+                moved[k] += sign * STEP;
+                if !(0.0..=1.0).contains(&moved[k]) {
+                    return Ok(None);
+                }
+                Ok(evaluator.values(0, &moved)?.ok())
+            };
+            Ok(Influence { steps: [step(-1.0)?, step(1.0)?] })
+        };
+        let influences = (0..at.len()).into_par_iter().map(beside).collect::<Result<Vec<_>, Stop>>()?;
+        Ok((influences, optimality::certificate(evaluator, &at)?))
+    }
+
+    /// Returns the description of the problem, without results.
+    fn summary(&self, evaluator: &Evaluator<'_>) -> Result<Optimization, RunError> {
+        let description = self.program.description();
+        let column = |output: &str| {
+            let index = output_of(description, output).map_err(RunError::Run)?;
+            Ok::<Column, RunError>(Column::from(&description.outputs[index]))
+        };
+        let constraints = &self.problem.constraints;
+        Ok(Optimization {
+            model: description.name.clone(),
+            doc: description.doc.clone(),
+            variables: self.problem.variables.clone(),
+            objective: self.problem.objective.clone(),
+            column: column(&self.problem.objective.output)?,
+            over_cases: self.problem.over_cases,
+            over_samples: self.problem.samples().map(|count| (self.problem.over_samples, count)),
+            constraints: constraints.clone(),
+            constraint_columns: constraints
+                .iter()
+                .map(|constraint| column(&constraint.output))
+                .collect::<Result<_, _>>()?,
+            cases: evaluator.labels(),
+            initial: Err("not evaluated".to_owned()),
+            searches: Vec::new(),
+            designs: Vec::new(),
+            influences: Vec::new(),
+            optimality: None,
+            interrupted: false,
+        })
+    }
+}
