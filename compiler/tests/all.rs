@@ -17,6 +17,7 @@ mod kernels;
 mod library;
 mod lsp;
 mod memory_limit;
+mod optimize;
 mod planetary;
 mod remedies;
 mod results;

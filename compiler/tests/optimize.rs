@@ -1,0 +1,184 @@
+//! Tests of `calyx optimize`: problems with known solutions, robust optima, failing designs, and the
+//! same bits for any number of threads and after a kill.
+
+use crate::support::pair;
+use calyx::rt::optimization::{Optimization, Optimizer, read};
+use calyx::rt::sweep::StudyFile;
+use calyx::{Engine, Module};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// Problem with a known solution. Models without an analysis are formulas.
+struct Known {
+    /// Source of the problem.
+    name: &'static str,
+    model: &'static str,
+    study: &'static str,
+    variables: &'static [f64],
+    objective: f64,
+    /// Accuracy of the variables, absolute, and of the objective, relative.
+    tolerance: [f64; 2],
+    /// Multipliers by constraint, relative to bound and objective; empty if they are not compared.
+    multipliers: &'static [f64],
+}
+
+/// The tolerances are those of the setting `tolerance` times the range, with a factor of ten for the
+/// flatness of smooth optima.
+const KNOWN: &[Known] = &[
+    Known {
+        name: "Rosen and Suzuki; Hock and Schittkowski 43",
+        model: "param a = 0.5 in -3 .. 3; param b = 0.5 in -3 .. 3; param c = 0.5 in -3 .. 3; param d = 0.5 in -3 .. 3;
+            output f := a^2 + b^2 + 2 * c^2 + d^2 - 5 * a - 5 * b - 21 * c + 7 * d;
+            output g1 := a^2 + b^2 + c^2 + d^2 + a - b + c - d;
+            output g2 := a^2 + 2 * b^2 + c^2 + 2 * d^2 - a - d;
+            output g3 := 2 * a^2 + b^2 + c^2 + 2 * a - b - d;",
+        study: "objective = \"min f\"\nconstraints = [\"g1 <= 8\", \"g2 <= 10\", \"g3 <= 5\"]
+            [variables]\na = \"-3..3\"\nb = \"-3..3\"\nc = \"-3..3\"\nd = \"-3..3\"\n[optimization]\ntolerance = 1e-5",
+        variables: &[0.0, 1.0, 2.0, -1.0],
+        objective: -44.0,
+        tolerance: [2e-3, 1e-5],
+        multipliers: &[8.0 / 44.0, 0.0, 10.0 / 44.0],
+    },
+    Known {
+        name: "CB2 of Charalambous and Bandler, Mathematical Programming 14 (1978): a minimax over load cases",
+        model: "param x = 1.5 in -2 .. 2; param y = 1.5 in -2 .. 2; param which = 1 in 1 .. 3;
+            output f := if (which == 1) x^2 + y^4 else if (which == 2) (2 - x)^2 + (2 - y)^2 else 2 * exp(y - x);",
+        study: "objective = \"min f\"\n[variables]\nx = \"-2..2\"\ny = \"-2..2\"\n[axes]\nwhich = [1, 2, 3]\n[optimization]\ntolerance = 1e-5",
+        variables: &[1.139_037_65, 0.899_559_94],
+        objective: 1.952_224_493_8,
+        tolerance: [5e-4, 1e-5],
+        multipliers: &[],
+    },
+    Known {
+        name: "largest product below a plane, with a variable at its bound",
+        model: "param x = 1.5 in 0 .. 10; param y = 1.5 in 0 .. 10; output f := x * y; output sum := x + 2 * y;",
+        study: "objective = \"max f\"\nconstraints = [\"sum <= 12\"]\n[variables]\nx = \"0..4\"\ny = \"0..10\"\n[optimization]\ntolerance = 1e-5",
+        variables: &[4.0, 4.0],
+        objective: 16.0,
+        tolerance: [1e-3, 1e-5],
+        multipliers: &[12.0 * 2.0 / 16.0],
+    },
+    Known {
+        name: "mean over load cases",
+        model: "param x = 0.5 in -5 .. 5; param at = 0 in -5 .. 5; output f := (x - at)^2 + 1;",
+        study: "objective = \"min f\"\n[variables]\nx = \"-5..5\"\n[axes]\nat = [-1, 0, 4]\n[optimization]\nover_cases = \"mean\"",
+        variables: &[1.0],
+        objective: 17.0 / 3.0,
+        tolerance: [1e-2, 1e-4],
+        multipliers: &[],
+    },
+    Known {
+        name: "robust against a deviation: the worst sample grows with both",
+        model: "param x = 0.5 in -5 .. 5; param load = 1.5 in 0 .. 5; output f := (x - 2)^2 + 4; output g := load * x;",
+        study: "objective = \"min f\"\nconstraints = [\"g <= 3\"]\n[variables]\nx = \"-5..5\"\n[tolerances]\nload = \"uniform(1..2)\"\n[sampling]\nmethod = \"latin_hypercube\"\nsamples = 50\n[optimization]\ntolerance = 1e-6",
+        // The largest of 50 samples of the load is between 1.98 and 2.
+        variables: &[1.5075],
+        objective: 4.2426,
+        tolerance: [0.0076, 2e-3],
+        multipliers: &[],
+    },
+    Known {
+        name: "designs that fail are avoided",
+        model: "param x = 0.1 in 0 .. 1; if (x > 0.6) throw Error(code = \"E0999\", message = \"too large\"); output f := (x - 1)^2 + 1;",
+        study: "objective = \"min f\"\n[variables]\nx = \"0..1\"\n[optimization]\ntolerance = 1e-6",
+        variables: &[0.6],
+        objective: 1.16,
+        tolerance: [1e-2, 1e-2],
+        multipliers: &[],
+    },
+];
+
+/// Runs an optimization in a directory.
+fn optimized(directory: &Path, model: &str, study: &str, workers: usize) -> Optimization {
+    let path = directory.join("study.toml");
+    fs::write(&path, study).expect("written");
+    let module = Module::from_text(&Engine::default(), "model.cx", model);
+    let module = module.unwrap_or_else(|error| panic!("{error}"));
+    let program = module.as_program();
+    let file = StudyFile::read(&path).expect("a study file");
+    let (problem, _) = read(&file, None, program.description()).unwrap_or_else(|why| panic!("{why:?}"));
+    let optimizer = Optimizer {
+        program,
+        given: file.params,
+        overrides: Default::default(),
+        problem,
+        directory: directory.to_owned(),
+        engine: Engine::default(),
+        workers,
+        cancel: Default::default(),
+    };
+    optimizer.run(|_| {}).expect("an optimum")
+}
+
+#[test]
+fn known_solutions_are_found() {
+    for Known { name, model, study, variables, objective, tolerance, multipliers } in KNOWN {
+        let folder = tempfile::tempdir().expect("a folder");
+        let all = optimized(folder.path(), model, study, 2);
+        let (found, values) = all.best().expect("a design");
+        println!("{name}: {found:?} {} {}", values.objective, values.violation);
+        for (found, known) in found.iter().zip(*variables) {
+            assert!((found - known).abs() <= tolerance[0], "{name}: {found} instead of {known}");
+        }
+        let off = (values.objective - objective).abs() / objective.abs();
+        assert!(off <= tolerance[1], "{name}: {} instead of {objective}", values.objective);
+        assert!(values.violation <= 1e-6, "{name}: {}", values.violation);
+        let optimality = all.optimality.as_ref();
+        for (k, known) in multipliers.iter().enumerate() {
+            let optimality = optimality.expect("multipliers");
+            let own = optimality.multipliers.iter().filter(|one| one.constraint == Some(k));
+            let found: f64 = own.map(|one| one.value).sum();
+            assert!((found - known).abs() < 0.01, "{name}: multiplier {found} instead of {known}");
+            assert!(optimality.residual < 0.01, "{name}: {}", optimality.residual);
+        }
+    }
+}
+
+/// A pair of which an optimization takes a moment.
+fn model() -> String {
+    pair("", "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 3), fidelity = \"analytic\");\n")
+}
+
+#[test]
+fn files_are_the_same_at_any_number_of_threads_and_after_a_kill() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    fs::write(at.join("pair.cx"), model()).expect("written");
+    let study = "objective = \"min transmission_error.peak_to_peak\"\n[variables]\ntorque = \"10 N*m..40 N*m\"\n[optimization]\nstarts = 2\ntolerance = 0.01\n";
+    fs::write(at.join("study.toml"), study).expect("written");
+    let optimize = |threads: &str, out: &str| {
+        let arguments = ["optimize", "pair.cx", "study.toml", "--quiet", "--threads", threads, "--out", out];
+        let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
+        command.args(arguments).env("CALYX_CACHE", "off").current_dir(at);
+        let output = command.output().expect("it starts");
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{told}");
+        ["designs.csv", "optimum.toml", "optimization.html"]
+            .map(|name| fs::read_to_string(at.join(out).join(name)).expect(name))
+    };
+    let whole = optimize("1", "one");
+    assert_eq!(optimize("3", "three"), whole);
+    // Killed in the middle of a line.
+    let journal = at.join("one/evaluations.jsonl");
+    let text = fs::read_to_string(&journal).expect("a journal");
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    assert!(lines.len() > 8, "{text}");
+    fs::write(&journal, lines[..5].concat() + &lines[5][..lines[5].len() / 2]).expect("written");
+    assert_eq!(optimize("2", "one"), whole);
+
+    // The optimum is a params file with the bits of the design.
+    let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
+    command.args(["run", "pair.cx", "--params", "one/optimum.toml", "--out", "run", "--quiet"]).current_dir(at);
+    let output = command.output().expect("it starts");
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let run = fs::read_to_string(at.join("run/run.json")).expect("a run");
+    let run: serde_json::Value = serde_json::from_str(&run).expect("JSON");
+    let shown = run["outputs"]["transmission_error"]["display"]["peak_to_peak"].as_f64().expect("a number");
+    let mut designs = csv::Reader::from_reader(whole[0].as_bytes());
+    let column = designs.headers().expect("a head").iter().position(|name| name.starts_with("transmission_error"));
+    let column = column.expect("the objective");
+    let best = designs.records().map(|row| row.expect("a row")[column].parse::<f64>().expect("a number"));
+    let best = best.fold(f64::INFINITY, f64::min);
+    assert!((shown - best).abs() <= 1e-12 * best, "{shown} {best}");
+}
