@@ -133,6 +133,11 @@ fn sweeps_tabulate_their_cases() {
 }
 
 #[test]
+fn optimizations_find_designs_within_constraints() {
+    hold(include_str!("cli/optimize.md"));
+}
+
+#[test]
 fn samples_and_study_files_vary_params() {
     hold(include_str!("cli/study.md"));
 }

@@ -41,7 +41,7 @@ const KNOWN: &[Known] = &[
         multipliers: &[8.0 / 44.0, 0.0, 10.0 / 44.0],
     },
     Known {
-        name: "CB2 of Charalambous and Bandler, Mathematical Programming 14 (1978): a minimax over load cases",
+        name: "CB2 of Charalambous and Conn, SIAM J. Numer. Anal. 15 (1978): a minimax over load cases",
         model: "param x = 1.5 in -2 .. 2; param y = 1.5 in -2 .. 2; param which = 1 in 1 .. 3;
             output f := if (which == 1) x^2 + y^4 else if (which == 2) (2 - x)^2 + (2 - y)^2 else 2 * exp(y - x);",
         study: "objective = \"min f\"\n[variables]\nx = \"-2..2\"\ny = \"-2..2\"\n[axes]\nwhich = [1, 2, 3]\n[optimization]\ntolerance = 1e-5",
@@ -169,14 +169,17 @@ fn files_are_the_same_at_any_number_of_threads_and_after_a_kill() {
 
     // The optimum is a params file with the bits of the design.
     let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
-    command.args(["run", "pair.cx", "--params", "one/optimum.toml", "--out", "run", "--quiet"]).current_dir(at);
+    command
+        .args(["run", "pair.cx", "--params", "one/optimum.toml", "--out", "run", "--quiet"])
+        .current_dir(at);
     let output = command.output().expect("it starts");
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let run = fs::read_to_string(at.join("run/run.json")).expect("a run");
     let run: serde_json::Value = serde_json::from_str(&run).expect("JSON");
     let shown = run["outputs"]["transmission_error"]["display"]["peak_to_peak"].as_f64().expect("a number");
     let mut designs = csv::Reader::from_reader(whole[0].as_bytes());
-    let column = designs.headers().expect("a head").iter().position(|name| name.starts_with("transmission_error"));
+    let column =
+        designs.headers().expect("a head").iter().position(|name| name.starts_with("transmission_error"));
     let column = column.expect("the objective");
     let best = designs.records().map(|row| row.expect("a row")[column].parse::<f64>().expect("a number"));
     let best = best.fold(f64::INFINITY, f64::min);
