@@ -9,7 +9,7 @@ use std::{error, fmt, fs};
 /// First bytes of an array file.
 pub const MAGIC: &[u8; 8] = b"CALYXARR";
 /// Version of the format.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 /// Alignment of the header and of arrays, bytes.
 const ALIGNMENT: usize = 8;
 /// Number of bytes before the header.
@@ -116,6 +116,9 @@ impl<'a> ArrayFile<'a> {
         let number = |at: usize| {
             prefix[at..].iter().take(4).rev().fold(0, |sum: u32, byte| sum << 8 | u32::from(*byte))
         };
+        if number(8) < VERSION {
+            return Err(invalid("it was written by an older version of Calyx: run the model again"));
+        }
         if number(8) != VERSION {
             return Err(InvalidArrayFile(format!(
                 "the file has version {} of the format, not {VERSION}",
@@ -191,7 +194,8 @@ mod tests {
             ArrayFile::read(&bytes).unwrap_err().to_string()
         };
         assert_eq!(with(0, b'X'), "the file is no array file");
-        assert_eq!(with(8, 3), "the file has version 3 of the format, not 2");
+        assert_eq!(with(8, 4), "the file has version 4 of the format, not 3");
+        assert_eq!(with(8, 2), "it was written by an older version of Calyx: run the model again");
         assert_eq!(with(15, 255), "the file is truncated");
         let file = ArrayFile::read(&bytes).unwrap();
         for reference in [

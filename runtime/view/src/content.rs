@@ -8,6 +8,12 @@ use serde_json::{Value, json};
 /// Index of a part that is not displayed.
 const NO_PART: u32 = u32::MAX;
 
+/// Bytes that a position stores for each part: its pose.
+pub const BYTES_PER_PART: usize = 12 * size_of::<f64>();
+/// Bytes that a position stores for each loaded contact cell: corners, pressure, kind, and two
+/// parts, teeth and surfaces.
+pub const BYTES_PER_CELL: usize = (12 + 1 + 1 + 6) * size_of::<f32>();
+
 /// Returns the bytes of the file of parts of a model with its system of units.
 pub fn parts(parts: &[Part], (model, units): (&str, &str)) -> Vec<u8> {
     let mut arrays = Arrays::default();

@@ -5,7 +5,7 @@
 //! which are known in ground coordinates: so a run that is resumed finds the meshes of the earlier
 //! one, and meshes of runs with other shapes have other names. All teeth of a gear share a mesh.
 
-use crate::array_file::Arrays;
+use crate::array_file::{Arrays, VERSION};
 use calyx_runtime::contact::solid::Pose;
 use calyx_runtime::observables::{ElasticBodyField, Fields, Part, PartOf, SectorField};
 use calyx_runtime::stress::rotated;
@@ -17,6 +17,13 @@ use std::collections::BTreeMap;
 use std::collections::hash_map::DefaultHasher;
 use std::f64::consts::TAU;
 use std::hash::{Hash, Hasher};
+
+/// Bytes that a position stores for each point of a mesh: three displacements, six stresses, and
+/// the estimated error of the stresses.
+pub const BYTES_PER_POINT: usize = (3 + 6 + 1) * size_of::<f32>();
+/// Bytes that a position stores for each point of a plane model, whose mesh is extruded: two
+/// displacements, four stresses, and their error.
+pub const BYTES_PER_PLANE_POINT: usize = (2 + 4 + 1) * size_of::<f32>();
 
 /// Coordinates below this fraction of the size of a mesh are zero but for rounding.
 const ROUNDING: f64 = 1e-12;
@@ -75,6 +82,9 @@ struct Deformed<'a> {
     copy: u32,
     /// Angle of this copy about the z axis of the part, rad.
     angle: f64,
+    /// True for a plane mesh extruded over the face width. Positions have the values of its first
+    /// end, because plane strain is the same in all sections.
+    extruded: bool,
     pose: &'a Pose,
     field: Field<'a>,
 }
@@ -105,6 +115,7 @@ fn deformed(fields: &Fields) -> Vec<Deformed<'_>> {
                 shape: &shape.surface,
                 copy: sector.tooth,
                 angle,
+                extruded: is_plane,
                 pose,
                 field: Field::Sector(shown),
             }
@@ -114,7 +125,8 @@ fn deformed(fields: &Fields) -> Vec<Deformed<'_>> {
         let is_own = |part: &Part| matches!(part.of, PartOf::Connection(_)) && part.name == body.body;
         let Some((part, pose)) = placed(&is_own) else { continue };
         let shape = &fields.parts[part].surface;
-        all.push(Deformed { part, shape, copy: 0, angle: 0.0, pose, field: Field::Body(body) });
+        let field = Field::Body(body);
+        all.push(Deformed { part, shape, copy: 0, angle: 0.0, extruded: false, pose, field });
     }
     all
 }
@@ -143,7 +155,7 @@ impl Deformed<'_> {
 
     fn name(&self) -> String {
         let mut hasher = DefaultHasher::new();
-        (self.part, self.shape.copies).hash(&mut hasher);
+        (VERSION, self.part, self.shape.copies, self.extruded).hash(&mut hasher);
         self.shape.points.as_flattened().iter().for_each(|part| part.to_bits().hash(&mut hasher));
         for cell in self.cells() {
             (cell.kind as u8, cell.corners, cell.element).hash(&mut hasher);
@@ -181,6 +193,7 @@ impl Deformed<'_> {
         let mut arrays = Arrays::default();
         let header = json!({
             "open": skin.open,
+            "extruded": self.extruded,
             "points": arrays.single(points),
             "triangles": arrays.indices(skin.triangles.iter().map(|row| row.map(of_skin))),
             "edges": arrays.indices(skin.edges.iter().map(|row| row.map(of_skin))),
@@ -197,13 +210,24 @@ impl Deformed<'_> {
             Field::Sector(sector) => (&sector.displacements, &sector.stresses, &sector.stress_errors),
             Field::Body(body) => (&body.displacements, &body.stresses, &body.stress_errors),
         };
+        // The points of the second end of an extruded mesh follow those of the first end.
+        let nodes = if self.extruded { &nodes[..nodes.len() / 2] } else { nodes };
         let (to_part, nodes) = (self.to_part(), || nodes.iter());
+        let displacements = nodes().map(|&node| product(&to_part, displacements[node]));
+        let stresses = nodes().map(|&node| rotated(&to_part, stresses[node]));
+        let [displacements, stresses] = match self.extruded {
+            true => [
+                arrays.single(displacements.map(|[x, y, _]| [x, y])),
+                arrays.single(stresses.map(|[xx, yy, zz, _, _, xy]| [xx, yy, zz, xy])),
+            ],
+            false => [arrays.single(displacements), arrays.single(stresses)],
+        };
         json!({
             "mesh": name,
             "part": self.part,
             "copy": self.copy,
-            "displacements": arrays.single(nodes().map(|&node| product(&to_part, displacements[node]))),
-            "stresses": arrays.single(nodes().map(|&node| rotated(&to_part, stresses[node]))),
+            "displacements": displacements,
+            "stresses": stresses,
             "stress_errors": arrays.single(nodes().map(|&node| [errors[node]])),
         })
     }
@@ -229,7 +253,8 @@ fn ends(part: &Part) -> [f64; 2] {
     z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
 }
 
-/// Extrudes a plane sector between two axial positions: plane strain is the same in all sections.
+/// Extrudes the points and cells of a plane sector between two axial positions. The values remain
+/// those of one section.
 fn extruded(sector: &SectorField, ends: [f64; 2]) -> SectorField {
     let count = sector.points.len();
     let points = ends.iter().flat_map(|&z| sector.points.iter().map(move |&[x, y, _]| [x, y, z])).collect();
@@ -240,8 +265,8 @@ fn extruded(sector: &SectorField, ends: [f64; 2]) -> SectorField {
         points,
         cells: sector.cells.iter().map(cell).collect(),
         elements: sector.elements.clone(),
-        displacements: sector.displacements.repeat(2),
-        stresses: sector.stresses.repeat(2),
-        stress_errors: sector.stress_errors.repeat(2),
+        displacements: sector.displacements.clone(),
+        stresses: sector.stresses.clone(),
+        stress_errors: sector.stress_errors.clone(),
     }
 }

@@ -2,8 +2,10 @@
 
 import { expect, test } from "@playwright/test";
 import type { Viewer } from "../src/viewer/index.ts";
+import { readMeshShape, readPosition, type Part } from "../src/viewer/run_data.ts";
 import { edgesBySide } from "../src/viewer/seams.ts";
 import { displacement, embeddedData, createFixture, WHEEL, writePage } from "./fixture.ts";
+import { ArrayWriter } from "./array_writer.ts";
 import { gearSector } from "./gear_shapes.ts";
 import { fixture, open, project, restore, settle, state } from "./page.ts";
 
@@ -93,4 +95,27 @@ test("open edges of a twisted sector are those of their neighbours", () => {
   const found = edgesBySide(Uint32Array.from([...loop(4), ...loop(0)]), Float32Array.from(points), 12);
   expect(found[1]).toEqual(loop(4));
   expect(found[-1]).toEqual(loop(0));
+});
+
+test("an extruded mesh has the values of its section at both ends", async () => {
+  const buffer = (bytes: Uint8Array) => bytes.buffer as ArrayBuffer;
+  const shapeOf = (points: number[]) => {
+    const writer = new ArrayWriter();
+    const arrays = { points: writer.add("f32", 3, points), triangles: writer.add("u32", 3, [0, 1, 2]) };
+    return readMeshShape("mesh-a.bin", buffer(writer.finish({ open: false, extruded: true, ...arrays })));
+  };
+  const shape = shapeOf([1, 2, 0, 3, 4, 0, 1, 2, 5, 3, 4, 5]);
+  const writer = new ArrayWriter();
+  const values = {
+    displacements: writer.add("f32", 2, [1, 2, 3, 4]),
+    stresses: writer.add("f32", 4, [1, 2, 3, 4, 5, 6, 7, 8]),
+    stress_errors: writer.add("f32", 1, [1, 2]),
+  };
+  const file = writer.finish({ poses: writer.add("f64", 12, Array(12).fill(0)), meshes: [{ mesh: "mesh-a.bin", part: 0, copy: 0, ...values }] });
+  const position = await readPosition("position-0000.bin", buffer(file), [{ index: 0, name: "gear", copies: 1 } as Part], async () => shape);
+  const mesh = position.meshes[0]!;
+  expect([...mesh.displacements]).toEqual([1, 2, 0, 3, 4, 0, 1, 2, 0, 3, 4, 0]);
+  expect([...mesh.stresses]).toEqual([1, 2, 3, 0, 0, 4, 5, 6, 7, 0, 0, 8, 1, 2, 3, 0, 0, 4, 5, 6, 7, 0, 0, 8]);
+  expect([...mesh.stressErrors!]).toEqual([1, 2, 1, 2]);
+  expect(() => shapeOf([0, 0, 0])).toThrow("an extruded mesh needs an even number of them");
 });

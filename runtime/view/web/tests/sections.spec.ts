@@ -18,7 +18,7 @@ function meshOf(kind: CellKind, n: number, copy = 0, copies = 1, strain = 0): De
   return {
     part: 0, copy, cos: Math.cos(angle), sin: Math.sin(angle),
     shape: {
-      name: kind, open: false, points, triangles: array(content.triangles), edges: array([]),
+      name: kind, open: false, extruded: false, points, triangles: array(content.triangles), edges: array([]),
       tetrahedra: array(content.tetrahedra), wedges: array(content.wedges), hexahedra: array(content.hexahedra),
     },
     displacements: points.map((_, i) => (i % 3 === 2 ? strain * points[i]! : 0)),

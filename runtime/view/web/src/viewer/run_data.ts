@@ -50,6 +50,8 @@ export interface MeshShape {
   name: string;
   /** The surface contains shells, as for parts. */
   open: boolean;
+  /** A plane mesh, extruded: the second half of the points is its other end, and positions have values for the first half. */
+  extruded: boolean;
   /** Undeformed points of copy 0. */
   points: Float32Array;
   triangles: Uint32Array;
@@ -186,9 +188,12 @@ export function readMeshShape(name: string, buffer: ArrayBuffer): MeshShape {
     checkIndices(name, key, result, points.length / 3);
     return result;
   };
+  const extruded = header.extruded === true;
+  if (extruded && points.length % 6 !== 0) throw new FileError(name, "points: an extruded mesh needs an even number of them");
   return {
     name,
     open: header.open === true,
+    extruded,
     points,
     triangles: indices("triangles", 3, true),
     edges: indices("edges", 2, false),
@@ -211,18 +216,37 @@ async function readMesh(file: ArrayFile, value: Json, index: number, parts: Part
   const label = `mesh of ${part.name}`;
   const copy = Number(entry.copy ?? 0);
   if (!Number.isInteger(copy) || copy < 0 || copy >= part.copies) throw new FileError(file.name, `${label}: the copy does not exist`);
-  const displacements = file.f32(entry.displacements, 3, `${label}, displacements`);
-  const stresses = file.f32(entry.stresses, 6, `${label}, stresses`);
-  const stressErrors = entry.stress_errors ? file.f32(entry.stress_errors, 1, `${label}, stress errors`) : null;
   const name = String(entry.mesh);
   if (!MESH_NAME.test(name)) throw new FileError(file.name, `${label}: the name of the mesh is not valid`);
   const shape = await read(name);
+  const values = (key: string, components: number, plane: number[]) => {
+    const what = `${label}, ${key.replace("_", " ")}`;
+    if (!shape.extruded) return file.f32(entry[key], components, what);
+    return extruded(file.f32(entry[key], plane.length, what), components, plane);
+  };
+  const displacements = values("displacements", 3, [0, 1]);
+  // Components xx, yy, zz, yz, zx, xy: in plane strain yz and zx vanish.
+  const stresses = values("stresses", 6, [0, 1, 2, 5]);
+  const stressErrors = entry.stress_errors ? values("stress_errors", 1, [0]) : null;
   const count = shape.points.length / 3;
   if (displacements.length !== 3 * count || stresses.length !== 6 * count || (stressErrors && stressErrors.length !== count)) {
     throw new FileError(file.name, `${label}: the values do not fit the ${count} points of ${name}`);
   }
   const angle = (2 * Math.PI * copy) / part.copies;
   return { part: part.index, copy, cos: Math.cos(angle), sin: Math.sin(angle), shape, displacements, stresses, stressErrors };
+}
+
+/** Values of a plane mesh at both ends of its extrusion. Component i of a row becomes component `places[i]`. */
+function extruded(plane: Float32Array, components: number, places: number[]): Float32Array {
+  const count = plane.length / places.length;
+  const values = new Float32Array(2 * components * count);
+  for (let row = 0; row < count; row++) {
+    places.forEach((place, i) => {
+      values[components * row + place] = plane[places.length * row + i]!;
+    });
+  }
+  values.copyWithin(components * count, 0, components * count);
+  return values;
 }
 
 /** Reads a position and the meshes that it refers to. A mesh that cannot be read is left out. */
