@@ -1,6 +1,7 @@
 //! Analysis settings of a form: the overrides of `calyx run`, and the meshes that it writes on
 //! request. A setting that the form does not assign is that of the model.
 
+use calyx_rt::params::with_decimal_point;
 use calyx_runtime::settings_override::Override;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -149,21 +150,34 @@ pub(crate) struct CheckedSettings {
 pub(crate) fn checked(settings: &Settings) -> CheckedSettings {
     let mut all = CheckedSettings::default();
     for (name, text) in settings {
+        let known = SETTINGS.iter().find(|setting| setting.name == name);
         let outcome = match name.as_str() {
-            MESHES => boolean(text)
-                .map(|_| ())
-                .ok_or_else(|| (format!("`{MESHES}` cannot be `{text}`"), "choose TRUE or FALSE".to_owned())),
-            _ => all.overrides.set(name, text.trim()).map_err(|error| {
-                let is_missing = text.trim().is_empty();
-                let message = if is_missing { "a value is missing".to_owned() } else { error.message };
-                (message, error.help)
-            }),
+            MESHES => boolean(text).map(|_| ()).ok_or_else(|| (None, "choose TRUE or FALSE".to_owned())),
+            _ => all
+                .overrides
+                .set(name, text.trim())
+                .map_err(|error| (known.is_none().then_some(error.message), error.help)),
         };
+        let outcome = outcome.map_err(|(message, help)| {
+            let label = known.map_or(name.as_str(), |setting| setting.label);
+            (message.unwrap_or_else(|| refusal(label, text.trim())), help)
+        });
         if let Err((message, help)) = outcome {
             all.errors.insert(name.clone(), json!({ "message": message, "help": help }));
         }
     }
     all
+}
+
+/// Returns the message about an invalid value, with the label of its field.
+fn refusal(label: &str, text: &str) -> String {
+    match with_decimal_point(text) {
+        _ if text.is_empty() => "a value is missing".to_owned(),
+        Some(number) => {
+            format!("{label} cannot be `{text}`: write a decimal point in place of the comma, `{number}`")
+        }
+        None => format!("{label} cannot be `{text}`"),
+    }
 }
 
 fn boolean(text: &str) -> Option<bool> {
@@ -172,6 +186,11 @@ fn boolean(text: &str) -> Option<bool> {
         "FALSE" => Some(false),
         _ => None,
     }
+}
+
+/// Returns true if a form requests meshes with stresses.
+pub(crate) fn requests_meshes(settings: &Settings) -> bool {
+    settings.get(MESHES).is_some_and(|text| boolean(text) == Some(true))
 }
 
 /// Returns the options of `calyx run` for valid settings.
@@ -224,6 +243,12 @@ mod tests {
         assert_eq!(overrides.overridden(), [("contact_cells", "6".to_owned())]);
         assert_eq!(errors.keys().collect::<Vec<_>>(), ["fidelity", "refinement", "torque", "vtu"]);
         assert_eq!(errors["refinement"]["message"], "a value is missing");
+        assert_eq!(errors["vtu"]["message"], "Finite-element meshes with stresses cannot be `yes`");
+        let CheckedSettings { errors, .. } =
+            checked(&settings(&[("contact_cells", "abc"), ("refinement", "1,5")]));
+        assert_eq!(errors["contact_cells"]["message"], "Contact cells M cannot be `abc`");
+        let message = "Mesh refinement cannot be `1,5`: write a decimal point in place of the comma, `1.5`";
+        assert_eq!(errors["refinement"]["message"], message);
         assert!(errors["fidelity"]["help"].as_str().expect("a remedy").contains("plane"));
     }
 

@@ -70,12 +70,24 @@ pub fn check_assignment(
     description: &ModelDescription,
     assignment: &ParamAssignment,
 ) -> Result<(), InvalidParam> {
+    assigned_value(description, assignment).map(|_| ())
+}
+
+/// Returns the value of an assignment, checked as [`check_assignment`] does; numbers are SI.
+///
+/// # Errors
+/// The name is unknown, or the value is invalid.
+pub fn assigned_value(
+    description: &ModelDescription,
+    assignment: &ParamAssignment,
+) -> Result<ParamValue, InvalidParam> {
     let checked = index_of(description, &assignment.name)
         .and_then(|index| Setting::new(description, index, &assignment.value, assignment.origin.as_ref()));
     match checked {
+        Ok(setting) => Ok(setting.value),
         Err(Error::Given(invalid)) => Err(invalid),
         // No other error arises here.
-        _ => Ok(()),
+        Err(_) => Err(InvalidParam::new(format!("`{}` cannot be read", assignment.name), "")),
     }
 }
 
@@ -332,6 +344,17 @@ fn read_numbers(
     .collect()
 }
 
+/// Returns a text that begins with a number with a decimal comma, such as `1,5 mm`, with a decimal
+/// point; `None` for other texts.
+pub fn with_decimal_point(text: &str) -> Option<String> {
+    let (before, after) = text.trim().split_once(',')?;
+    let is_number = before.trim_start_matches(['+', '-']).bytes().all(|byte| byte.is_ascii_digit())
+        && before.ends_with(|last: char| last.is_ascii_digit())
+        && after.starts_with(|first: char| first.is_ascii_digit())
+        && !after.contains(',');
+    is_number.then(|| format!("{before}.{after}"))
+}
+
 /// Converts an assigned value to a number in SI, for a param of any range.
 pub(crate) fn read_number(
     param: &ParamDescription,
@@ -355,7 +378,10 @@ pub(crate) fn read_number(
         AssignedValue::Si(si) => Ok(Quantity { value: *si, dimension: param.unit.dimension, unit: true }),
         AssignedValue::Bool(_) | AssignedValue::List(_) => Err("it is a number".into()),
     };
-    let quantity = quantity.map_err(|why| refused(&why))?;
+    let quantity = quantity.map_err(|why| match with_decimal_point(written) {
+        Some(number) => refused(&format!("write a decimal point in place of the comma, `{number}`")),
+        None => refused(&why),
+    })?;
     // A bare number is in the unit of the default.
     let value = if quantity.unit { quantity.value } else { to_si(quantity.value, param.unit.factor) };
     if quantity.unit && !quantity::fits(quantity.dimension, param.unit.dimension) {
