@@ -29,6 +29,7 @@ pub mod binding;
 pub mod check;
 mod cost;
 pub mod diagnostics;
+mod disk;
 mod elaboration;
 pub mod geometry;
 mod infix;
@@ -54,6 +55,7 @@ pub use check::{
     Checked, check_file, check_file_allowing, check_run, check_run_within, check_sources, check_text, render,
 };
 pub use cost::PlannedCost;
+pub use disk::PlannedDisk;
 pub use elaboration::{Cancelled, Elaboration, FUEL, MEMORY, Params, elaborate, elaborate_printing};
 pub use geometry::{CreatedAt, GearGeometry, Geometry, Membership, MeshGeometry};
 pub use infix::Infix;

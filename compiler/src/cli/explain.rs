@@ -90,6 +90,7 @@ fn plan(file: &Path, check: impl FnOnce(&Path) -> io::Result<Checked>, recalibra
         Some(plan) => {
             let rates = Rates::of_this_machine(rates_file().as_deref(), recalibrate);
             print!("{}\n{}", visible(&plan.text()), visible(&plan.cost(&rates).text()));
+            println!("  {}", plan.disk().text());
         }
         None => println!("There is nothing to analyse: no two bodies mesh."),
     }

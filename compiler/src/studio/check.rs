@@ -1,14 +1,15 @@
 //! Checks the values of a form as `calyx run` would, and predicts the cost of the run.
 
 use super::error::RequestError;
-use super::model::{Model, Snapshot, diagnostics, rendered};
+use super::form;
+use super::model::{Model, Snapshot, diagnostics, hash_of, rendered};
 use super::settings::{self, CheckedSettings, Settings};
 use crate::{Checked, check_run_within};
 use axum::http::StatusCode;
 use calyx_abi::description::ModelDescription;
 use calyx_lang::diagnostic::Severity;
 use calyx_rt::options::rates_file;
-use calyx_rt::params::check_assignment;
+use calyx_rt::params::{assigned_value, check_assignment};
 use calyx_rt::{InvalidParam, ParamAssignment};
 use calyx_runtime::cost::Rates;
 use calyx_runtime::resources::Resources;
@@ -36,6 +37,16 @@ pub(crate) fn assignments(values: &Values) -> Vec<ParamAssignment> {
 pub(crate) struct Outcome {
     pub json: Value,
     pub is_runnable: bool,
+}
+
+/// Returns the values of params in the units of the form, as records of runs have them, by name.
+fn normalized(description: &ModelDescription, given: &[ParamAssignment]) -> Map<String, Value> {
+    let text = |assignment: &ParamAssignment| {
+        let param = description.params.iter().find(|param| param.name == assignment.name)?;
+        let value = assigned_value(description, assignment).ok()?;
+        Some((assignment.name.clone(), json!(form::text_of(&value, param))))
+    };
+    given.iter().filter_map(text).collect()
 }
 
 /// Checks the values of a form. Blocks while the model is elaborated.
@@ -77,13 +88,15 @@ pub(crate) fn check(model: &Model, snapshot: &Snapshot, form: &Form) -> io::Resu
     let is_runnable = is_valid && checked.program.is_some() && !checked.has_errors();
     let json = json!({
         "version": snapshot.version,
+        "source": hash_of(model.path()),
         "runnable": is_runnable,
+        "values": normalized(&snapshot.description, &given),
         "errors": errors,
         "setting_errors": setting_errors,
         "refused": refused,
         "diagnostics": diagnostics(&checked.diagnostics, &checked.files),
         "rendered": rendered(&checked.diagnostics, &checked.files),
-        "plan": plan(&checked),
+        "plan": plan(&checked, &form.settings),
         "gear_data": checked.gear_data.text(),
     });
     Ok(Outcome { json, is_runnable })
@@ -154,19 +167,20 @@ fn named_param(invalid: &InvalidParam, snapshot: &Snapshot) -> Option<String> {
 
 /// Returns the plan and the predictions, as `calyx explain` prints them; `null` if the model
 /// analyses nothing or has errors.
-fn plan(checked: &Checked) -> Value {
+fn plan(checked: &Checked, settings: &Settings) -> Value {
     let Some(plan) = &checked.plan else { return Value::Null };
     static RATES: OnceLock<Rates> = OnceLock::new();
     let rates = RATES.get_or_init(|| Rates::of_this_machine(rates_file().as_deref(), false));
-    let cost = plan.cost(rates);
+    let (cost, disk) = (plan.cost(rates), plan.disk());
     json!({
         "fidelity": plan.fidelity,
         "three_dimensional": plan.three_dimensional,
         "positions": plan.positions.iter().sum::<usize>(),
         "time": cost.time(),
         "memory": cost.memory(),
+        "disk": if settings::requests_meshes(settings) { disk.with_meshes } else { disk.view },
         "text": plan.text(),
-        "cost": cost.text(),
+        "cost": format!("{}  {}\n", cost.text(), disk.text()),
         "ignored_inputs": pairs(&plan.ignored_inputs),
         "refused_outputs": plan.refused.iter().map(|(name, reason)| (name.clone(), json!(reason))).collect::<Map<_, _>>(),
     })

@@ -60,7 +60,7 @@ fn of_param(param: &ParamDescription, group: &str, doc: &str) -> Value {
 }
 
 /// Returns a value of a param as it is typed, in the unit of the default.
-fn text_of(value: &ParamValue, param: &ParamDescription) -> String {
+pub(crate) fn text_of(value: &ParamValue, param: &ParamDescription) -> String {
     let number = |si: &f64| shortest(from_si(*si, param.unit.factor));
     match value {
         ParamValue::Bool(truth) => (if *truth { "TRUE" } else { "FALSE" }).to_owned(),

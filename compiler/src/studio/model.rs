@@ -8,6 +8,7 @@ use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::SourceFile;
 use calyx_lang::render::{Colour, Renderer, to_json};
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -116,6 +117,12 @@ impl Model {
             "rendered": format!("error: cannot read {}: {error}\n", visible(&self.path.display().to_string())),
         })
     }
+}
+
+/// Returns the hash of the text of a model, as in `run.json`; `None` if the file cannot be read.
+pub(crate) fn hash_of(model: &Path) -> Option<String> {
+    let text = std::fs::read(model).ok()?;
+    Some(Sha256::digest(text).iter().fold(String::new(), |hash, byte| hash + &format!("{byte:02x}")))
 }
 
 /// Returns a text that changes if one of the files is written, replaced, created or removed.

@@ -5,6 +5,7 @@ use super::check::{Form, Values};
 use super::error::RequestError;
 use super::events::{Event, Events};
 use super::folder::{self, Preview};
+use super::model::hash_of;
 use super::process::{Process, Start, Status};
 use super::requests::texts;
 use super::results::{self, Summaries};
@@ -13,7 +14,6 @@ use calyx_abi::context::codes;
 use calyx_rt::directory::default_directory;
 use calyx_rt::run_directory::writer;
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -358,10 +358,8 @@ impl Runs {
     /// Refuses to resume a run of another text of the model. The process of the run compares the
     /// imported files and tables as well.
     fn refuse_changed_model(&self, summary: &Value) -> Result<(), RequestError> {
-        let text = self.model.as_deref().and_then(|model| fs::read(model).ok()).unwrap_or_default();
-        let hash =
-            Sha256::digest(text).iter().fold(String::new(), |hash, byte| hash + &format!("{byte:02x}"));
-        if summary["source"] == hash.as_str() {
+        let hash = self.model.as_deref().and_then(hash_of);
+        if hash.is_some() && summary["source"] == json!(hash) {
             return Ok(());
         }
         let help = "restore the text of the model, or start a new run with the params of this one";

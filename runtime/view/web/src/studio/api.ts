@@ -93,6 +93,8 @@ export interface Plan {
   time: number;
   /** Predicted memory, bytes. */
   memory: number;
+  /** Predicted disk space of the view, with the requested meshes, bytes. */
+  disk: number;
   text: string;
   cost: string;
   ignored_inputs: Record<string, string>;
@@ -102,6 +104,10 @@ export interface Plan {
 export interface Check {
   version: string;
   runnable: boolean;
+  /** Hash of the text of the model. */
+  source: string | null;
+  /** Valid values of the form, converted to the units of the params. */
+  values: Record<string, string>;
   errors: Record<string, Reason>;
   /** Errors by analysis setting. */
   setting_errors: Record<string, Reason>;
