@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import { Rendered } from "./diagnostics.tsx";
 import { Form } from "./form.tsx";
+import { FormChanged } from "./form_changes.tsx";
 import { fileName, paragraphs } from "./format.ts";
 import { Outputs } from "./outputs.tsx";
 import { Plots } from "./plots.tsx";
@@ -19,28 +20,35 @@ export function App({ studio }: { studio: Studio }): JSX.Element {
   const [, render] = useState(0);
   useEffect(() => studio.subscribe(() => render((count) => count + 1)), []);
   useKeys(studio);
-  const model = studio.model;
   return (
     <>
       <Header studio={studio} />
       <NoticeBar studio={studio} />
-      <main class="columns">
-        <aside class="left" aria-label="Params">
-          {model?.broken && <Rendered text={model.rendered} isError />}
-          {(!model?.broken || model.params.length > 0) && <Form studio={studio} />}
-        </aside>
-        <div class="centre">
-          <Scene studio={studio} />
-          <Plots studio={studio} />
-        </div>
-        <aside class="right" aria-label="Runs and results">
-          <RunPanel studio={studio} />
-          <Outputs studio={studio} />
-          <ParamDifferences studio={studio} />
-          <RunsList studio={studio} />
-          <Provenance studio={studio} />
-        </aside>
-      </main>
+      <main class="columns">{studio.isLoaded ? <Columns studio={studio} /> : <p class="empty" role="status">Loading …</p>}</main>
+    </>
+  );
+}
+
+function Columns({ studio }: { studio: Studio }): JSX.Element {
+  const { model } = studio;
+  return (
+    <>
+      <aside class="left" aria-label="Params">
+        {model?.broken && <Rendered text={model.rendered} isError />}
+        {(!model?.broken || model.params.length > 0) && <Form studio={studio} />}
+      </aside>
+      <div class="centre">
+        <FormChanged studio={studio} />
+        <Scene studio={studio} />
+        <Plots studio={studio} />
+      </div>
+      <aside class="right" aria-label="Runs and results">
+        <RunPanel studio={studio} />
+        <Outputs studio={studio} />
+        <ParamDifferences studio={studio} />
+        <RunsList studio={studio} />
+        <Provenance studio={studio} />
+      </aside>
     </>
   );
 }

@@ -76,6 +76,10 @@ function PlanSummary({ studio }: { studio: Studio }): JSX.Element {
       <dl class="facts">
         <div><dt>Predicted time</dt><dd data-testid="predicted-time">{seconds(plan.time)}</dd></div>
         <div><dt>Memory</dt><dd>{bytes(plan.memory)}</dd></div>
+        <div title="Predicted size of the files of the 3-D view, and of the meshes with stresses if they are requested">
+          <dt>Disk space</dt>
+          <dd data-testid="predicted-disk">{bytes(plan.disk)}</dd>
+        </div>
         <div><dt>Fidelity</dt><dd data-testid="fidelity">{plan.fidelity}</dd></div>
         <div><dt>Positions</dt><dd>{plan.positions}</dd></div>
       </dl>
@@ -165,6 +169,13 @@ function EndedEarly({ studio, results, reason }: { studio: Studio; results: Resu
         >
           Continue
         </button>
+      )}
+      {!resumable && incomplete && status !== "elsewhere" && (results.positions ?? 0) > 0 && (
+        <p class="muted small-text">
+          This studio did not start the run and does not know its options. To continue it, repeat its command with{" "}
+          <code>--resume</code>{" "}
+          in a terminal.
+        </p>
       )}
     </div>
   );

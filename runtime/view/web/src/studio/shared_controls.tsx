@@ -4,6 +4,7 @@ import type { JSX } from "preact";
 import { useState } from "preact/hooks";
 import type { PartialState, Viewer } from "../viewer/index.ts";
 import { FIELDS } from "../viewer/fields.ts";
+import { NUMBERS } from "../viewer/panels/Timeline.tsx";
 import type { Field } from "../viewer/state.ts";
 
 interface Props {
@@ -47,7 +48,7 @@ export function SharedControls({ viewers, state, positions }: Props): JSX.Elemen
           disabled={positions < 2}
           onInput={(event) => goTo(Number(event.currentTarget.value))}
         />
-        <output>{shown} / {last}</output>
+        <output title={NUMBERS}>{shown} (0 to {last})</output>
       </label>
     </div>
   );

@@ -107,6 +107,7 @@ export class Studio {
       this.#keepsOpened = about.opened !== null;
     });
     this.#isLoaded = true;
+    this.#changed();
     // A page that is closed or hidden may not run again.
     window.addEventListener("pagehide", () => this.#saveNow());
     document.addEventListener("visibilitychange", () => {
@@ -150,6 +151,11 @@ export class Studio {
       this.#saveNow();
       this.#changed();
     });
+  }
+
+  /** True when the form has the values of the session: an earlier change would be lost. */
+  get isLoaded(): boolean {
+    return this.#isLoaded;
   }
 
   get connection(): ConnectionState {

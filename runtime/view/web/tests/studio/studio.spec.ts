@@ -73,6 +73,41 @@ test("runs are stored, listed with their differences and compared", async ({ pag
   await expect(row(page, "run-0002")).toBeVisible();
 });
 
+test("a form that differs from the displayed run is marked, with the names of the params", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  const mark = page.getByTestId("form-changed");
+  await run(page, "run-0001");
+  await expect(mark).toHaveCount(0);
+  await page.getByLabel("torque", { exact: true }).fill("150");
+  await page.getByLabel("Error estimates", { exact: true }).selectOption("none");
+  await expect(mark).toContainText("Form changed since Run 1: error estimates, torque");
+  await expect(page.getByTestId("predicted-disk")).toHaveText(/MB/);
+  await picture(page, "form-changed");
+  // The same value in another unit is no change.
+  await page.getByLabel("torque", { exact: true }).fill("0.1 kN*m");
+  await expect(mark).toContainText("Form changed since Run 1: error estimates.");
+  await page.getByRole("button", { name: "Back to the values of the run" }).click();
+  await expect(mark).toHaveCount(0);
+  await page.getByLabel("torque", { exact: true }).fill("150");
+  await page.getByRole("button", { name: "Run with this form" }).click();
+  await expect(row(page, "run-0002")).toContainText("finished");
+  await expect(mark).toHaveCount(0);
+  server.write(`${PAIR}print("edited");`);
+  await expect(mark).toContainText("the text of the model");
+});
+
+test("errors of settings name their field, and a decimal comma its remedy", async ({ page, server }) => {
+  await page.goto(server.url);
+  await page.getByText("Positions, mesh and contact grid").click();
+  await page.getByLabel("Contact cells M", { exact: true }).fill("abc");
+  await expect(page.locator('[data-setting="contact_cells"]')).toContainText("Contact cells M cannot be abc");
+  await page.getByLabel("Mesh refinement", { exact: true }).fill("1,5");
+  await expect(page.locator('[data-setting="refinement"]')).toContainText("write a decimal point in place of the comma, 1.5");
+  await page.getByLabel("torque", { exact: true }).fill("1,5");
+  await expect(page.locator('[data-param="torque"]')).toContainText("write a decimal point in place of the comma, 1.5");
+});
+
 test("a long run shows its progress and is cancelled", async ({ page, server }) => {
   await page.goto(server.url);
   await switchAutomaticOff(page);
