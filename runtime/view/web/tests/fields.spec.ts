@@ -6,6 +6,7 @@ import { principalStresses, vonMises } from "../src/viewer/fields.ts";
 import { readMeshShape, readParts, readPosition } from "../src/viewer/run_data.ts";
 import { completeState, defaultState } from "../src/viewer/state.ts";
 import { buildSurface } from "../src/viewer/surface.ts";
+import { scaleTicks } from "../src/viewer/ticks.ts";
 import { displayUnit, formatNumber, formatValue, roundDown125, useUnitsOf } from "../src/viewer/units.ts";
 import { ArrayWriter } from "./array_writer.ts";
 import { createFixture } from "./fixture.ts";
@@ -133,4 +134,12 @@ test("a stored state of another form does not break the view", () => {
   expect(state.camera).toBeNull();
   expect(state.parts).toEqual({ a: "hidden" });
   expect(state.cut).toEqual(defaultState().cut);
+});
+
+test("legends have round numbers between their ends", () => {
+  const ticks = (low: number, high: number) => scaleTicks(low, high, 5).map((tick) => Number(tick.toPrecision(6)));
+  expect(ticks(0, 374.95)).toEqual([0, 100, 200, 300, 374.95]);
+  // A round number beside an end would touch it.
+  expect(ticks(1.98, 10.1)).toEqual([1.98, 4, 6, 8, 10.1]);
+  expect(ticks(-3, 3)).toEqual([-3, -2, 0, 2, 3]);
 });

@@ -2,7 +2,7 @@
 
 import { expect, test, type Page } from "@playwright/test";
 import { boundsOf, cellAt, Envelope, isIncluded, loadedSide, PatternAxes, patternCells } from "../src/viewer/pattern.ts";
-import { roundTicks } from "../src/viewer/pattern_drawing.ts";
+import { roundTicks } from "../src/viewer/ticks.ts";
 import type { Contacts, Part, Position } from "../src/viewer/run_data.ts";
 import { toothOf } from "../src/viewer/tooth.ts";
 import { contactCells, createFixture, embeddedData, PINION, stressError, writePage } from "./fixture.ts";
@@ -98,6 +98,25 @@ function positionAt(phase: number): Position {
   const poses = Float64Array.from([c, -s, 0, s, c, 0, 0, 0, 1, 0, 0, 0]);
   return { position: 0, time: 0, poses, contacts, forces: [], meshes: [], bytes: 0, problem: "" };
 }
+
+test("the outline of a helical flank is straight along the face", () => {
+  const shape = gearSector(PINION, 8, 6, 4);
+  const points = [...shape.points];
+  for (let i = 0; i < points.length; i += 3) {
+    const angle = points[i + 2]! * 25;
+    const [x, y] = [points[i]!, points[i + 1]!];
+    points[i] = Math.cos(angle) * x - Math.sin(angle) * y;
+    points[i + 1] = Math.sin(angle) * x + Math.cos(angle) * y;
+  }
+  const tooth = toothOf(partOf({ ...shape, points }, PINION.teeth))!;
+  for (const side of ["left", "right"] as const) {
+    const [outline] = tooth.flanks[side].outline;
+    const radii: number[] = [];
+    for (let i = 0; i < outline!.length; i += 2) if (Math.abs(outline![i]!) < 0.49 * PINION.width) radii.push(outline![i + 1]!);
+    const [low, high] = [Math.min(...radii), Math.max(...radii)];
+    expect(radii.filter((r) => r - low > 1e-6 && high - r > 1e-6)).toEqual([]);
+  }
+});
 
 test("cells have the coordinates of the gear, and the flank of their surface", () => {
   const part = partOf(gearSector(PINION, 4, 6, 4), PINION.teeth);
@@ -284,6 +303,21 @@ test("a mark behind a surface is dashed, in front of it not", { tag: "@slow" }, 
   await expect(mark).not.toHaveClass(/cv-label-hidden/);
   await restore(page, { camera: { ...camera, fitted: false, azimuth: 170, elevation: -30 } });
   await expect(mark).toHaveClass(/cv-label-hidden/);
+});
+
+test("a viewer of medium width has all tools, and panels above the scene", async ({ page }) => {
+  await page.setViewportSize({ width: 800, height: 600 });
+  await open(page, pageAddress);
+  await restore(page, { colours: { field: "contact_pressure" }, panels: { parts: true, settings: true, pattern: true } });
+  const canvas = page.getByRole("img", { name: /Three-dimensional view/ });
+  for (const name of ["Parts", "Settings"]) await expect(page.getByRole("complementary", { name })).toHaveCount(0);
+  expect((await canvas.boundingBox())!.width).toBe(800);
+  await page.getByRole("button", { name: "Settings", exact: true }).click();
+  await expect(page.getByRole("complementary", { name: "Settings" })).toBeVisible();
+  expect((await canvas.boundingBox())!.width).toBe(800);
+  await expect(page.getByRole("button", { name: "Force vectors" })).toBeVisible();
+  await page.setViewportSize({ width: 1000, height: 600 });
+  for (const name of ["Parts", "Settings"]) await expect(page.getByRole("complementary", { name })).toBeVisible();
 });
 
 test("narrow viewers have drawers, and nothing is cut off", { tag: "@slow" }, async ({ page }) => {

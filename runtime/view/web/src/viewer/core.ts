@@ -17,11 +17,13 @@ import { completeState, defaultState, type PartialState, type ViewState, type Vi
 import { ThemeWatcher } from "./theme.ts";
 import { useUnitsOf } from "./units.ts";
 
-/** What is above the scene of a narrow viewer. */
+/** What is above the scene of a viewer without room for panels. */
 export type Drawer = "parts" | "settings" | "tools";
 
 /** Width below which a viewer is narrow, CSS pixels. */
 const NARROW = 640;
+/** Width below which panels are drawers above the scene: beside it, they would leave less than half of the width. */
+const DRAWERS = 900;
 
 /** Time between a frame and the update of the marks, ms. */
 const MARKS_DELAY = 100;
@@ -40,8 +42,10 @@ export class Core {
   positions: Positions | null = null;
   probe: Probe | null = null;
   help = false;
-  /** There is no room for panels beside the scene: they are drawers above it. */
+  /** There is no room for all tools in the toolbar. */
   narrow = false;
+  /** There is no room for panels beside the scene: they are drawers above it. */
+  drawers = false;
   drawer: Drawer | null = null;
   /** Share of the positions that the search for limits has read, or null. */
   progress: number | null = null;
@@ -99,21 +103,24 @@ export class Core {
     const width = this.element.clientWidth;
     // An element that is not displayed has no width.
     const narrow = width > 0 && width < NARROW;
-    if (narrow === this.narrow) return;
+    const drawers = width > 0 && width < DRAWERS;
+    if (narrow === this.narrow && drawers === this.drawers) return;
     this.narrow = narrow;
+    this.drawers = drawers;
     this.drawer = null;
     this.element.toggleAttribute("data-narrow", narrow);
+    this.element.toggleAttribute("data-drawers", drawers);
     this.changed(false);
   }
 
   /** Returns whether a panel is displayed. */
   isOpen(panel: "parts" | "settings"): boolean {
-    return this.narrow ? this.drawer === panel : this.state.panels[panel];
+    return this.drawers ? this.drawer === panel : this.state.panels[panel];
   }
 
   /** Opens or closes a panel. */
   toggle(panel: "parts" | "settings", open = !this.isOpen(panel)): void {
-    if (this.narrow) this.setDrawer(open ? panel : null);
+    if (this.drawers) this.setDrawer(open ? panel : null);
     else this.update({ panels: { [panel]: open } });
   }
 

@@ -4,7 +4,7 @@ import * as THREE from "three";
 import { fillScaleTexture, partColour } from "./colours.ts";
 import { ContactView, isChosen } from "./contacts.ts";
 import { CutView } from "./cut.ts";
-import { FIELDS, isNodal, nodalValues, rangeOf, surfaceNodes, type NodalField } from "./fields.ts";
+import { FIELDS, isNodal, markedExtreme, nodalValues, rangeOf, shareWithin, surfaceNodes, type NodalField } from "./fields.ts";
 import { ForceView } from "./forces.ts";
 import type { Label } from "./labels.ts";
 import { MeshViews, type MeshView } from "./mesh_view.ts";
@@ -32,6 +32,8 @@ export class Display {
   /** Factor of the displayed deformation. */
   factor = 0;
   limits: Limits | null = null;
+  /** Values above automatic limits that leave out outliers: their share of the nodes, and the largest one. */
+  clipped: { share: number; largest: number } | null = null;
   triangles = 0;
   readonly cut = new CutView();
   readonly contacts: ContactView;
@@ -142,8 +144,38 @@ export class Display {
 
   /** Limits of a field in a position, over the parts that are not hidden. */
   limitsOf(position: Position, state: ViewState): Limits | null {
-    const extremes = this.extremes(position, state);
-    return extremes ? [extremes.min.value, extremes.max.value] : null;
+    return this.automaticLimits(position, state, this.extremes(position, state));
+  }
+
+  private automaticLimits(position: Position, state: ViewState, extremes: { min: Extreme; max: Extreme } | null): Limits | null {
+    if (!extremes) return null;
+    const share = shareWithin(state.colours.field);
+    if (share === 1) return [extremes.min.value, extremes.max.value];
+    const values = this.surfaceValues(position, state).sort();
+    return [extremes.min.value, values[Math.floor(share * (values.length - 1))]!];
+  }
+
+  /** Known values of a nodal field on the surfaces of the parts that are not hidden. */
+  private surfaceValues(position: Position, state: ViewState): Float64Array {
+    const field = state.colours.field as NodalField;
+    const shown = position.meshes.filter(({ part }) => this.shown(state, part));
+    const all = new Float64Array(shown.reduce((sum, mesh) => sum + mesh.shape.points.length / 3, 0));
+    let count = 0;
+    for (const mesh of shown) {
+      const mask = surfaceNodes(mesh.shape);
+      this.values(mesh, field).forEach((value, node) => {
+        if (mask[node] && Number.isFinite(value)) all[count++] = value;
+      });
+    }
+    return all.subarray(0, count);
+  }
+
+  private clippedBy(limits: Limits | null, state: ViewState, extremes: { max: Extreme } | null): Display["clipped"] {
+    const { field, limits: mode } = state.colours;
+    if (!limits || !extremes || !this.position || mode === "fixed" || shareWithin(field) === 1) return null;
+    const values = this.surfaceValues(this.position, state);
+    const above = values.reduce((count, value) => count + (value > limits[1] ? 1 : 0), 0);
+    return above > 0 ? { share: above / values.length, largest: extremes.max.value } : null;
   }
 
   private shown(state: ViewState, part: number): boolean {
@@ -231,6 +263,7 @@ export class Display {
     this.contacts.setBehind(state.hidden_contacts);
     const extremes = position ? this.extremes(position, state) : null;
     this.limits = this.chooseLimits(state, extremes, allLimits);
+    this.clipped = this.clippedBy(this.limits, state, extremes);
     if (this.limits) uniforms.limits.value.set(...this.limits);
     fillScaleTexture(this.scene.scaleTexture, colours.scale, colours.bands);
 
@@ -239,7 +272,7 @@ export class Display {
     this.applyCut(state);
     const labels = [...this.forces.labels];
     if (position && extremes && state.extremes) {
-      // Both labels have the unit of the larger value, as in the legend.
+      // The label has the unit of the legend.
       const size = Math.max(Math.abs(extremes.min.value), Math.abs(extremes.max.value));
       const unit = FIELDS[colours.field].quantity === "length" ? displayUnit("m", size) : stressUnit();
       const mark = (extreme: Extreme, kind: "maximum" | "minimum", word: string) => {
@@ -248,8 +281,8 @@ export class Display {
         if (this.isCutAway(point)) return;
         labels.push({ kind, text: `${word} ${formatNumber(value)} ${unit.symbol}`, point });
       };
-      mark(extremes.max, "maximum", "max");
-      if (nodal) mark(extremes.min, "minimum", "min");
+      if (markedExtreme(colours.field) === "maximum") mark(extremes.max, "maximum", "max");
+      else mark(extremes.min, "minimum", "min");
     }
     return labels;
   }
@@ -259,7 +292,7 @@ export class Display {
     if (colours.field === "plain") return null;
     if (colours.limits === "fixed") return [Math.min(colours.min, colours.max), Math.max(colours.min, colours.max)];
     if (colours.limits === "all" && all) return all;
-    return extremes ? [extremes.min.value, extremes.max.value] : null;
+    return this.position && this.automaticLimits(this.position, state, extremes);
   }
 
   private deformationFactor(state: ViewState): number {

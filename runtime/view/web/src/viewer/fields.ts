@@ -93,8 +93,24 @@ export const EXPLANATIONS: Partial<Record<Field, string>> = {
   stress_error:
     "Estimated error of the stresses, as von Mises stress: the difference between the averaged stresses at a node " +
     "and those of its elements (Zienkiewicz and Zhu). Where it is large, a finer mesh changes the stresses. It is " +
-    "largest at contacts, whose loads are concentrated at nodes: lower the upper limit to judge the fillets.",
+    "largest at contacts, whose loads are concentrated at nodes: automatic limits leave out the largest " +
+    "values, so that the fillets and the body are visible.",
 };
+
+/** Reason why the automatic factor shows no deformation. */
+export const UNDEFORMED =
+  "Contact pressure and plain colours show the undeformed shape, because contact cells and plain parts have no " +
+  "elastic displacements. Choose a stress or the displacement to see the deformation, or set a factor.";
+
+/** Share of the nodes below the upper automatic limit; 1 for fields without outliers. */
+export function shareWithin(field: Field): number {
+  return field === "stress_error" ? 0.95 : 1;
+}
+
+/** Extremes that are worth a mark: the largest magnitude of the field. */
+export function markedExtreme(field: Field): "minimum" | "maximum" {
+  return field === "min_principal" ? "minimum" : "maximum";
+}
 
 /** Value of a field at a node, in SI units; NaN if it is unknown. */
 export function nodalValue(mesh: DeformedMesh, field: NodalField, node: number): number {

@@ -3,6 +3,7 @@
 import { banded, colourAt, cssColour } from "./colours.ts";
 import type { Pattern } from "./pattern_model.ts";
 import type { ColourState } from "./state.ts";
+import { roundTicks, scaleTicks } from "./ticks.ts";
 import { toothOf } from "./tooth.ts";
 import { displayUnit, formatNumber, stressUnit } from "./units.ts";
 
@@ -120,16 +121,6 @@ function drawEnvelope(pen: Pen, layout: PatternLayout, { envelope, limits }: Pat
   }
 }
 
-/** Multiples of 1, 2 or 5 times a power of ten in a range, about `wanted` of them. */
-export function roundTicks(low: number, high: number, wanted: number): number[] {
-  const raw = (high - low) / Math.max(wanted, 1);
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw) ?? 10 * power;
-  const ticks: number[] = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) ticks.push(i * step);
-  return ticks;
-}
-
 /** Origins of the axes: z and radius themselves, or on conical gears the ends of the face. */
 export function originOf({ axes, bounds }: Pattern): [number, number] {
   return axes.direction === 0 ? [0, 0] : [bounds.u0, bounds.v0];
@@ -167,9 +158,10 @@ function drawBar(pen: Pen, layout: PatternLayout, limits: readonly [number, numb
     pen.fill([[x, y0, x + BAR, y0, x + BAR, y1, x, y1]], pressureColour(value, limits, colours), true);
   }
   pen.text(x, top - 7, unit.symbol, theme.text, "start");
-  for (let i = 0; i <= 4; i += bottom - top < 90 ? 2 : 1) {
-    const value = limits[0] + (i / 4) * (limits[1] - limits[0]);
-    pen.text(x + BAR + 6, bottom - (i / 4) * (bottom - top) + 4, formatNumber(value * unit.factor), theme.muted, "start");
+  const [low, high] = [limits[0] * unit.factor, limits[1] * unit.factor];
+  for (const value of scaleTicks(low, high, bottom - top < 90 ? 2 : 4)) {
+    const y = bottom - ((value - low) / (high - low || 1)) * (bottom - top);
+    pen.text(x + BAR + 6, y + 4, formatNumber(value), theme.muted, "start");
   }
 }
 

@@ -41,9 +41,10 @@ export function toothOf(part: Part): Tooth | null {
 function findTooth({ points, triangles }: Part): Tooth | null {
   const angles = continuousAngles(points, triangles);
   const count = triangles.length / 3;
-  const turn = new Float64Array(count);
+  const partner = quadrilaterals(points, triangles);
+  // Circumferential component of the normals times twice the area.
+  const around = new Float64Array(count);
   const area = new Float64Array(count);
-  let largest = 0;
   for (let t = 0; t < count; t++) {
     const [i, j, k] = [3 * triangles[3 * t]!, 3 * triangles[3 * t + 1]!, 3 * triangles[3 * t + 2]!];
     const [ux, uy, uz] = [points[j]! - points[i]!, points[j + 1]! - points[i + 1]!, points[j + 2]! - points[i + 2]!];
@@ -53,9 +54,14 @@ function findTooth({ points, triangles }: Part): Tooth | null {
     const [x, y] = [points[i]! + points[j]! + points[k]!, points[i + 1]! + points[j + 1]! + points[k + 1]!];
     if (!(size > 0)) continue;
     area[t] = size / 2;
-    turn[t] = (ny * x - nx * y) / (size * Math.hypot(x, y) || 1);
-    largest = Math.max(largest, Math.abs(turn[t]!));
+    around[t] = (ny * x - nx * y) / (Math.hypot(x, y) || 1);
   }
+  // Both halves of a quadrilateral belong to the flank, or none: the border would be a saw otherwise.
+  const turn = around.map((value, t) => {
+    const other = partner[t]!;
+    return other < 0 ? value / (2 * area[t]! || 1) : (value + around[other]!) / (2 * (area[t]! + area[other]!) || 1);
+  });
+  const largest = turn.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
   const side = (sign: number): Flank | null => {
     const own: number[] = [];
     for (let t = 0; t < count; t++) if (area[t]! > 0 && sign * turn[t]! > FLANK * largest) own.push(t);
@@ -65,6 +71,24 @@ function findTooth({ points, triangles }: Part): Tooth | null {
   const [left, right] = [side(1), side(-1)];
   if (!left || !right) return null;
   return { flanks: { left, right }, direction: faceDirection(left.angle, right.angle) };
+}
+
+/** For each triangle the one with which it has its longest edge in common, if it is the longest of both; otherwise -1. */
+function quadrilaterals(points: Float32Array, triangles: Uint32Array): Int32Array {
+  const partner = new Int32Array(triangles.length / 3).fill(-1);
+  const open = new Map<string, number>();
+  const length = (n: number, m: number) =>
+    Math.hypot(points[3 * n]! - points[3 * m]!, points[3 * n + 1]! - points[3 * m + 1]!, points[3 * n + 2]! - points[3 * m + 2]!);
+  for (let t = 0; t < partner.length; t++) {
+    const corners = [...triangles.subarray(3 * t, 3 * t + 3)];
+    const sides = corners.map((n, k) => [n, corners[(k + 1) % 3]!] as const);
+    const [n, m] = sides.reduce((longest, side) => (length(...side) > length(...longest) ? side : longest));
+    const key = n < m ? `${n} ${m}` : `${m} ${n}`;
+    const other = open.get(key);
+    if (other === undefined) open.set(key, t);
+    else [partner[t], partner[other]] = [other, t];
+  }
+  return partner;
 }
 
 /**

@@ -5,6 +5,7 @@ import type { Core } from "../core.ts";
 import { EXPLANATIONS } from "../fields.ts";
 import { legendTicks, legendTitle } from "../legend.ts";
 import type { CellChoice, Field } from "../state.ts";
+import { formatNumber, stressUnit } from "../units.ts";
 
 const CELLS: Record<CellChoice, string> = { all: "of cells, edges included", flanks: "flanks only", edges: "edges only" };
 const SHORT: Partial<Record<Field, string>> = { stress_error: "estimated, as von Mises stress" };
@@ -24,6 +25,11 @@ function gradient(core: Core): string {
   return `linear-gradient(to top, ${stops.join(", ")})`;
 }
 
+/** States which values the upper limit leaves out. */
+function clippedText({ share, largest }: { share: number; largest: number }, unit: string): string {
+  return `${formatNumber(100 * share, 2)} % of the nodes are above, up to ${formatNumber(largest * stressUnit().factor, 3)} ${unit}`;
+}
+
 export function Legend({ core }: { core: Core }) {
   const { field } = core.state.colours;
   if (field === "plain") return null;
@@ -39,6 +45,7 @@ export function Legend({ core }: { core: Core }) {
   // With many bands, a short bar has no room for all numbers.
   const step = core.narrow ? Math.ceil(ticks.length / 6) : 1;
   const { limits } = core.state.colours;
+  const clipped = core.display?.clipped;
   const range = limits === "all" ? "all positions" : limits === "fixed" ? "fixed limits" : "this position";
   return (
     <button
@@ -63,6 +70,7 @@ export function Legend({ core }: { core: Core }) {
         </span>
       </span>
       {EXPLANATIONS[field] ? <span class="cv-range">{SHORT[field]}</span> : null}
+      {clipped ? <span class="cv-range">{clippedText(clipped, unit)}</span> : null}
       <span class="cv-range">
         {field === "contact_pressure" ? `${CELLS[core.state.colours.cells]}; ` : ""}
         {core.progress !== null ? `reading … ${Math.round(100 * core.progress)} %` : range}

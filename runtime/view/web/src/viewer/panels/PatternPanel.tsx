@@ -130,7 +130,7 @@ function Picture({ core, pattern }: { core: Core; pattern: Pattern }) {
   const [pointer, setPointer] = useState<[number, number] | null>(null);
   const { hovered } = core.pattern;
   // With little room, the legend of the scene serves both pictures.
-  const bar = !(core.narrow && core.state.colours.field === "contact_pressure");
+  const bar = !(core.drawers && core.state.colours.field === "contact_pressure");
   const layout = new PatternLayout(size[0], size[1], pattern, bar);
   useEffect(() => {
     const element = holder.current!;

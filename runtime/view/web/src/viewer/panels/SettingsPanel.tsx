@@ -3,10 +3,10 @@
 import { SCALE_NAMES } from "../colours.ts";
 import { setCut } from "../controls.ts";
 import type { Core } from "../core.ts";
-import { EXPLANATIONS, isNodal } from "../fields.ts";
+import { EXPLANATIONS, isNodal, UNDEFORMED } from "../fields.ts";
 import { fieldUnit } from "../legend.ts";
 import type { Axis, CellChoice, Vector } from "../state.ts";
-import { formatNumber } from "../units.ts";
+import { displayUnit, formatNumber } from "../units.ts";
 import { NumberField, Section, Select, Slider, Toggle } from "./ui.tsx";
 
 export const CELL_CHOICES: { value: CellChoice; label: string }[] = [
@@ -106,6 +106,7 @@ function Deformation({ core }: { core: Core }) {
         value={core.display!.factor}
         onChange={(factor) => core.update({ deformation: { mode: "factor", factor } })}
       />
+      {mode === "automatic" && !isNodal(core.state.colours.field) ? <p class="cv-note">{UNDEFORMED}</p> : null}
     </Section>
   );
 }
@@ -117,6 +118,7 @@ function Cut({ core }: { core: Core }) {
     const d = core.scene!.camera.direction;
     return [d.x, d.y, d.z];
   };
+  const unit = displayUnit("m", 1);
   const axis = typeof cut.normal === "string" ? cut.normal : "view";
   return (
     <Section title="Cutting plane">
@@ -139,14 +141,19 @@ function Cut({ core }: { core: Core }) {
             min={view.range[0]}
             max={view.range[1]}
             value={view.offset}
-            text={`${formatNumber(view.offset * 1e3, 4)} mm`}
+            text={`${formatNumber(view.offset * unit.factor, 4)} ${unit.symbol}`}
             onInput={(offset) => {
               core.display!.setDragging(true, core.state);
               core.update({ cut: { offset } });
             }}
             onEnd={() => core.display!.setDragging(false, core.state)}
           />
-          <NumberField label="Coordinate" unit="mm" value={view.offset * 1e3} onChange={(value) => core.update({ cut: { offset: value / 1e3 } })} />
+          <NumberField
+            label="Coordinate"
+            unit={unit.symbol}
+            value={view.offset * unit.factor}
+            onChange={(value) => core.update({ cut: { offset: value / unit.factor } })}
+          />
           <Toggle label="Flip" value={cut.flipped} onChange={(flipped) => core.update({ cut: { flipped } })} />
         </>
       ) : null}

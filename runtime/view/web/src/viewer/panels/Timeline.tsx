@@ -4,6 +4,8 @@ import type { Core } from "../core.ts";
 import { displayUnit, formatNumber } from "../units.ts";
 import { Select, Tool } from "./ui.tsx";
 
+/** Explanation of the number of a position. */
+export const NUMBERS = "Positions count from 0, like the column step of steps.csv";
 const SPEEDS = [1, 2, 5, 10, 20, 30, 60];
 
 export function Timeline({ core }: { core: Core }) {
@@ -42,8 +44,11 @@ export function Timeline({ core }: { core: Core }) {
         }}
       />
       <output class="cv-clock">
-        <span>{entry.position}</span>
-        <span class="cv-muted"> / {last.position}</span>
+        <span title={NUMBERS}>
+          {core.narrow ? "" : "Position "}
+          {entry.position}
+          <span class="cv-muted"> ({list[0]!.position} to {last.position})</span>
+        </span>
         <span class="cv-clock-time">{time}</span>
       </output>
       {core.narrow ? null : <SpeedControls core={core} />}

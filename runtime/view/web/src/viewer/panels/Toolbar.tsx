@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import type { Core } from "../core.ts";
 import { setCut } from "../controls.ts";
 import { download, type ImageFormat } from "../export.ts";
-import { FIELDS } from "../fields.ts";
+import { FIELDS, isNodal, UNDEFORMED } from "../fields.ts";
 import type { Field, StandardView } from "../state.ts";
 import { formatNumber } from "../units.ts";
 import { CELL_CHOICES } from "./SettingsPanel.tsx";
@@ -158,7 +158,7 @@ function DisplayTools({ core }: { core: Core }) {
         onClick={() => {
           const on = !state.cut.on;
           setCut(core, { on });
-          if (on && !core.narrow) core.toggle("settings", true);
+          if (on && !core.drawers) core.toggle("settings", true);
         }}
       />
     </>
@@ -231,9 +231,13 @@ function Deformation({ core }: { core: Core }) {
           else core.update({ deformation: { mode: "factor", factor: Number(choice) } });
         }}
       />
-      <output class="cv-factor" aria-label="Factor of the deformation" title="Factor of the displayed deformation">
-        × {formatNumber(core.display!.factor, 3)}
-      </output>
+      {mode === "automatic" && !isNodal(core.state.colours.field) ? (
+        <span class="cv-factor" title={UNDEFORMED}>(none for this field)</span>
+      ) : (
+        <output class="cv-factor" aria-label="Factor of the deformation" title="Factor of the displayed deformation">
+          × {formatNumber(core.display!.factor, 3)}
+        </output>
+      )}
     </>
   );
 }
