@@ -22,6 +22,8 @@ export interface FixtureOptions {
   unknown?: boolean;
   /** Name of a part that has no position. */
   lost?: string | null;
+  /** The first node of the pinion's mesh has a stress error of 1 GPa. */
+  outlier?: boolean;
 }
 
 export interface Fixture {
@@ -143,7 +145,7 @@ const WHEEL_COPY = 17;
 export const stressError = (z: number): number => 2e7 + 1e9 * z;
 
 /** Deformed mesh of the pinion's tooth 0. */
-function pinionMesh(writer: ArrayWriter, unknown: boolean) {
+function pinionMesh(writer: ArrayWriter, unknown: boolean, outlier: boolean) {
   const { points } = PINION_MESH;
   const displacements: number[] = [];
   const stresses: number[] = [];
@@ -155,6 +157,7 @@ function pinionMesh(writer: ArrayWriter, unknown: boolean) {
     stresses.push(none ? NaN : uniaxialStress(x, y, z), ...(none ? [NaN, NaN, NaN, NaN, NaN] : [0, 0, 0, 0, 0]));
     errors.push(none ? NaN : stressError(z));
   }
+  if (outlier) errors[0] = 1e9;
   return mesh(writer, 0, 0, meshFile(PINION_MESH).name, displacements, stresses, errors);
 }
 
@@ -191,7 +194,7 @@ function wheelMesh(writer: ArrayWriter) {
 }
 
 export function createFixture(options: FixtureOptions = {}): Fixture {
-  const { positions: count = 3, meshes = true, contacts = true, unknown = true, lost = null } = options;
+  const { positions: count = 3, meshes = true, contacts = true, unknown = true, lost = null, outlier = false } = options;
   const shapes = partShapes();
   const writer = new ArrayWriter();
   const parts = writer.finish({
@@ -233,7 +236,7 @@ export function createFixture(options: FixtureOptions = {}): Fixture {
             ],
           }
         : {}),
-      meshes: meshes ? [pinionMesh(file, unknown), wheelMesh(file)] : [],
+      meshes: meshes ? [pinionMesh(file, unknown, outlier), wheelMesh(file)] : [],
     };
     return { position, time, data: file.finish(header) };
   });

@@ -7,7 +7,7 @@ import type { Contacts, Part, Position } from "../src/viewer/run_data.ts";
 import { toothOf } from "../src/viewer/tooth.ts";
 import { contactCells, createFixture, embeddedData, PINION, stressError, writePage } from "./fixture.ts";
 import { gearSector, halfAngle, type Shape } from "./gear_shapes.ts";
-import { open, pageAddress, project, restore, settle, state } from "./page.ts";
+import { open, openWith, pageAddress, project, restore, settle, state } from "./page.ts";
 
 function partOf(shape: Shape, copies: number): Part {
   return {
@@ -217,6 +217,19 @@ test("the stress error has a legend, an explanation and the value of the file at
   const expected = Math.fround(stressError(Math.fround(points[3 * node + 2]!)));
   const value = await page.evaluate((n) => window.calyxViewer!.nodalValue("pinion", n), node);
   expect(Math.abs(value / expected - 1)).toBeLessThan(1e-6);
+});
+
+test("automatic limits of the stress error leave out outliers, and the legend states them", async ({ page }) => {
+  await openWith(page, "outlier", { outlier: true });
+  await page.getByLabel("Colours").selectOption("stress_error");
+  const legend = page.getByRole("button", { name: /Legend: Stress error from 5 to 35 MPa/ });
+  await expect(legend).toContainText(/0\.\d+ % of the nodes are above, up to 1000 MPa/);
+  // The mark is that of the largest value.
+  await expect(page.locator(".cv-label-maximum")).toContainText("max 1000 MPa");
+  await expect(page.locator(".cv-label-minimum")).toHaveCount(0);
+  await restore(page, { colours: { field: "min_principal" } });
+  await expect(page.locator(".cv-label-minimum")).toContainText("min");
+  await expect(page.locator(".cv-label-maximum")).toHaveCount(0);
 });
 
 /** Moves the pointer to a point of the flank's picture in the panel, given as z and radius. */

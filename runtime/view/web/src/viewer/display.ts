@@ -21,6 +21,9 @@ const AUTOMATIC_DEFORMATION = 0.05;
 /** Longest computation of sections with which a drag is smooth, ms. 200,000 tetrahedra take a third of it. */
 const SLOW_SECTION = 30;
 
+/** Share of the largest value below which values say nothing about the limits, such as those of unloaded teeth. */
+const NEGLIGIBLE = 1e-4;
+
 export type Limits = [number, number];
 
 export class Display {
@@ -151,8 +154,8 @@ export class Display {
     if (!extremes) return null;
     const share = shareWithin(state.colours.field);
     if (share === 1) return [extremes.min.value, extremes.max.value];
-    const values = this.surfaceValues(position, state).sort();
-    return [extremes.min.value, values[Math.floor(share * (values.length - 1))]!];
+    const values = this.surfaceValues(position, state).filter((value) => value > NEGLIGIBLE * extremes.max.value).sort();
+    return [extremes.min.value, values[Math.floor(share * (values.length - 1))] ?? extremes.max.value];
   }
 
   /** Known values of a nodal field on the surfaces of the parts that are not hidden. */

@@ -102,9 +102,9 @@ export const UNDEFORMED =
   "Contact pressure and plain colours show the undeformed shape, because contact cells and plain parts have no " +
   "elastic displacements. Choose a stress or the displacement to see the deformation, or set a factor.";
 
-/** Share of the nodes below the upper automatic limit; 1 for fields without outliers. */
+/** Share of the nodes with relevant values that is below the upper automatic limit; 1 for fields without outliers. */
 export function shareWithin(field: Field): number {
-  return field === "stress_error" ? 0.95 : 1;
+  return field === "stress_error" ? 0.9 : 1;
 }
 
 /** Extremes that are worth a mark: the largest magnitude of the field. */

@@ -23,6 +23,8 @@ export interface SharedUniforms {
   pixelRatio: { value: number };
 }
 
+// Centroid: at a pixel that a triangle covers in part, the values at its middle are extrapolated. A
+// triangle seen from its edge would reach across the cut there, and leave stray pixels.
 const VERTEX = /* glsl */ `
 #ifdef COPIES
 attribute vec2 copyRotation;
@@ -33,7 +35,7 @@ uniform float deformation;
 #endif
 #ifdef FIELD
 attribute float field;
-varying float vField;
+centroid varying float vField;
 #endif
 #ifdef LIT
 varying vec3 vNormal;
@@ -41,7 +43,7 @@ varying vec3 vEye;
 #endif
 #ifdef CUT
 uniform vec4 cutPlane;
-varying float vCut;
+centroid varying float vCut;
 #endif
 uniform float bias;
 
@@ -84,14 +86,14 @@ uniform bool useField;
 uniform sampler2D scale;
 uniform vec2 limits;
 uniform vec3 noValue;
-varying float vField;
+centroid varying float vField;
 #endif
 #ifdef LIT
 varying vec3 vNormal;
 varying vec3 vEye;
 #endif
 #ifdef CUT
-varying float vCut;
+centroid varying float vCut;
 #endif
 #ifdef CAP
 uniform float pixelRatio;

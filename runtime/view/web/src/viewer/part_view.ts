@@ -75,6 +75,8 @@ export class PartView {
     // Each cap uses the stencil alone: its part is counted, drawn and cleared before the next one.
     this.cap.onAfterRender = (renderer) => renderer.clearStencil();
     this.#order = part.index;
+    // Magnified deformations overlap. In the same plane, the last part is in front.
+    this.#deformed.section.polygonOffsetUnits -= SECTION_OFFSET * part.index;
     this.refresh();
   }
 
@@ -237,5 +239,8 @@ export class PartView {
     for (const material of this.materials) material.dispose();
   }
 }
+
+/** Offset of the depths of sections from one part to the next, in the resolution of the depth buffer. */
+const SECTION_OFFSET = 8;
 
 const scratch = new THREE.Sphere();

@@ -209,15 +209,17 @@ function PageTools({ core, showTheme }: { core: Core; showTheme: boolean }) {
 
 function Deformation({ core }: { core: Core }) {
   const { mode, factor } = core.state.deformation;
+  const isUndeformed = mode === "automatic" && !isNodal(core.state.colours.field);
   const value = mode === "automatic" ? "automatic" : factor === 0 || factor === 1 ? String(factor) : "other";
   return (
     <>
       <Select
         quiet
         label="Deformation"
+        title={isUndeformed ? UNDEFORMED : undefined}
         value={value}
         options={[
-          { value: "automatic", label: "Deformation: automatic" },
+          { value: "automatic", label: isUndeformed ? "No deformation here" : "Deformation: automatic" },
           { value: "0", label: "Undeformed" },
           { value: "1", label: "True deformation" },
           { value: "other", label: "Other factor …" },
@@ -231,9 +233,7 @@ function Deformation({ core }: { core: Core }) {
           else core.update({ deformation: { mode: "factor", factor: Number(choice) } });
         }}
       />
-      {mode === "automatic" && !isNodal(core.state.colours.field) ? (
-        <span class="cv-factor" title={UNDEFORMED}>(none for this field)</span>
-      ) : (
+      {isUndeformed ? null : (
         <output class="cv-factor" aria-label="Factor of the deformation" title="Factor of the displayed deformation">
           × {formatNumber(core.display!.factor, 3)}
         </output>

@@ -99,11 +99,12 @@ export interface SelectProps<T extends string> {
   onChange: (value: T) => void;
   /** The label is for screen readers only. */
   quiet?: boolean;
+  title?: string;
 }
 
-export function Select<T extends string>({ label, value, options, onChange, quiet }: SelectProps<T>) {
+export function Select<T extends string>({ label, value, options, onChange, quiet, title }: SelectProps<T>) {
   return (
-    <label class="cv-field">
+    <label class="cv-field" title={title}>
       <span class={quiet ? "cv-hidden" : ""}>{label}</span>
       <select aria-label={label} value={value} onChange={(event) => onChange(event.currentTarget.value as T)}>
         {options.map((option) => (
