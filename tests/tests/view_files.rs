@@ -241,6 +241,20 @@ fn meshes_are_the_solved_ones() {
     }
 }
 
+/// A position with meshes has about as many bytes in the files of ParaView as in those of the
+/// viewer, in a plane model two to three times as many; the prediction is the sum of both.
+#[test]
+fn the_predicted_disk_space_fits_the_files() {
+    for (fidelity, rest) in [("medium", [1.0, 4.0]), ("plane", [2.0, 6.0])] {
+        let model = PAIR.replace("20 deg", "0 deg").replace("85.2", "80.1");
+        let model = model.replace("\"analytic\"", &format!("\"{fidelity}\""));
+        let disk = check_text("model.cx", &model).plan.expect("a plan").disk();
+        let written = Files::of(&fields_of(&model, fidelity)).position.len() as f64;
+        let ratio = (disk.with_meshes - disk.view) / written;
+        assert!(ratio > rest[0] && ratio < rest[1], "{fidelity}: {ratio}");
+    }
+}
+
 /// Viewers share meshes by their names: other shapes have other names, other loads the same ones.
 #[test]
 fn names_of_meshes_differ_with_the_shape() {

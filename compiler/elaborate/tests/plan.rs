@@ -140,3 +140,15 @@ fn the_cost_of_a_tolerance_is_that_of_its_settings() {
     let cost = planned_with(&text, &[], overrides).expect("a plan").cost(&RATES);
     assert!(cost.search.is_none());
 }
+
+#[test]
+fn the_disk_space_of_a_run_includes_its_meshes_on_request() {
+    let of = |fidelity: &str| planned(PAIR, &[("fidelity", fidelity)]).expect("a plan").disk();
+    let [analytic, plane, medium] = ["analytic", "plane", "medium"].map(of);
+    assert_eq!(analytic.view, analytic.with_meshes);
+    assert!(analytic.view > 1e5 && analytic.view < 2e6, "{analytic:?}");
+    for disk in [plane, medium] {
+        assert!(disk.with_meshes > 5.0 * disk.view, "{disk:?}");
+        assert!(disk.text().contains(", with --vtu "), "{}", disk.text());
+    }
+}

@@ -117,7 +117,7 @@ impl<'a> ArrayFile<'a> {
             prefix[at..].iter().take(4).rev().fold(0, |sum: u32, byte| sum << 8 | u32::from(*byte))
         };
         if number(8) < VERSION {
-            return Err(invalid("it was written by an older version of Calyx: run the model again"));
+            return Err(invalid("it was written by an older version of Calyx"));
         }
         if number(8) != VERSION {
             return Err(InvalidArrayFile(format!(
@@ -195,7 +195,7 @@ mod tests {
         };
         assert_eq!(with(0, b'X'), "the file is no array file");
         assert_eq!(with(8, 4), "the file has version 4 of the format, not 3");
-        assert_eq!(with(8, 2), "it was written by an older version of Calyx: run the model again");
+        assert_eq!(with(8, 2), "it was written by an older version of Calyx");
         assert_eq!(with(15, 255), "the file is truncated");
         let file = ArrayFile::read(&bytes).unwrap();
         for reference in [
