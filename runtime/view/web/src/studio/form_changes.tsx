@@ -53,7 +53,7 @@ export function FormChanged({ studio }: { studio: Studio }): JSX.Element | null 
   return (
     <div class="form-changed" role="status" data-testid="form-changed">
       <span>
-        <strong>Form changed since {runName(run.id)}:</strong> {named}{more}. Scene, plots and outputs are those of the run.
+        <strong>Form changed since {runName(run.id)}:</strong> {named}{more}. Results are those of the run.
       </span>
       <span class="form-changed-actions">
         <button type="button" disabled={!studio.canRun} onClick={() => void studio.run()}>Run with this form</button>

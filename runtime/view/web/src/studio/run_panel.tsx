@@ -77,7 +77,7 @@ function PlanSummary({ studio }: { studio: Studio }): JSX.Element {
         <div><dt>Predicted time</dt><dd data-testid="predicted-time">{seconds(plan.time)}</dd></div>
         <div><dt>Memory</dt><dd>{bytes(plan.memory)}</dd></div>
         <div title="Predicted size of the files of the 3-D view, and of the meshes with stresses if they are requested">
-          <dt>Disk space</dt>
+          <dt>Disk</dt>
           <dd data-testid="predicted-disk">{bytes(plan.disk)}</dd>
         </div>
         <div><dt>Fidelity</dt><dd data-testid="fidelity">{plan.fidelity}</dd></div>

@@ -47,7 +47,7 @@ export function Timeline({ core }: { core: Core }) {
         <span title={NUMBERS}>
           {core.narrow ? "" : "Position "}
           {entry.position}
-          <span class="cv-muted"> ({list[0]!.position} to {last.position})</span>
+          {several ? <span class="cv-muted"> ({list[0]!.position} to {last.position})</span> : null}
         </span>
         <span class="cv-clock-time">{time}</span>
       </output>
