@@ -58,6 +58,12 @@ test("a cancelled run shows the positions that it solved, and continues", { tag:
   await expect(page.getByTestId("so-far")).toContainText("contact pressure");
   await expect(page.getByTestId("outputs")).toHaveCount(0);
   await expect(page.getByText(/^Incomplete: \d+ of \d+ positions$/).first()).toBeVisible();
+  // The studio does not know the options of a run that was started elsewhere.
+  cpSync(join(server.folder, "pair.cx.studio/run-0001"), join(server.folder, "pair.cx.run"), { recursive: true });
+  await row(page, "model").getByRole("button").click();
+  await expect(page.getByText("repeat its command with --resume in a terminal")).toBeVisible();
+  await expect(page.getByRole("button", { name: /^Continue/ })).toHaveCount(0);
+  await row(page, "run-0001").getByRole("button").click();
   await expect(page.getByRole("img", { name: /Plot of/ }).first()).toBeVisible();
   await picture(page, "cancelled");
   await page.getByRole("button", { name: "Continue Run 1" }).click();
