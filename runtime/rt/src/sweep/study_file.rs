@@ -551,7 +551,8 @@ impl<'r> Reader<'r> {
     /// Records a sample without toleranced params.
     fn check_sample(&mut self, root: &Table<'_>, study: &Study) {
         let Some(sampling) = root.get("sampling") else { return };
-        if root.get("tolerances").is_none() && study.sampling.samples.is_some() {
+        let toleranced = ["tolerances", "deviations"].iter().any(|key| root.get(*key).is_some());
+        if !toleranced && study.sampling.samples.is_some() {
             self.mistake(
                 sampling.span(),
                 "no param has a distribution to sample",
