@@ -87,6 +87,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ),
     ("calyx-lsp", "lsp", &["calyx-abi", "calyx-elaborate", "calyx-lang"]),
     ("embed-rust", "examples/embed-rust", &["calyx"]),
+    ("calyx-python", "compiler/python", &["calyx", "calyx-abi", "calyx-runtime"]),
 ];
 
 /// Crates of the engine behind its facade. Only they may use dense and sparse matrices.
@@ -113,6 +114,7 @@ const FENCED: &[(&str, &[&str])] = &[
     ("axum", &["calyx"]),
     ("tokio", &["calyx", "calyx-lsp"]),
     ("tower", &["calyx-lsp"]),
+    ("pyo3", &["calyx-python"]),
 ];
 
 /// Returns the names under `[dependencies]` (not `[dev-dependencies]`) of a manifest.

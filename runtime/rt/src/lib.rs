@@ -89,5 +89,5 @@ pub use params::{InvalidParam, apply};
 pub use program::Program;
 pub use results::Results;
 #[cfg(feature = "command")]
-pub use run::{RunError, RunOptions, RunReport, run};
+pub use run::{FinishedRun, RunError, RunOptions, RunReport, run};
 pub use stepping::{Run, Step};

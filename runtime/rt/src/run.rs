@@ -28,10 +28,10 @@ use calyx_runtime::observables::Fields;
 use calyx_runtime::results::Solved;
 use calyx_runtime::settings_override::Override;
 use serde_json::Value;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
+use std::{fs, io};
 
 /// Options of a run.
 #[derive(Clone, Debug, Default)]
@@ -133,11 +133,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let program = instance.program().clone();
     let description = program.description();
     let head = head(description, &params, &options.overrides);
-    let directory = Arc::new(RunDirectory::lock(path, Kind::Run, options.force)?);
-    directory.check_folder(SIGNALS, |name| signals::is_name_of_a_run(description, name))?;
-    directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
-    directory.check_folder(body_pictures::FOLDER, body_pictures::is_name_of_a_run)?;
-    directory.check_folder(view::FOLDER, view::files::is_name_of_a_run)?;
+    let directory = lock(path, description, options.force)?;
     let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
     let found = match earlier(options, &head)? {
         EarlierRun::Finished => {
@@ -202,6 +198,65 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let mut report = report(description, &results);
     report.summary.extend(advice.into_iter().map(|line| line + "\n"));
     Ok(RunReport { directory: Some(directory), ..report })
+}
+
+/// Locks the directory of a run for writing.
+fn lock(
+    path: &Path,
+    description: &ModelDescription,
+    force: bool,
+) -> Result<Arc<RunDirectory>, DirectoryError> {
+    let directory = RunDirectory::lock(path, Kind::Run, force)?;
+    directory.check_folder(SIGNALS, |name| signals::is_name_of_a_run(description, name))?;
+    directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
+    directory.check_folder(body_pictures::FOLDER, body_pictures::is_name_of_a_run)?;
+    directory.check_folder(view::FOLDER, view::files::is_name_of_a_run)?;
+    Ok(Arc::new(directory))
+}
+
+/// Finished run in memory, of a program that embeds models.
+pub struct FinishedRun<'r> {
+    pub results: &'r Results,
+    /// Settings that overrode the analysis settings of the model.
+    pub overrides: Override,
+    /// Solved positions, with the fields that the run requested ([`Instance::on_solved`]).
+    pub positions: &'r [(Solved, Option<Fields>)],
+    /// Files of every position.
+    pub details: Details,
+    /// Stages that preceded the run, for `timing.json`.
+    pub before: StageTimes,
+}
+
+impl FinishedRun<'_> {
+    /// Writes the directory that [`run`] writes for the same run; files that present fields are
+    /// omitted if the run requested none. Results of an earlier run in the directory are replaced.
+    ///
+    /// # Errors
+    /// The directory has files that no run wrote and `force` is false; another process writes to
+    /// it; or it cannot be written.
+    pub fn save(&self, path: &Path, force: bool) -> Result<(), RunError> {
+        let unwritable = |error| RunError::Io { path: path.to_owned(), error };
+        let description = self.results.description();
+        let head = head(description, self.results.params(), &self.overrides);
+        let directory = lock(path, description, force)?;
+        let mut written = Written { record: None, solved: 0, failure: None };
+        for (index, (solved, fields)) in self.positions.iter().enumerate() {
+            let position = (index, solved, fields.as_ref());
+            let outputs = &description.outputs;
+            written.write(&directory, outputs, &head, self.details, position).map_err(unwritable)?;
+        }
+        if self.positions.is_empty() {
+            begin(&directory, self.details).map_err(unwritable)?;
+        } else if self.positions.iter().all(|(_, fields)| fields.is_none()) {
+            // Without rows, a table would say that there is no load.
+            fs::remove_file(path.join(field_tables::LINE_LOAD)).map_err(unwritable)?;
+            // The folder stays if it has files of the user.
+            let _ = fs::remove_dir(path.join(view::FOLDER));
+        }
+        let stages = Stages { before: self.before.clone(), program: self.results.time(), solved_before: 0 };
+        write_results(&directory, head, description, self.results, &stages).map_err(unwritable)?;
+        Ok(())
+    }
 }
 
 /// Removes the results of an earlier run and lists the files that every run writes.
