@@ -3,6 +3,8 @@ interface."""
 
 from typing import Any, Callable, Sequence, final
 
+__all__ = ["__version__", "Model", "Results", "Cancel", "Units", "configure"]
+
 __version__: str
 
 _Array = tuple[bytes, str, list[int]]

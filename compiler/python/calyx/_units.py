@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, Tuple
 
 import numpy as np
@@ -93,7 +94,7 @@ def _si_unit(registry: Any, dimension: Any) -> Any:
 def application_registry() -> Any:
     """Returns the unit registry of the program."""
     try:
-        import pint
+        pint: Any = import_module("pint")
     except ImportError:
         raise ImportError("quantities need pint: install it with `pip install pint`") from None
     return pint.get_application_registry()
