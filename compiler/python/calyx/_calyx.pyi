@@ -1,7 +1,8 @@
 """Extension module: the embedding API for the Python code of this package. It is not a public
 interface."""
 
-from typing import Any, Callable, Sequence, final
+from collections.abc import Sequence
+from typing import Any, Callable, final
 
 __all__ = ["__version__", "Model", "Results", "Cancel", "Units", "configure"]
 
@@ -10,6 +11,7 @@ __version__: str
 _Array = tuple[bytes, str, list[int]]
 
 def configure(threads: int, cache: str | None) -> None: ...
+
 @final
 class Cancel:
     """Handle that cancels runs, from any thread."""

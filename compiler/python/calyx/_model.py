@@ -7,9 +7,10 @@ import json
 import os
 import sys
 from collections import OrderedDict
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, NamedTuple, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Union
 
 from calyx import _calyx
 from calyx._results import Results
@@ -204,7 +205,7 @@ class Model:
             KeyboardInterrupt: Ctrl-C ends the run.
         """
         if fields not in (False, True, "bodies"):
-            raise ValueError(f"fields is {fields!r}: give True, False or \"bodies\"")
+            raise ValueError(f'fields is {fields!r}: give True, False or "bodies"')
         overrides = dict(settings or {})
         for name, value in (("fidelity", fidelity), ("error_estimates", error_estimates)):
             if value is not None:
@@ -255,8 +256,14 @@ class Model:
         return run_many(self, cases, parallel, on_error, progress, options)
 
     def sweep(
-        self, axes: Mapping[str, Iterable[Value]] | None = None, /, *, parallel: int | None = None,
-        on_error: str = "raise", progress: ProgressOption = None, **options: Any,
+        self,
+        axes: Mapping[str, Iterable[Value]] | None = None,
+        /,
+        *,
+        parallel: int | None = None,
+        on_error: str = "raise",
+        progress: ProgressOption = None,
+        **options: Any,
     ) -> Sweep:
         """Solves the model for all combinations of values: `sweep({"torque": [100, 200, 300]})`.
 
@@ -273,7 +280,9 @@ class Model:
         if both:
             raise TypeError(f"given twice: {', '.join(sorted(both))}")
         everything = {**(params or {}), **named}
-        return [(str(name), assigned(self._params.get(str(name)), value)) for name, value in everything.items()]
+        return [
+            (str(name), assigned(self._params.get(str(name)), value)) for name, value in everything.items()
+        ]
 
     def __repr__(self) -> str:
         return f"<calyx.Model {self.name}: {len(self._params)} params, {len(self._outputs)} outputs>"
@@ -281,11 +290,7 @@ class Model:
     def _repr_html_(self) -> str:
         params, outputs = self._params, self._outputs
         assert isinstance(params, _Table) and isinstance(outputs, _Table)
-        return (
-            html_table(["model"], [[self.name], [self.doc]])
-            + params._repr_html_()
-            + outputs._repr_html_()
-        )
+        return html_table(["model"], [[self.name], [self.doc]]) + params._repr_html_() + outputs._repr_html_()
 
     def __reduce__(self) -> tuple[Callable[[bytes], Model], tuple[bytes]]:
         if self._pickled is None:

@@ -6,8 +6,9 @@ import html
 import json
 import os
 import tempfile
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -216,7 +217,9 @@ class _FieldPositions(Mapping[int, Fields]):
     def __getitem__(self, position: int) -> Fields:
         if position not in self._positions:
             if not self._positions:
-                raise KeyError("the run keeps no fields: run it with fields=True, or fields=\"bodies\" for meshes")
+                raise KeyError(
+                    'the run keeps no fields: run it with fields=True, or fields="bodies" for meshes'
+                )
             raise KeyError(f"position {position} has no fields; the positions are {self._positions}")
         if position not in self._converted:
             assert self._raw is not None

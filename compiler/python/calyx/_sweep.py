@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import itertools
 import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
@@ -126,7 +127,7 @@ def run_many(
     from calyx._model import _Display
 
     if on_error not in ("raise", "return"):
-        raise ValueError(f"on_error is {on_error!r}: give \"raise\" or \"return\"")
+        raise ValueError(f'on_error is {on_error!r}: give "raise" or "return"')
     all_cases = rows(cases)
     outcomes: list[Outcome | None] = [None] * len(all_cases)
     above = options.pop("cancel", None)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import html
+from collections.abc import Mapping, Sequence
 from importlib import import_module
-from typing import Any, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Tuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from calyx.errors import ParamError
 if TYPE_CHECKING:
     from calyx._model import Param
 
-Unit = Tuple[str, float, Any]
+Unit = tuple[str, float, Any]
 """Name, SI value, and exponents of length, mass, time, angle and temperature, each as numerator and
 denominator."""
 

@@ -4,7 +4,7 @@ the source lines concerned, which is what Python prints."""
 from __future__ import annotations
 
 import difflib
-from typing import Iterable
+from collections.abc import Iterable
 
 
 class CalyxError(Exception):

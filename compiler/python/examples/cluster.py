@@ -8,7 +8,6 @@
 import os
 import signal
 import time
-from pathlib import Path
 
 from dask.distributed import Client, LocalCluster, as_completed
 
@@ -24,7 +23,7 @@ def solve(model, torque):
 
 # %%
 def main():
-    pair = calyx.load(Path(__file__).parents[3] / "examples/spur_pair.cx")
+    pair = calyx.load("../../../examples/spur_pair.cx")
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         with Client(cluster) as client:
             client.wait_for_workers(2)

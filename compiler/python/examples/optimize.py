@@ -6,14 +6,12 @@
 # three-dimensional one.
 
 # %%
-from pathlib import Path
-
 import numpy as np
 from scipy.optimize import minimize
 
 import calyx
 
-pair = calyx.load(Path(__file__).parents[3] / "examples/spur_pair.cx")
+pair = calyx.load("../../../examples/spur_pair.cx")
 pair
 
 # %% [markdown]

@@ -5,13 +5,11 @@
 # gear are pruned.
 
 # %%
-from pathlib import Path
-
 import optuna
 
 import calyx
 
-pair = calyx.load(Path(__file__).parents[3] / "examples/spur_pair.cx")
+pair = calyx.load("../../../examples/spur_pair.cx")
 optuna.logging.set_verbosity(optuna.logging.WARNING)
 
 
@@ -38,7 +36,10 @@ study.optimize(objectives, n_trials=24, n_jobs=2)
 
 # %%
 pruned = [trial for trial in study.trials if trial.state == optuna.trial.TrialState.PRUNED]
-print(f"{len(study.trials)} trials, {len(pruned)} impossible gears, {len(study.best_trials)} on the Pareto front")
+print(
+    f"{len(study.trials)} trials, {len(pruned)} impossible gears,",
+    f"{len(study.best_trials)} on the Pareto front",
+)
 for trial in sorted(study.best_trials, key=lambda trial: trial.values):
     error, stress = trial.values
     print(f"{error:8.2f} urad {stress:8.1f} MPa  {trial.params}")

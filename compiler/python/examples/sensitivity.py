@@ -5,15 +5,13 @@
 # sample on all cores; cases of equal geometry share their structures.
 
 # %%
-from pathlib import Path
-
 import numpy as np
 from SALib.analyze import morris as analysis
 from SALib.sample import morris as sample
 
 import calyx
 
-pair = calyx.load(Path(__file__).parents[3] / "examples/spur_pair.cx")
+pair = calyx.load("../../../examples/spur_pair.cx")
 
 # %%
 problem = {

@@ -26,8 +26,8 @@ def test_every_example_is_run():
 def test_examples(name, tmp_path):
     optional(NEEDS[name])
     command = [sys.executable, "-W", "ignore", str(FOLDER / name)]
-    ended = subprocess.run(
-        command, cwd=tmp_path, env=os.environ, capture_output=True, text=True, timeout=600
-    )
+    # Dask writes there.
+    environment = {**os.environ, "DASK_TEMPORARY_DIRECTORY": str(tmp_path)}
+    ended = subprocess.run(command, cwd=FOLDER, env=environment, capture_output=True, text=True, timeout=600)
     assert ended.returncode == 0, ended.stdout + ended.stderr
     assert ended.stdout

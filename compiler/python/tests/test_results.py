@@ -16,7 +16,9 @@ def test_statistics_are_those_of_the_values(spur_results):
         assert (summary.min, summary.max) == (output.min, output.max)
         assert output.values[summary.at_max] == output.max
     pressure = spur_results["max_contact_pressure"]
-    assert np.asarray(pressure).tolist() == pressure.values.tolist() and len(pressure) == len(spur_results.positions)
+    assert np.asarray(pressure).tolist() == pressure.values.tolist() and len(pressure) == len(
+        spur_results.positions
+    )
     assert not pressure.values.flags.writeable
 
 
@@ -61,7 +63,11 @@ def test_facts(spur_results):
 
 def test_findings_of_the_params_have_source_lines(spur):
     [finding] = spur.run(torque=0, **QUICK).findings
-    assert finding.code == "W0801" and "no load acts" in finding.message and "spur_pair.cx:66" in finding.rendered
+    assert (
+        finding.code == "W0801"
+        and "no load acts" in finding.message
+        and "spur_pair.cx:66" in finding.rendered
+    )
 
 
 @pytest.mark.parametrize("engine", ["pandas", "polars", "pyarrow"])
@@ -153,14 +159,20 @@ def test_quantities(spur, spur_results):
     registry = pint.UnitRegistry()
     pressure = spur_results["max_contact_pressure"].quantity(registry)
     assert pressure.units == registry.psi
-    assert pressure.to("MPa").magnitude == pytest.approx(spur_results["max_contact_pressure"].to("MPa").values)
-    length = spur_results["transmission_error_length"].quantity(registry)
-    assert length.to("inch").magnitude == pytest.approx(spur_results["transmission_error_length"].to("inch").values)
-    torque = registry.Quantity(120.0, "N*m")
-    assert spur.values(torque=torque)["torque"] == pytest.approx(spur.values(torque="120 N*m")["torque"], rel=1e-14)
-    assert spur.values(pinion_relief_start=registry.Quantity(0.4, "rad"))["pinion_relief_start"] == pytest.approx(
-        np.degrees(0.4)
+    assert pressure.to("MPa").magnitude == pytest.approx(
+        spur_results["max_contact_pressure"].to("MPa").values
     )
+    length = spur_results["transmission_error_length"].quantity(registry)
+    assert length.to("inch").magnitude == pytest.approx(
+        spur_results["transmission_error_length"].to("inch").values
+    )
+    torque = registry.Quantity(120.0, "N*m")
+    assert spur.values(torque=torque)["torque"] == pytest.approx(
+        spur.values(torque="120 N*m")["torque"], rel=1e-14
+    )
+    assert spur.values(pinion_relief_start=registry.Quantity(0.4, "rad"))[
+        "pinion_relief_start"
+    ] == pytest.approx(np.degrees(0.4))
     assert spur.values(steps=registry.Quantity(4, "dimensionless"))["steps"] == 4
     with pytest.raises(calyx.ParamError, match="another kind of quantity"):
         spur.values(torque=registry.Quantity(3, "mm"))

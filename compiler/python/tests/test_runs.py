@@ -20,7 +20,15 @@ def test_values_of_every_kind_are_equal(spur):
     def largest(torque):
         return spur.run(torque=torque, **QUICK)["max_contact_pressure"].max
 
-    values = [1000, 1000.0, np.float64(1000), np.int32(1000), np.array(1000.0), "1000 lbf*inch", (1000, "lbf*inch")]
+    values = [
+        1000,
+        1000.0,
+        np.float64(1000),
+        np.int32(1000),
+        np.array(1000.0),
+        "1000 lbf*inch",
+        (1000, "lbf*inch"),
+    ]
     assert len({largest(value) for value in values}) == 1
 
 
@@ -54,7 +62,9 @@ def test_results_do_not_depend_on_threads(spur):
 
 
 def test_printed_lines_and_models_without_analysis():
-    model = calyx.load('units mm_N_s;\nparam width = 3 mm;\noutput area := width^2;\nprint("one"); print("two");')
+    model = calyx.load(
+        'units mm_N_s;\nparam width = 3 mm;\noutput area := width^2;\nprint("one"); print("two");'
+    )
     lines = []
     results = model.run(print=lines.append)
     assert lines == results.printed == ["one", "two"]

@@ -8,7 +8,6 @@ import subprocess
 
 import pytest
 
-import calyx
 from support import EXAMPLES, ROOT
 
 COMMAND = os.environ.get("CALYX") or shutil.which("calyx") or str(ROOT / "target/debug/calyx")
