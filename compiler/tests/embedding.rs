@@ -1,12 +1,14 @@
 //! Tests of models in other programs: many instances, stepwise solution, cancellation, limits,
 //! invalid input.
 
-use calyx::rt::{RunOptions, run};
+use calyx::rt::directory::Details;
+use calyx::rt::{FinishedRun, RunError, RunOptions, run};
 use calyx::{
-    Cancel, CompileError, Engine, EngineConfig, Error, ErrorKind, Instance, Module, Output, Param,
-    ParamValue, Progress, Results, Run, Step,
+    Cancel, CompileError, Engine, EngineConfig, Error, ErrorKind, Instance, Module, Output, Override, Param,
+    ParamAssignment, ParamValue, Progress, Results, Run, Step,
 };
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock, Mutex};
 use std::thread;
 use std::time::Duration;
@@ -118,6 +120,66 @@ fn stepping_solving_and_the_run_directory_are_one() {
     for (line, step) in written.iter().zip(&steps) {
         let outputs: Vec<String> = step.outputs().iter().map(|output| output.value.to_string()).collect();
         assert_eq!(line[5..], outputs);
+    }
+}
+
+/// Returns the files of a directory that have no durations.
+fn saved_files(directory: &Path) -> BTreeMap<String, Vec<u8>> {
+    let timed = ["timing.json", "report.html", ".calyx-run"];
+    let files = std::fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path());
+    let read = |path: PathBuf| {
+        (path.file_name().unwrap().to_string_lossy().into_owned(), std::fs::read(&path).unwrap())
+    };
+    files.filter(|path| path.is_file()).map(read).filter(|(name, _)| !timed.contains(&&**name)).collect()
+}
+
+#[test]
+fn a_run_in_memory_is_saved_as_the_runner_writes_it() {
+    let written = tempfile::tempdir().unwrap();
+    let given = ["steps=2", "fidelity=plane"].map(|text| ParamAssignment::name_and_value(text).unwrap());
+    let options = RunOptions {
+        directory: written.path().into(),
+        given: given.into(),
+        quiet: true,
+        ..RunOptions::default()
+    };
+    run(PAIR.as_program(), &options).unwrap();
+
+    for with_fields in [true, false] {
+        let mut pair = pair();
+        if with_fields {
+            pair.request_fields(Details::default().positions());
+            pair.request_parts(true);
+        }
+        let positions = Arc::new(Mutex::new(Vec::new()));
+        let kept = positions.clone();
+        pair.on_solved(move |_, solved, fields| {
+            kept.lock().unwrap().push((solved.clone(), fields.cloned()));
+            Ok(())
+        });
+        let results = pair.solve().unwrap();
+        let finished = FinishedRun {
+            results: &results,
+            overrides: Override::default(),
+            positions: &positions.lock().unwrap(),
+            details: Details::default(),
+            before: Vec::new(),
+        };
+        let saved = tempfile::tempdir().unwrap();
+        finished.save(saved.path(), false).unwrap();
+        let mut expected = saved_files(written.path());
+        if !with_fields {
+            expected.retain(|name, _| ["run.json", "steps.csv"].contains(&&**name));
+        }
+        assert!(expected.len() > 1 && saved_files(saved.path()) == expected);
+        assert_eq!(saved.path().join("view").exists(), with_fields);
+
+        // A saved run is replaced; files of the user are not.
+        finished.save(saved.path(), false).unwrap();
+        let users = tempfile::tempdir().unwrap();
+        std::fs::write(users.path().join("run.json"), "mine").unwrap();
+        assert!(matches!(finished.save(users.path(), false), Err(RunError::Directory(_))));
+        assert_eq!(std::fs::read(users.path().join("run.json")).unwrap(), b"mine");
     }
 }
 

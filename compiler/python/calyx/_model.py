@@ -174,6 +174,7 @@ class Model:
         progress: ProgressOption = None,
         print: Callable[[str], object] | None = None,
         cancel: Cancel | None = None,
+        host: Mapping[str, Callable[..., Any]] | None = None,
         **named: Value,
     ) -> Results:
         """Solves the model and returns its results.
@@ -197,6 +198,8 @@ class Model:
             print: Function that receives each line that the model prints; they are also in
                 `Results.printed`.
             cancel: Handle that cancels the run from another thread.
+            host: Functions that replace host functions of the model, by name. Numbers are in SI units;
+                vectors and arrays are lists. Threads of the run call them one at a time.
 
         Raises:
             ParamError: a param, unit or setting is wrong, or a value is out of range.
@@ -227,6 +230,7 @@ class Model:
             "progress": display.callback,
             "print": keep,
             "cancel": cancel,
+            "host": list((host or {}).items()),
         }
         try:
             raw = self._raw.run(self._assignments(params, named), options)

@@ -257,6 +257,7 @@ class Results(Mapping[str, OutputValues]):
 
     def _set_up(self, positions: _FieldPositions) -> None:
         data, facts = self._data, self._data["facts"]
+        self._page: str | None = None
         outputs = zip(data["outputs"], data["values"], data["summaries"])
         self._outputs = {
             output["name"]: OutputValues(output, values, summary, data["units"])
@@ -363,8 +364,10 @@ class Results(Mapping[str, OutputValues]):
     def report(self) -> str:
         """Returns the report of the run as an HTML page, which needs no other files."""
         raw = self._live("report")
-        with tempfile.TemporaryDirectory(prefix="calyx-") as folder:
-            return raw.report(os.path.join(folder, "run"))
+        if self._page is None:
+            with tempfile.TemporaryDirectory(prefix="calyx-") as folder:
+                self._page = raw.report(os.path.join(folder, "run"))
+        return self._page
 
     def _live(self, what: str) -> _calyx.Results:
         if self._raw is None:

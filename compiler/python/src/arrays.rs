@@ -37,7 +37,7 @@ pub type Array<'py> = (Bound<'py, PyBytes>, &'static str, Vec<usize>);
 /// Creates an array of as many dimensions as the shape has.
 pub fn shaped<'py, T: Element>(py: Python<'py>, elements: &[T], shape: Vec<usize>) -> PyResult<Array<'py>> {
     let size = size_of::<T>();
-    let bytes = PyBytes::new_with(py, size * elements.len(), |buffer| {
+    let bytes = PyBytes::new_with(py, size_of_val(elements), |buffer| {
         for (element, bytes) in elements.iter().zip(buffer.chunks_exact_mut(size)) {
             bytes.copy_from_slice(element.bytes().as_ref());
         }

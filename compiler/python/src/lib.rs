@@ -10,6 +10,7 @@ mod describe;
 mod engines;
 mod errors;
 mod fields;
+mod host;
 mod model;
 mod results;
 mod running;

@@ -3,6 +3,7 @@
 use crate::describe::{Units, model_json};
 use crate::engines::engine;
 use crate::errors::{self, Problem, rendered};
+use crate::host;
 use crate::results::Results;
 use crate::running::{Callbacks, Cancel, solve};
 use crate::values;
@@ -46,6 +47,8 @@ struct Options<'py> {
     progress: Option<Bound<'py, PyAny>>,
     print: Option<Bound<'py, PyAny>>,
     cancel: Option<Py<Cancel>>,
+    /// Functions that replace host functions of the model.
+    host: host::Functions<'py>,
 }
 
 #[pymethods]
@@ -140,6 +143,8 @@ impl Model {
         options: Options<'py>,
     ) -> PyResult<Results> {
         let mut instance = self.instance(py, params, options.threads)?;
+        let provided = host::provide(&mut instance, options.host)?;
+        provided.map_err(|error| errors::of_run(py, &self.module, &error))?;
         let overrides = overridden(py, &options.overrides)?;
         instance.override_analysis(overrides);
         instance.limit_time(options.time_limit.map(duration).transpose()?);

@@ -128,13 +128,14 @@ impl Results {
 
     /// Writes the run directory.
     fn save(&self, py: Python<'_>, directory: PathBuf, force: bool) -> PyResult<()> {
-        let saved = py.detach(|| self.finished().save(&directory, force));
+        let saved = py.detach(|| self.finished(self.details).save(&directory, force));
         saved.map_err(|error| errors::of_directory(py, error))
     }
 
-    /// Writes the run to an empty directory and returns its report page.
+    /// Writes what the report presents to an empty directory, and returns the page.
     fn report(&self, py: Python<'_>, directory: PathBuf) -> PyResult<String> {
-        self.save(py, directory.clone(), false)?;
+        let saved = py.detach(|| self.finished(Details::default()).save(&directory, false));
+        saved.map_err(|error| errors::of_directory(py, error))?;
         let page = directory.join(REPORT);
         fs::read_to_string(&page)
             .map_err(|error| PyOSError::new_err(format!("cannot read {}: {error}", page.display())))
@@ -142,12 +143,12 @@ impl Results {
 }
 
 impl Results {
-    fn finished(&self) -> FinishedRun<'_> {
+    fn finished(&self, details: Details) -> FinishedRun<'_> {
         FinishedRun {
             results: &self.results,
             overrides: self.overrides,
             positions: &self.positions,
-            details: self.details,
+            details,
             before: self.before.clone(),
         }
     }

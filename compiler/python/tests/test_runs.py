@@ -72,6 +72,38 @@ def test_printed_lines_and_models_without_analysis():
     assert results.fidelity is None and results.certificate == {}
 
 
+HOST = """
+host function friction(in sliding: Velocity, in dry: Bool = FALSE) -> Number { return 0.05; }
+host function named(in name: String, in lengths: Array(Length)) -> String { return name; }
+host function turned(in v: Vector(Length)) -> Vector(Length) { return v; }
+host function nested(in all: Array(Array(Bool))) -> Number { return 0; }
+print(friction(2 m/s), named("a", [1 mm, 2 mm]), turned(1 mm*e1));
+"""
+
+
+def test_python_functions_replace_host_functions():
+    model = calyx.load(HOST)
+    assert model.run().printed == ["0.05 a [0.001 m, 0 m, 0 m]"]
+    host = {
+        "friction": lambda sliding, dry: 1.0 if dry else 0.1 * sliding,
+        "named": lambda name, lengths: f"{name} {lengths}",
+        "turned": lambda v: [v[1], v[0], v[2]],
+    }
+    assert model.run(host=host).printed == ["0.2 a [0.001, 0.002] [0 m, 0.001 m, 0 m]"]
+
+
+def test_wrong_host_functions_are_errors():
+    model = calyx.load(HOST)
+    with pytest.raises(calyx.ParamError, match="frictoin"):
+        model.run(host={"frictoin": lambda sliding, dry: 0.1})
+    with pytest.raises(TypeError, match="nested"):
+        model.run(host={"nested": lambda all: 0.0})
+    for function in (lambda sliding, dry: 1 / 0, lambda sliding, dry: "rough"):
+        with pytest.raises(calyx.RunError, match="the Python function raised") as caught:
+            model.run(host={"friction": function})
+        assert "called at model.cx:6:7" in caught.value.rendered
+
+
 def test_progress_is_reported_in_order(spur):
     seen = []
     results = spur.run(progress=seen.append, **QUICK)
