@@ -70,8 +70,7 @@ class Sweep(Sequence[Outcome]):
                 outcome.params[name] if isinstance(outcome, Results) else case.get(name)
                 for outcome, case in zip(self._outcomes, self.cases)
             ]
-            same = len({type(value) for value in values}) <= 1
-            columns[name] = values if same else [str(value) for value in values]
+            columns[name] = _column(values)
         units: dict[str, str] = {}
         if solved:
             units.update({name: unit for name, unit, _ in solved[0]._data["params"] if name in columns})
@@ -92,6 +91,18 @@ class Sweep(Sequence[Outcome]):
         columns, _ = self._columns(("min", "max"))
         rows = list(zip(*(list(column) for column in columns.values())))
         return html_table(list(columns), [list(row) for row in rows[:60]])
+
+
+def _column(values: list[Any]) -> list[Any]:
+    """Returns the values of a param over the cases as values of one type. In a column of numbers, the
+    text of a case without results is NaN."""
+    if len({type(value) for value in values}) <= 1:
+        return values
+    if any(isinstance(value, float) for value in values):
+        return [
+            float(value) if isinstance(value, (int, float, np.number)) else float("nan") for value in values
+        ]
+    return [str(value) for value in values]
 
 
 def _statistic(outcome: Outcome, output: str, statistic: str) -> float:

@@ -45,6 +45,9 @@ def test_failures_have_a_column(spur):
     frame = spur.run_many([{"torque": 500}, {"torque": -1}], on_error="return", **QUICK).frame("pandas")
     assert frame["load_share.max"].isna().tolist() == [False, True]
     assert "outside its range" in frame["error"][1] and frame["error"][0] == ""
+    # The column of a param stays one of numbers.
+    frame = spur.run_many([{"torque": "500 N*m"}, {"torque": "3 mm"}], on_error="return", **QUICK).frame()
+    assert frame["torque"].dtype == float and frame["torque"].isna().tolist() == [False, True]
 
 
 def test_an_error_cancels_the_other_cases(spur):
