@@ -47,6 +47,8 @@ pub enum CompileError {
     Description(serde_json::Error),
     /// The module could not be serialized.
     Artifact(postcard::Error),
+    /// The sources are not those of the description.
+    OtherSources,
 }
 
 impl fmt::Display for CompileError {
@@ -59,6 +61,9 @@ impl fmt::Display for CompileError {
             CompileError::Code(error) => write!(f, "{error}"),
             CompileError::Description(error) => {
                 write!(f, "the model's description cannot be written: {error}")
+            }
+            CompileError::OtherSources => {
+                f.write_str("the sources of the model do not fit its description")
             }
             CompileError::Artifact(error) => write!(f, "the compiled module cannot be written: {error}"),
         }

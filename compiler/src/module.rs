@@ -5,12 +5,12 @@ use crate::compiled::{Compiled, ParamFunctions};
 use crate::error::{CompileError, Diagnostics};
 use crate::typed::{LazyTyped, Typed};
 use calyx_abi::RuntimeError;
-use calyx_abi::description::{FileDescription, ModelDescription};
+use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription};
 use calyx_codegen::{TargetCpu, compile_code, compile_jit, load_code};
 use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic, has_errors};
-use calyx_elaborate::{Checked, check_file, check_text, param_function, render};
+use calyx_elaborate::{Checked, check_file, check_text, check_language, param_function, render};
 use calyx_gears::host::Finding;
-use calyx_gears::library::externs;
+use calyx_gears::library::{FINGERPRINT, externs};
 use calyx_lang::diagnostic::Diagnostic;
 use calyx_lang::ir::{FunctionId, Program, SourceFile};
 use calyx_lower::interpret::CallSites;
@@ -78,6 +78,28 @@ impl Module {
         let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
         let param_functions = param_functions(&program);
         let typed = LazyTyped::checked(Typed::new(program, diagnostics));
+        Ok(Module::new(engine, Compiled { description, files, code, param_functions, typed }))
+    }
+
+    /// Compiles the sources in the description of a module, which were checked when it was made. The
+    /// module is equivalent to the original, on any machine. It reads the files that the
+    /// description stores, and no others.
+    ///
+    /// # Errors
+    /// If the sources have errors, or are not those of the description.
+    pub fn from_description(engine: &Engine, description: ModelDescription) -> Result<Module, CompileError> {
+        let file = |file: &FileDescription| SourceFile { name: file.name.clone(), text: file.text.clone() };
+        let files: Vec<SourceFile> = description.files.iter().map(file).collect();
+        let (program, list) = check_language(&files);
+        let Some(program) = program else {
+            return Err(CompileError::Model(Diagnostics { list, files }));
+        };
+        if !fits(&description, &calyx_lang::description::describe(&program, FINGERPRINT)) {
+            return Err(CompileError::OtherSources);
+        }
+        let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
+        let param_functions = param_functions(&program);
+        let typed = LazyTyped::of_sources();
         Ok(Module::new(engine, Compiled { description, files, code, param_functions, typed }))
     }
 
@@ -219,6 +241,24 @@ impl Module {
         let found = findings.iter().map(|finding| finding_diagnostic(finding, call_sites));
         found.filter(|diagnostic| !self.diagnostics().contains(diagnostic)).collect()
     }
+}
+
+/// Returns whether a description belongs to a program with its own description.
+fn fits(description: &ModelDescription, own: &ModelDescription) -> bool {
+    let params = |all: &ModelDescription| -> Vec<_> {
+        all.params.iter().map(|param| (param.name.clone(), param.repr.clone())).collect()
+    };
+    let declared = match &description.declared_outputs[..] {
+        [] => &description.outputs,
+        declared => declared,
+    };
+    let outputs = |all: &[OutputDescription]| -> Vec<_> {
+        all.iter().map(|output| (output.name.clone(), output.site)).collect()
+    };
+    description.abi == own.abi
+        && params(description) == params(own)
+        && outputs(declared) == outputs(&own.outputs)
+        && description.kernels == own.kernels
 }
 
 /// Returns the default and range functions of every param.

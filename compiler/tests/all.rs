@@ -27,4 +27,5 @@ mod signals;
 mod studio;
 mod support;
 mod sweep;
+mod sweep_plan;
 mod tradeoff;

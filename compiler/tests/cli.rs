@@ -138,6 +138,11 @@ fn optimizations_find_designs_within_constraints() {
 }
 
 #[test]
+fn plans_of_sweeps_are_solved_by_workers() {
+    hold(include_str!("cli/sweep-plan.md"));
+}
+
+#[test]
 fn samples_and_study_files_vary_params() {
     hold(include_str!("cli/study.md"));
 }

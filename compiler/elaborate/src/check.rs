@@ -130,6 +130,14 @@ pub fn check_sources(files: &[SourceFile]) -> Checked {
     check_with(name, text, &TextLoader(files), Params::Defaults)
 }
 
+/// Checks the language of a model whose files are all in memory, as [`check_sources`] does, without
+/// elaborating it. Returns the program, unless it has errors, and the diagnostics.
+pub fn check_language(files: &[SourceFile]) -> (Option<Program>, Vec<Diagnostic>) {
+    let (name, text) = files.first().map_or(("", ""), |model| (&model.name, &model.text));
+    let checked = calyx_lang::check_program(name, text, &TextLoader(files));
+    (checked.program, checked.diagnostics)
+}
+
 fn check_with(name: &str, text: &str, loader: &dyn Loader, params: Params) -> Checked {
     let checked = calyx_lang::check_program(name, text, loader);
     let mut result = Checked {

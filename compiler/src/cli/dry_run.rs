@@ -4,7 +4,7 @@ use calyx::check_run_within;
 use calyx::rt::console::{print, println};
 use calyx::rt::options::rates_file;
 use calyx::rt::sweep::Sweep;
-use calyx::rt::sweep_table::SweepTable;
+use calyx::rt::sweep_table::{Case, SweepTable};
 use calyx::rt::tradeoff::text::seconds;
 use calyx_abi::visible::visible;
 use calyx_runtime::cost::Rates;
@@ -15,18 +15,27 @@ use std::sync::Arc;
 /// Largest number of cases of which each is planned; of more cases only the first one is.
 const PLANNED: usize = 32;
 
+/// Returns the predicted time of a sweep's first case on this machine, s; `None` if it is not known.
+pub fn predicted_time(file: &Path, sweep: &Sweep, allowed: &Arc<[PathBuf]>) -> Option<f64> {
+    let (_, cases) = sweep.cases().ok()?;
+    time_of(file, sweep, cases.first()?, allowed, &Rates::of_this_machine(rates_file().as_deref(), false))
+}
+
+/// Returns the predicted time of a case, s.
+fn time_of(file: &Path, sweep: &Sweep, case: &Case, allowed: &Arc<[PathBuf]>, rates: &Rates) -> Option<f64> {
+    let (given, overrides) = sweep.given_in(case);
+    let checked = check_run_within(file, allowed, &given, overrides, None).ok()?;
+    // A model without an analysis takes no time.
+    Some(checked.plan.filter(|_| checked.refused.is_none())?.cost(rates).time())
+}
+
 /// Prints the cases. Each is planned, which solves nothing, to predict its time on this machine.
 pub fn list(file: &Path, sweep: &Sweep, table: &SweepTable, allowed: &Arc<[PathBuf]>) -> ExitCode {
     let rates = Rates::of_this_machine(rates_file().as_deref(), false);
     let count = table.cases.len();
-    let time = |index: usize| {
-        let (given, overrides) = sweep.given_in(&table.cases[index]);
-        let checked = check_run_within(file, allowed, &given, overrides, None).ok()?;
-        // A model without an analysis takes no time.
-        Some(checked.plan.filter(|_| checked.refused.is_none())?.cost(&rates).time())
-    };
     let planned = if count > PLANNED { 1 } else { count };
-    let times: Vec<Option<f64>> = (0..planned).map(time).collect();
+    let times = table.cases[..planned].iter().map(|case| time_of(file, sweep, case, allowed, &rates));
+    let times: Vec<Option<f64>> = times.collect();
     let shown = |time: &Option<f64>| time.map(seconds).unwrap_or_default();
     let mut cells: Vec<String> = times.iter().map(shown).collect();
     cells.resize(count, String::new());

@@ -1,7 +1,9 @@
 //! Durations of load cases: times, or shares of the time.
 
+use serde::{Deserialize, Serialize};
+
 /// Durations of the cases of a duty cycle.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Durations {
     /// Durations by case, not negative, with a positive sum: s, or shares in any unit.
     pub values: Vec<f64>,

@@ -1,7 +1,10 @@
 //! Samples of toleranced params, and objectives: what a study asks for.
 
+use serde::{Deserialize, Serialize};
+
 /// Method by which toleranced params are sampled.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Method {
     /// Plain Latin hypercube: each of N equally probable intervals of a param has one sample.
     #[default]
@@ -38,7 +41,7 @@ impl Method {
 }
 
 /// Sample of toleranced params. They are the last params of the table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sample {
     pub method: Method,
     pub seed: u64,
@@ -49,7 +52,8 @@ pub struct Sample {
 }
 
 /// Statistic of an output over the positions of a case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Statistic {
     Min,
     Mean,
@@ -85,7 +89,7 @@ impl Statistic {
 }
 
 /// Objective of a study.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Objective {
     pub output: String,
     pub statistic: Statistic,

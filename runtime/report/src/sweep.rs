@@ -72,7 +72,7 @@ impl From<&OutputDescription> for Column {
 
 impl Column {
     /// Returns the heading of a column with this statistic, like `torque.max [N*m]`.
-    pub(crate) fn heading(&self, statistic: &str) -> String {
+    pub fn heading(&self, statistic: &str) -> String {
         let name =
             if statistic.is_empty() { self.name.clone() } else { format!("{}.{statistic}", self.name) };
         if self.unit.is_empty() || self.unit == "1" { name } else { format!("{name} [{}]", self.unit) }

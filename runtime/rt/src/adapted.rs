@@ -42,6 +42,14 @@ impl AdaptedProgram {
         };
         AdaptedProgram { program, description: None, files: Some(files) }
     }
+
+    /// Creates the program that reads the tables of its description only. Errors of other tables
+    /// name the directory.
+    #[cfg(feature = "command")]
+    pub fn stored(program: Arc<dyn Program>, directory: PathBuf) -> AdaptedProgram {
+        let files = Files { tables: Some(program.description().tables.clone()), directory };
+        AdaptedProgram { program, description: None, files: Some(files) }
+    }
 }
 
 impl Program for AdaptedProgram {

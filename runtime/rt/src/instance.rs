@@ -12,10 +12,14 @@ use crate::program::Program;
 use crate::results::Results;
 use crate::stepping::{Run, Steps};
 use crate::watcher::{Watcher, interrupt};
+#[cfg(feature = "command")]
+use calyx_abi::description::FileDescription;
 use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_abi::limits::Limits;
 use calyx_abi::{Cancel, Context, Status, stack};
 use calyx_gears::calculation;
+#[cfg(feature = "command")]
+use calyx_gears::files::ModelFile;
 use calyx_gears::host::ModelHost;
 use calyx_runtime::analysis::Event;
 use calyx_runtime::error::EngineError;
@@ -349,6 +353,14 @@ impl Instance {
         stack::with_stack(|| job.execute(None))?
     }
 
+    /// Builds the model without solving it. Returns the files that it has read, and the error that
+    /// ended it, if any.
+    #[cfg(feature = "command")]
+    pub(crate) fn build(&self) -> (Vec<FileDescription>, Option<Error>) {
+        let job = self.job();
+        stack::with_stack(|| job.build()).unwrap_or_else(|error| (Vec::new(), Some(error.into())))
+    }
+
     fn job(&self) -> Job {
         Job {
             setup: self.setup.clone(),
@@ -386,18 +398,37 @@ impl Job {
         if self.setup.program.description().declared_outputs.is_empty() {
             return Ok(self.setup.program.clone());
         }
-        let mut context = self.context();
-        context.print = Box::new(|_| {});
-        context.kernels = self.setup.program.kernels();
-        params::resolve(self.setup.program.as_ref(), &self.setup.settings, &mut context)?;
-        if let Some(host) = context.host::<ModelHost>() {
-            (host.checking, host.overrides) = (true, self.setup.overrides);
+        let (mut context, built) = self.built();
+        // The run reports other errors of the model.
+        if let Err(error @ Error::Given(_)) = built {
+            return Err(error);
         }
-        // The run reports an error of the model.
-        let _ = self.setup.program.main(&mut context);
         let host = context.host::<ModelHost>();
         let names = host.iter().flat_map(|host| &host.outputs).map(|output| output.name.as_str());
         Ok(Arc::new(AdaptedProgram::with_outputs(self.setup.program.clone(), names)))
+    }
+
+    /// Builds the model, without solving or printing anything.
+    fn built(&self) -> (Context, Result<(), Error>) {
+        let mut context = self.context();
+        context.print = Box::new(|_| {});
+        context.kernels = self.setup.program.kernels();
+        let resolved = params::resolve(self.setup.program.as_ref(), &self.setup.settings, &mut context);
+        if let Some(host) = context.host::<ModelHost>() {
+            (host.checking, host.overrides) = (true, self.setup.overrides);
+        }
+        let built = resolved.and_then(|()| self.setup.program.main(&mut context).map_err(Error::Model));
+        (context, built)
+    }
+
+    /// Returns the files that the model reads, and the error that ends it, if any.
+    #[cfg(feature = "command")]
+    fn build(&self) -> (Vec<FileDescription>, Option<Error>) {
+        let (mut context, built) = self.built();
+        let host = context.host::<ModelHost>();
+        let files = host.into_iter().flat_map(|host| std::mem::take(&mut host.files));
+        let file = |file: ModelFile| FileDescription { name: file.name, text: file.text.to_string() };
+        (files.map(file).collect(), built.err())
     }
 
     /// Runs the program and sends its positions to `hand_over`.

@@ -138,7 +138,13 @@ impl Kind {
 }
 
 /// Files of a sweep.
-pub const FILES_OF_A_SWEEP: [&str; 8] = [
+pub const FILES_OF_A_SWEEP: [&str; 14] = [
+    "plan.json",
+    "plan.json.part",
+    "model.json",
+    "cases.json",
+    "job.sh",
+    "job.json",
     "sweep.csv",
     "sweep.html",
     "cases.jsonl",

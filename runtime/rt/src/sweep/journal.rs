@@ -45,9 +45,14 @@ impl Line {
         key(&self.params, self.fidelity.as_deref())
     }
 
-    /// Returns the row, as of another case, with the columns of its outputs.
-    pub fn solved(self, case: usize) -> Solved {
-        (Row { case, ..self.row }, self.columns)
+    /// Returns the line as that of a case with another number.
+    pub fn of_case(self, case: usize) -> Line {
+        Line { row: Row { case, ..self.row }, ..self }
+    }
+
+    /// Returns the row, with the columns of its outputs.
+    pub fn solved(self) -> Solved {
+        (self.row, self.columns)
     }
 }
 

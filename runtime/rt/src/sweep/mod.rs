@@ -4,12 +4,14 @@
 //! case gives the same numbers as a single run, bit for bit. All cases share the structures of
 //! bodies that do not change. A case that fails is a row with its reason.
 
+mod attempts;
 mod axis;
 mod case_file;
 mod distribution;
 mod duration;
 pub(crate) mod journal;
 pub mod objective;
+pub mod plan;
 pub mod sampling;
 pub(crate) mod study_file;
 mod tolerances;
@@ -112,6 +114,24 @@ impl Printed {
 type Solved = (Row, Vec<Column>);
 
 impl Sweep {
+    /// Creates a sweep that varies nothing, on an engine with default settings.
+    pub fn new(program: Arc<dyn Program>, directory: PathBuf) -> Sweep {
+        Sweep {
+            program,
+            given: Vec::new(),
+            overrides: Override::default(),
+            axes: Vec::new(),
+            load_cases: false,
+            durations: None,
+            sample: None,
+            objectives: Vec::new(),
+            directory,
+            engine: Engine::default(),
+            workers: 1,
+            cancel: Cancel::default(),
+        }
+    }
+
     /// Returns what the sweep varies, and all cases.
     ///
     /// # Errors
@@ -243,57 +263,84 @@ impl Sweep {
     /// written.
     pub fn run(&self, done: impl Fn(usize, usize) + Sync) -> Result<Outcome, RunError> {
         let (params, cases) = self.cases().map_err(RunError::Run)?;
-        for (number, case) in (1..).zip(&cases) {
-            // Errors of the model are those of its case.
-            match self.check(&params, number, case) {
-                Err(error @ Error::Given(_)) => return Err(RunError::Run(error)),
-                _ if self.cancel.is_cancelled() => break,
-                _ => {}
-            }
-        }
-        let base = self.instance().map_err(RunError::Run)?.params().map_err(RunError::Run)?;
-        let mut subject = head(self.program.description(), &base, &self.overrides);
-        if let Some(subject) = subject.as_object_mut() {
-            subject.remove("params");
-            subject.insert("journal".to_owned(), json!(journal::FORMAT));
-        }
+        self.check_all(&params, &cases).map_err(RunError::Run)?;
+        let subject = self.subject().map_err(RunError::Run)?;
         let unwritable = |error| RunError::Io { path: self.directory.join(JOURNAL), error };
         let (journal, lines) = Journal::open(&self.directory.join(JOURNAL), &subject).map_err(unwritable)?;
         let mut solved = self.known(&params, &cases, lines);
         let earlier = solved.len();
         let left: Vec<usize> = (1..=cases.len()).filter(|case| !solved.contains_key(case)).collect();
-        let (next, finished) = (AtomicUsize::new(0), AtomicUsize::new(earlier));
-        let found: Mutex<(Vec<Solved>, Option<RunError>)> = Mutex::default();
+        let finished = AtomicUsize::new(earlier);
         done(earlier, cases.len());
+        let lines = self.solve_each(&params, &cases, &left, &|line| {
+            journal.write(line).map_err(unwritable)?;
+            done(finished.fetch_add(1, Ordering::Relaxed) + 1, cases.len());
+            Ok(())
+        })?;
+        solved.extend(lines.into_iter().map(|line| (line.row.case, line.solved())));
+        let count = cases.len();
+        Ok(Outcome { table: self.table(&params, cases, solved), count, earlier })
+    }
+
+    /// Checks the values of all cases. Errors of the model are those of its case, when it is
+    /// solved.
+    fn check_all(&self, params: &[Varied], cases: &[Case]) -> Result<(), Error> {
+        for (number, case) in (1..).zip(cases) {
+            match self.check(params, number, case) {
+                Err(error @ Error::Given(_)) => return Err(error),
+                _ if self.cancel.is_cancelled() => break,
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the description of what the journals record: the model, and settings of all cases.
+    fn subject(&self) -> Result<Value, Error> {
+        let base = self.instance()?.params()?;
+        let mut subject = head(self.program.description(), &base, &self.overrides);
+        if let Some(subject) = subject.as_object_mut() {
+            subject.remove("params");
+            subject.insert("journal".to_owned(), json!(journal::FORMAT));
+        }
+        Ok(subject)
+    }
+
+    /// Solves cases, several at a time, until all are solved or the sweep is cancelled. `write`
+    /// receives each line.
+    ///
+    /// # Errors
+    /// The first error of `write`.
+    fn solve_each(
+        &self,
+        params: &[Varied],
+        cases: &[Case],
+        numbers: &[usize],
+        write: &(dyn Fn(&Line) -> Result<(), RunError> + Sync),
+    ) -> Result<Vec<Line>, RunError> {
+        let next = AtomicUsize::new(0);
+        let found: Mutex<(Vec<Line>, Option<RunError>)> = Mutex::default();
         let work = || {
-            while let Some(&number) = left.get(next.fetch_add(1, Ordering::Relaxed)) {
-                let outcome = self.solve(&params, number, &cases[number - 1]);
-                let written = match &outcome {
-                    Some(line) => journal.write(line).map_err(unwritable),
-                    None => return,
-                };
+            while let Some(&number) = numbers.get(next.fetch_add(1, Ordering::Relaxed)) {
+                let Some(line) = self.solve(params, number, &cases[number - 1]) else { return };
+                let written = write(&line);
                 let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-                if let Err(error) = written {
-                    found.1.get_or_insert(error);
-                    return;
+                match written {
+                    Ok(()) => found.0.push(line),
+                    Err(error) => {
+                        found.1.get_or_insert(error);
+                        return;
+                    }
                 }
-                found.0.extend(outcome.map(|line| line.solved(number)));
-                drop(found);
-                done(finished.fetch_add(1, Ordering::Relaxed) + 1, cases.len());
             }
         };
         thread::scope(|scope| {
-            for _ in 0..self.workers.clamp(1, left.len().max(1)) {
+            for _ in 0..self.workers.clamp(1, numbers.len().max(1)) {
                 scope.spawn(work);
             }
         });
-        let (found, error) = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-        if let Some(error) = error {
-            return Err(error);
-        }
-        solved.extend(found.into_iter().map(|own| (own.0.case, own)));
-        let count = cases.len();
-        Ok(Outcome { table: self.table(&params, cases, solved), count, earlier })
+        let (lines, error) = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+        error.map_or(Ok(lines), Err)
     }
 
     fn table(&self, params: &[Varied], cases: Vec<Case>, solved: BTreeMap<usize, Solved>) -> SweepTable {
@@ -351,7 +398,7 @@ impl Sweep {
             let values = self.instance_of(params, case).and_then(|instance| instance.params());
             let key = values.map(|values| journal::key(&json!(values), fidelity_of(params, case)));
             if let Some(line) = key.ok().and_then(|key| by_params.remove(&key)) {
-                solved.insert(k + 1, line.solved(k + 1));
+                solved.insert(k + 1, line.of_case(k + 1).solved());
             }
         }
         solved

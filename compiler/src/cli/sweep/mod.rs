@@ -1,28 +1,26 @@
 //! `calyx sweep`: solves a model at many values of its params.
 
+mod plan;
+mod report;
+
 use crate::allow::AllowPath;
 use crate::compile::compile;
 use crate::dry_run;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE, beside};
 use calyx::check_run_within;
-use calyx::rt::component_table;
-use calyx::rt::console::print;
-use calyx::rt::duty_cycle::{self, DutyCycle, PITTING_SLOPE};
 use calyx::rt::options::{RunArguments, given_of};
-use calyx::rt::page::sweep as page;
 use calyx::rt::progress::{Progress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::settings_override::OverrideArguments;
-use calyx::rt::study::{self, EXPLAINED_VARIATION, Group, Method, Objective, SAMPLE_STATISTICS, Sample};
+use calyx::rt::study::{Method, Objective, Sample};
 use calyx::rt::sweep::{
-    Axis, CaseFile, Durations, JOURNAL, Outcome, Sampling, StudyFile, Sweep as Cases, Tolerance, objective,
+    Axis, CaseFile, Durations, JOURNAL, Sampling, StudyFile, Sweep as Cases, Tolerance, objective,
 };
-use calyx::rt::sweep_table::{PRINTED_TEXT, SweepTable};
 use calyx::rt::{
     Engine, EngineConfig, Error, InvalidParam, ModelDescription, ParamAssignment, RunError, interrupt,
 };
 use clap::Args;
-use std::io;
+use report::Report;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -65,15 +63,52 @@ Examples:
   calyx sweep pair.cx --sample \"slope = normal(0 um, 5 um)\" --samples 200 --seed 1
   calyx sweep pair.cx --study study.toml
 
+On a cluster, or for any queue: a plan, a process per index on any machine, and the results:
+  calyx sweep pair.cx --over torque=50..500:1000 --plan cases/ --cases-per-index 50
+  calyx sweep --work cases/ --index 1                   and so on to index 20
+  calyx sweep --collect cases/
+Indices may run at the same time and be killed; each solves its cases that are left. The results are those of a sweep on one machine.
+
 Several axes give all their combinations. A case has the same numbers as `calyx run` with these params, to the last bit. A case that
 fails is a row with its reason.
 
 Exit status: 0 if all cases were solved, 1 if the model or some cases failed, 2 for wrong usage of the command.";
 
+const ELSEWHERE: &str = "Clusters and queues";
+/// Options that a plan has recorded.
+const NOT_OF_A_PLAN: [&str; 25] = [
+    "file",
+    "over",
+    "cases",
+    "study",
+    "sample",
+    "samples",
+    "seed",
+    "method",
+    "objective",
+    "damage_slope",
+    "dry_run",
+    "plan",
+    "cases_per_index",
+    "set",
+    "params",
+    "paths",
+    "fidelity",
+    "refinement",
+    "element_order",
+    "face_elements",
+    "displacement_order",
+    "contact_cells",
+    "contact_slices",
+    "position_stride",
+    "error_estimates",
+];
+
 #[derive(Args)]
 pub struct Sweep {
     /// The model (.cx file)
-    file: PathBuf,
+    #[arg(required_unless_present_any = ["work", "collect"])]
+    file: Option<PathBuf>,
     /// Vary a param: NAME=FROM..TO:COUNT, NAME=A,B,C or NAME=*; repeatable
     #[arg(long, value_name = "NAME=VALUES")]
     over: Vec<String>,
@@ -109,6 +144,24 @@ pub struct Sweep {
     /// List the cases with a predicted time, without solving them or writing files
     #[arg(long)]
     dry_run: bool,
+    /// Write a plan of the sweep to this directory, for `--work` on any machines
+    ///
+    /// The directory contains the model, the files that it reads, and the cases, divided into
+    /// indices of some cases each. Nothing is solved.
+    #[arg(long, value_name = "DIR", help_heading = ELSEWHERE, conflicts_with_all = ["out", "dry_run"])]
+    plan: Option<PathBuf>,
+    /// Number of cases per index of a plan [default: of about a minute, for at most 1000 indices]
+    #[arg(long, value_name = "N", help_heading = ELSEWHERE, requires = "plan")]
+    cases_per_index: Option<NonZeroUsize>,
+    /// Solve the cases of an index of the plan in this directory that are not solved yet
+    #[arg(long, value_name = "DIR", help_heading = ELSEWHERE, requires = "index", conflicts_with = "collect", conflicts_with_all = NOT_OF_A_PLAN)]
+    work: Option<PathBuf>,
+    /// Index that `--work` solves, from 1
+    #[arg(long, value_name = "N", help_heading = ELSEWHERE, requires = "work")]
+    index: Option<usize>,
+    /// Write the results of all workers of the plan in this directory, there or to `--out`
+    #[arg(long, value_name = "DIR", help_heading = ELSEWHERE, conflicts_with_all = NOT_OF_A_PLAN)]
+    collect: Option<PathBuf>,
     /// Set a param in all cases, see `calyx run`
     #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
     set: Vec<ParamAssignment>,
@@ -152,44 +205,44 @@ impl Sweep {
     }
 
     pub fn run(self) -> ExitCode {
+        match (&self.work, &self.collect) {
+            (Some(directory), _) => plan::work(&self, directory),
+            (None, Some(directory)) => plan::collect(&self, directory),
+            (None, None) => self.run_model(),
+        }
+    }
+
+    /// Returns the model; empty with `--work` and `--collect`.
+    fn file(&self) -> &Path {
+        self.file.as_deref().unwrap_or(Path::new(""))
+    }
+
+    /// Checks and compiles the model, and returns it with the cases.
+    fn prepared(&self) -> Result<(calyx::Module, Cases), ExitCode> {
         let format = MessageFormat::Human;
-        let usage = |refused: &InvalidParam| {
-            format.refused(refused);
+        let usage = |refused: InvalidParam| {
+            format.refused(&refused);
             ExitCode::from(USAGE)
         };
-        let file = match self.study.as_deref().map(StudyFile::read).transpose() {
-            Ok(file) => file,
-            Err(refused) => return usage(&refused),
-        };
+        let file = self.study.as_deref().map(StudyFile::read).transpose().map_err(usage)?;
         // Values of the command line follow those of the study file, because the last one counts.
         let mut given = file.as_ref().map(|file| file.params.clone()).unwrap_or_default();
-        match given_of(self.params.as_deref(), &self.set) {
-            Ok(own) => given.extend(own),
-            Err(refused) => return usage(&refused),
-        }
+        given.extend(given_of(self.params.as_deref(), &self.set).map_err(usage)?);
         if self.over.is_empty() && self.cases.is_none() && self.study.is_none() && self.sample.is_empty() {
             let help = "name a param, like `--over torque=50..500:10`";
-            return usage(&InvalidParam::new("the sweep varies nothing", help));
+            return Err(usage(InvalidParam::new("the sweep varies nothing", help)));
         }
         let overrides = self.overrides.to_override();
-        let check = || check_run_within(&self.file, &self.allow.paths(), &given, overrides, None);
-        let (module, _) = match compile(&self.file, self.quiet, format, check) {
-            Ok(compiled) => compiled,
-            Err(status) => return status,
-        };
+        let check = || check_run_within(self.file(), &self.allow.paths(), &given, overrides, None);
+        let (module, _) = compile(self.file(), self.quiet, format, check)?;
         let program = module.as_program();
-        let content = match self.content(file.as_ref(), program.description()) {
-            Ok(content) => content,
-            Err(mistakes) => {
-                mistakes.iter().for_each(|mistake| format.refused(mistake));
-                return ExitCode::from(USAGE);
-            }
-        };
-        let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".sweep"));
-        let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
-        let store = RunArguments::store_of(None, self.no_cache);
+        let content = self.content(file.as_ref(), program.description()).map_err(|mistakes| {
+            mistakes.iter().for_each(|mistake| format.refused(mistake));
+            ExitCode::from(USAGE)
+        })?;
+        let directory = self.plan.clone().or_else(|| self.out.clone());
+        let directory = directory.unwrap_or_else(|| beside(self.file(), ".sweep"));
         let sweep = Cases {
-            program,
             given,
             overrides,
             axes: content.axes,
@@ -197,17 +250,35 @@ impl Sweep {
             durations: content.durations,
             sample: content.sample,
             objectives: content.objectives,
-            directory: directory.clone(),
-            engine: Engine::new(EngineConfig { threads, store, ..EngineConfig::default() }),
-            workers: threads,
-            cancel: interrupt::flag(),
+            ..Cases::new(program, directory)
+        };
+        Ok((module, self.on_engine(sweep)))
+    }
+
+    /// Returns the sweep on an engine with the options of this command.
+    fn on_engine(&self, sweep: Cases) -> Cases {
+        let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+        let store = RunArguments::store_of(None, self.no_cache);
+        let engine = Engine::new(EngineConfig { threads, store, ..EngineConfig::default() });
+        Cases { engine, workers: threads, cancel: interrupt::flag(), ..sweep }
+    }
+
+    fn run_model(&self) -> ExitCode {
+        let format = MessageFormat::Human;
+        let (module, sweep) = match self.prepared() {
+            Ok(prepared) => prepared,
+            Err(status) => return status,
         };
         if self.dry_run {
             return match sweep.planned() {
-                Ok(table) => dry_run::list(&self.file, &sweep, &table, &self.allow.paths()),
+                Ok(table) => dry_run::list(self.file(), &sweep, &table, &self.allow.paths()),
                 Err(error) => failed(format, &module, RunError::Run(error)),
             };
         }
+        if self.plan.is_some() {
+            return plan::write(self, &sweep);
+        }
+        let directory = sweep.directory.clone();
         let locked = RunDirectory::lock(&directory, Kind::Sweep, self.force).and_then(|locked| {
             let listed = locked.claim_all(["sweep.csv", "sweep.html", JOURNAL]);
             listed.map(|()| locked).map_err(|error| DirectoryError::Io { path: directory.clone(), error })
@@ -224,8 +295,13 @@ impl Sweep {
             }
         });
         progress.finish();
+        let report = Report {
+            quiet: self.quiet,
+            damage_slopes: &self.damage_slope,
+            to_continue: Some("run the same command again to continue"),
+        };
         match outcome {
-            Ok(outcome) => self.report(&outcome, &locked),
+            Ok(outcome) => report.write(&outcome, &locked),
             Err(error) => failed(format, &module, error),
         }
     }
@@ -288,81 +364,6 @@ impl Sweep {
             }
         }
     }
-
-    /// Writes the results and prints the table.
-    fn report(&self, outcome: &Outcome, directory: &RunDirectory) -> ExitCode {
-        let format = MessageFormat::Human;
-        let table = &outcome.table;
-        let slopes = if self.damage_slope.is_empty() { &[PITTING_SLOPE][..] } else { &self.damage_slope };
-        let cycle = DutyCycle::of(table, slopes);
-        let values = cycle.as_ref().and_then(|cycle| cycle.as_ref().ok());
-        let groups = study::groups(table);
-        if let Err(error) = write(directory, table, cycle.as_ref(), &groups) {
-            return format.unwritable(directory.path(), &error.to_string());
-        }
-        match table.sample {
-            // A sample has too many cases to print.
-            Some(_) => print!("{}", study::text(table, &groups)),
-            None => print!("{}", table.text()),
-        }
-        if let Some(values) = values {
-            print!("\n{}", values.text());
-        }
-        if !self.quiet {
-            self.explain(outcome, cycle.as_ref(), directory.path());
-        }
-        let Outcome { count, .. } = outcome;
-        if table.rows.len() < *count {
-            let message = format!("interrupted after {} of {count} cases", table.rows.len());
-            format.failure(&message, "run the same command again to continue");
-            return ExitCode::from(MODEL_ERROR);
-        }
-        match table.failures() {
-            0 => ExitCode::SUCCESS,
-            failures => {
-                let message = format!("{failures} of {} cases failed", table.rows.len());
-                format.failure(&message, "see the reason in the row of each");
-                ExitCode::from(MODEL_ERROR)
-            }
-        }
-    }
-
-    /// Prints notes about the results.
-    fn explain(
-        &self,
-        Outcome { table, earlier, .. }: &Outcome,
-        cycle: Option<&Result<DutyCycle, String>>,
-        directory: &Path,
-    ) {
-        let format = MessageFormat::Human;
-        if table.sample.is_some() {
-            format.note("sweep.csv has the cases, sample_statistics.csv confidence intervals, and explained_variation.csv the influence of each param\n");
-        }
-        if table.unprinted() > 0 {
-            let (all, left) = (table.outputs.len(), table.unprinted());
-            format.note(&format!("the table shows {} of {all} outputs; sweep.csv has all\n", all - left));
-        }
-        if *earlier > 0 {
-            let cases = if *earlier == 1 { "case was" } else { "cases were" };
-            format.note(&format!("{earlier} {cases} solved before\n"));
-        }
-        match cycle {
-            Some(Err(reason)) => format.note(&format!("no values over the duty cycle: {reason}\n")),
-            Some(Ok(cycle)) if !cycle.missing.is_empty() => {
-                format
-                    .note("some values over the duty cycle are not available; sweep.html has the reasons\n");
-            }
-            _ => {}
-        }
-        if table.has_printed() {
-            format.note(&format!("text that the model prints is in {PRINTED_TEXT}\n"));
-        }
-        format.note(&format!("table and plots are in {}\n", directory.display()));
-        if table.warned() > 0 {
-            let cases = if table.warned() == 1 { "case has" } else { "cases have" };
-            format.warning(&format!("{} {cases} warnings, see sweep.html", table.warned()));
-        }
-    }
 }
 
 /// Content of the command line and the study file.
@@ -387,53 +388,34 @@ fn slope(text: &str) -> Result<f64, String> {
     slope.ok_or_else(|| "give a number of at least 1, like `--damage-slope 8.738`".to_owned())
 }
 
-/// Writes the files of a sweep, and removes those of an earlier sweep that this one does not have.
-fn write(
-    directory: &RunDirectory,
-    table: &SweepTable,
-    cycle: Option<&Result<DutyCycle, String>>,
-    groups: &[Group],
-) -> io::Result<()> {
-    let path = directory.path();
-    table.write(&path.join("sweep.csv"))?;
-    page::write(&path.join("sweep.html"), table, cycle, groups)?;
-    match table.sample {
-        Some(_) => {
-            study::write_statistics(&directory.claim(SAMPLE_STATISTICS)?, table, groups)?;
-            study::write_explained_variation(&directory.claim(EXPLAINED_VARIATION)?, table, groups)?;
-        }
-        None => {
-            directory.remove_owned(SAMPLE_STATISTICS)?;
-            directory.remove_owned(EXPLAINED_VARIATION)?;
-        }
-    }
-    match table.load_cases {
-        true => component_table::write(&directory.claim(component_table::NAME)?, table)?,
-        false => directory.remove_owned(component_table::NAME)?,
-    }
-    match cycle {
-        Some(Ok(cycle)) => cycle.write(&directory.claim(duty_cycle::NAME)?)?,
-        _ => directory.remove_owned(duty_cycle::NAME)?,
-    }
-    match table.has_printed() {
-        true => table.write_printed(&directory.claim(PRINTED_TEXT)?),
-        false => directory.remove_owned(PRINTED_TEXT),
-    }
-}
-
 /// Prints the error of a sweep or an optimization.
 pub fn failed(format: MessageFormat, module: &calyx::Module, error: RunError) -> ExitCode {
     match error {
-        RunError::Run(Error::Given(why)) => {
-            format.refused(&why);
-            ExitCode::from(USAGE)
-        }
         RunError::Run(Error::Model(error)) => {
             format.diagnostics(&[module.error(&error)], module.files());
             ExitCode::from(MODEL_ERROR)
         }
         RunError::Ended { error, .. } => {
             format.diagnostics(&[module.error(&error)], module.files());
+            ExitCode::from(MODEL_ERROR)
+        }
+        error => failed_without_module(format, error),
+    }
+}
+
+/// Prints the error of a sweep that concerns no location of the model.
+fn failed_without_module(format: MessageFormat, error: RunError) -> ExitCode {
+    match error {
+        RunError::Run(Error::Given(why)) => {
+            format.refused(&why);
+            ExitCode::from(USAGE)
+        }
+        RunError::Run(Error::Model(error)) => {
+            format.failure(&format!("{}: {}", error.code, error.message), &error.help);
+            ExitCode::from(MODEL_ERROR)
+        }
+        RunError::Ended { error, .. } => {
+            format.failure(&format!("{}: {}", error.code, error.message), &error.help);
             ExitCode::from(MODEL_ERROR)
         }
         RunError::Directory(error) => format.directory(&error),
