@@ -8,7 +8,7 @@ use calyx_abi::RuntimeError;
 use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription};
 use calyx_codegen::{TargetCpu, compile_code, compile_jit, load_code};
 use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic, has_errors};
-use calyx_elaborate::{Checked, check_file, check_text, check_language, param_function, render};
+use calyx_elaborate::{Checked, check_file, check_language, check_text, param_function, render};
 use calyx_gears::host::Finding;
 use calyx_gears::library::{FINGERPRINT, externs};
 use calyx_lang::diagnostic::Diagnostic;

@@ -28,4 +28,5 @@ mod studio;
 mod support;
 mod sweep;
 mod sweep_plan;
+mod sweep_slurm;
 mod tradeoff;

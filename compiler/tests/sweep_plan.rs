@@ -55,7 +55,8 @@ fn collected_files_are_those_of_a_sweep_on_one_machine() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();
     let write = |name: &str, text: &str| fs::write(at.join(name), text).expect("written");
-    let analysis = "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 2), error_estimates = \"none\");\n";
+    let analysis =
+        "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 2), error_estimates = \"none\");\n";
     write("pair.cx", &pair("", analysis));
     let axes = ["pair.cx", "--over", "torque=10 N*m..30 N*m:3log", "--over", "fidelity=rigid,analytic"];
     compare(at, &axes, 2, 0, &["sweep.csv", "sweep.html"]);

@@ -52,7 +52,8 @@ pub use calyx_gears::derived_quantities::{Kind, Quantity};
 pub use calyx_lower::kernels::SymbolKind;
 pub use calyx_rt::{InvalidParam, Override, ParamAssignment};
 pub use check::{
-    Checked, check_file, check_file_allowing, check_language, check_run, check_run_within, check_sources, check_text, render,
+    Checked, check_file, check_file_allowing, check_language, check_run, check_run_within, check_sources,
+    check_text, render,
 };
 pub use cost::PlannedCost;
 pub use disk::PlannedDisk;

@@ -2,6 +2,7 @@
 
 mod plan;
 mod report;
+mod slurm;
 
 use crate::allow::AllowPath;
 use crate::compile::compile;
@@ -19,7 +20,7 @@ use calyx::rt::sweep::{
 use calyx::rt::{
     Engine, EngineConfig, Error, InvalidParam, ModelDescription, ParamAssignment, RunError, interrupt,
 };
-use clap::Args;
+use clap::{Args, ValueEnum};
 use report::Report;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -67,6 +68,7 @@ On a cluster, or for any queue: a plan, a process per index on any machine, and 
   calyx sweep pair.cx --over torque=50..500:1000 --plan cases/ --cases-per-index 50
   calyx sweep --work cases/ --index 1                   and so on to index 20
   calyx sweep --collect cases/
+  calyx sweep pair.cx --over torque=50..500:1000 --on slurm --slurm-options \"--time=1:00:00 --cpus-per-task=4\"
 Indices may run at the same time and be killed; each solves its cases that are left. The results are those of a sweep on one machine.
 
 Several axes give all their combinations. A case has the same numbers as `calyx run` with these params, to the last bit. A case that
@@ -74,9 +76,16 @@ fails is a row with its reason.
 
 Exit status: 0 if all cases were solved, 1 if the model or some cases failed, 2 for wrong usage of the command.";
 
+/// Queue of a cluster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Queue {
+    /// Slurm, by its commands sbatch, squeue and sacct
+    Slurm,
+}
+
 const ELSEWHERE: &str = "Clusters and queues";
 /// Options that a plan has recorded.
-const NOT_OF_A_PLAN: [&str; 25] = [
+const NOT_OF_A_PLAN: [&str; 26] = [
     "file",
     "over",
     "cases",
@@ -89,6 +98,7 @@ const NOT_OF_A_PLAN: [&str; 25] = [
     "damage_slope",
     "dry_run",
     "plan",
+    "on",
     "cases_per_index",
     "set",
     "params",
@@ -148,10 +158,10 @@ pub struct Sweep {
     ///
     /// The directory contains the model, the files that it reads, and the cases, divided into
     /// indices of some cases each. Nothing is solved.
-    #[arg(long, value_name = "DIR", help_heading = ELSEWHERE, conflicts_with_all = ["out", "dry_run"])]
+    #[arg(long, value_name = "DIR", help_heading = ELSEWHERE, group = "planned", conflicts_with_all = ["out", "dry_run"])]
     plan: Option<PathBuf>,
     /// Number of cases per index of a plan [default: of about a minute, for at most 1000 indices]
-    #[arg(long, value_name = "N", help_heading = ELSEWHERE, requires = "plan")]
+    #[arg(long, value_name = "N", help_heading = ELSEWHERE, requires = "planned")]
     cases_per_index: Option<NonZeroUsize>,
     /// Solve the cases of an index of the plan in this directory that are not solved yet
     #[arg(long, value_name = "DIR", help_heading = ELSEWHERE, requires = "index", conflicts_with = "collect", conflicts_with_all = NOT_OF_A_PLAN)]
@@ -162,6 +172,18 @@ pub struct Sweep {
     /// Write the results of all workers of the plan in this directory, there or to `--out`
     #[arg(long, value_name = "DIR", help_heading = ELSEWHERE, conflicts_with_all = NOT_OF_A_PLAN)]
     collect: Option<PathBuf>,
+    /// Submit the sweep to a queue as an array job, follow it and collect the results
+    ///
+    /// The directory for the results contains the plan and the logs of the job. Ctrl-C leaves the
+    /// job running; the same command follows it again.
+    #[arg(long, value_enum, value_name = "QUEUE", help_heading = ELSEWHERE, group = "planned", conflicts_with = "dry_run")]
+    on: Option<Queue>,
+    /// Options of sbatch, like "--partition=short --time=1:00:00 --cpus-per-task=4"; repeatable
+    #[arg(long, value_name = "OPTIONS", help_heading = ELSEWHERE, requires = "on", allow_hyphen_values = true)]
+    slurm_options: Vec<String>,
+    /// Submit the indices again that the last job did not finish
+    #[arg(long, help_heading = ELSEWHERE, requires = "on")]
+    resubmit: bool,
     /// Set a param in all cases, see `calyx run`
     #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
     set: Vec<ParamAssignment>,
@@ -277,6 +299,9 @@ impl Sweep {
         }
         if self.plan.is_some() {
             return plan::write(self, &sweep);
+        }
+        if let Some(Queue::Slurm) = self.on {
+            return slurm::run(self, &module, &sweep);
         }
         let directory = sweep.directory.clone();
         let locked = RunDirectory::lock(&directory, Kind::Sweep, self.force).and_then(|locked| {

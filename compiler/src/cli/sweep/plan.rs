@@ -146,13 +146,15 @@ pub fn work(command: &Sweep, directory: &Path) -> ExitCode {
     if !command.quiet {
         let before = if earlier > 0 { format!(", {earlier} of them before") } else { String::new() };
         let cases = if count == 1 { "case" } else { "cases" };
-        format.note(&format!("index {index}: {} of {count} {cases} solved{before}\n", count - failures.len()));
+        format
+            .note(&format!("index {index}: {} of {count} {cases} solved{before}\n", count - failures.len()));
     }
     match failures.len() {
         0 => ExitCode::SUCCESS,
         failures => {
             let message = format!("{failures} of {count} cases of index {index} failed");
-            let help = "collect the results, whose rows have the reasons, or run the same command to try them again";
+            let help =
+                "collect the results, whose rows have the reasons, or run the same command to try them again";
             format.failure(&message, help);
             ExitCode::from(MODEL_ERROR)
         }
@@ -198,7 +200,10 @@ pub fn report(quiet: bool, plan: &Plan, collected: &Collected, directory: &RunDi
     let are = if left == 1 { "is" } else { "are" };
     let message = format!("{left} of {count} cases {are} missing: {index} {}", ranges(missing));
     let shown = shell::path(&plan.directory);
-    format.failure(&message, &format!("{each} `calyx sweep --work {shown} --index {first}`, then collect again"));
+    format.failure(
+        &message,
+        &format!("{each} `calyx sweep --work {shown} --index {first}`, then collect again"),
+    );
     ExitCode::from(MODEL_ERROR)
 }
 

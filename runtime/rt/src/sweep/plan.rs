@@ -36,8 +36,8 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::thread;
 
 pub use super::attempts::{RESULTS, lines};
@@ -56,6 +56,8 @@ const FORMAT: u32 = 1;
 const MOST_INDICES: usize = 1000;
 /// Predicted duration of an index without a request, s: starting a worker takes far less.
 const DURATION: f64 = 60.0;
+/// Number of cases of an index without a request or a prediction, as of models without an analysis.
+const UNPREDICTED: f64 = 100.0;
 /// Largest number of cases that are all built to find the files that they read. Of more cases,
 /// those that differ only in real numbers are built once.
 const MOST_BUILT: usize = 2000;
@@ -273,9 +275,10 @@ impl Plan {
         if fingerprint(&index) != index.fingerprint {
             return Err(damaged("it was changed after it was written".to_owned()));
         }
-        let indices = index.cases.checked_div(index.cases_per_index).map(|whole| {
-            whole + usize::from(whole * index.cases_per_index < index.cases)
-        });
+        let indices = index
+            .cases
+            .checked_div(index.cases_per_index)
+            .map(|whole| whole + usize::from(whole * index.cases_per_index < index.cases));
         if indices != Some(index.indices) {
             return Err(damaged("the number of indices does not fit the number of cases".to_owned()));
         }
@@ -436,7 +439,7 @@ impl Index {
 
 /// Returns the number of cases of an index without a request.
 fn default_size(cases: usize, seconds: Option<f64>) -> usize {
-    let fast = seconds.filter(|seconds| *seconds > 0.0).map_or(1.0, |seconds| DURATION / seconds);
+    let fast = seconds.map_or(UNPREDICTED, |seconds| DURATION / seconds);
     (fast as usize).clamp(cases.div_ceil(MOST_INDICES).max(1), cases.max(1))
 }
 
@@ -478,7 +481,9 @@ impl Sweep {
         };
         thread::scope(|scope| {
             let threads: Vec<_> = (0..self.workers.max(1)).map(|_| scope.spawn(work)).collect();
-            for (number, (found, error)) in threads.into_iter().filter_map(|thread| thread.join().ok()).flatten() {
+            for (number, (found, error)) in
+                threads.into_iter().filter_map(|thread| thread.join().ok()).flatten()
+            {
                 add(found);
                 let reason = error.map(|error| match error {
                     Error::Model(error) => format!("{}: {}", error.code, error.message),
