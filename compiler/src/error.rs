@@ -62,9 +62,7 @@ impl fmt::Display for CompileError {
             CompileError::Description(error) => {
                 write!(f, "the model's description cannot be written: {error}")
             }
-            CompileError::OtherSources => {
-                f.write_str("the sources of the model do not fit its description")
-            }
+            CompileError::OtherSources => f.write_str("the sources of the model do not fit its description"),
             CompileError::Artifact(error) => write!(f, "the compiled module cannot be written: {error}"),
         }
     }
