@@ -2,6 +2,8 @@
 //! of a sweep on one machine, byte for byte, without the files of the model.
 
 use crate::support::pair;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -43,9 +45,9 @@ fn compare(at: &Path, arguments: &[&str], indices: usize, status: i32, names: &[
     }
     let (code, told) = calyx(elsewhere.path(), &["sweep", "--collect", "plan", "--quiet"]);
     assert_eq!((code, &told), (Some(status), &here.1));
-    for name in names {
-        let read = |path: &Path| fs::read_to_string(path.join(name)).expect(name);
-        assert_eq!(read(&elsewhere.path().join("plan")), read(&at.join("here")), "{name}");
+    for name in [&["sweep.parquet"], names].concat() {
+        let read = |path: &Path| fs::read(path.join(name)).expect(name);
+        assert!(read(&elsewhere.path().join("plan")) == read(&at.join("here")), "{name} differs");
     }
     fs::remove_dir_all(at.join("here")).expect("removed");
 }
@@ -189,4 +191,51 @@ fn damaged_and_outdated_plans_are_refused() {
     fs::remove_file(at.join("plan/cases.json")).expect("removed");
     let (status, told) = work(at, 1);
     assert!(status == Some(2) && told.contains("cannot read plan/cases.json"), "{told}");
+}
+
+/// The Parquet file has the columns, values and units of the table.
+#[test]
+fn parquet_files_have_the_columns_of_the_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    let model =
+        "param width = 2 mm in 0 mm .. 20 mm;\nparam round = TRUE;\nparam kind = \"a\" in [\"a\", \"b\"];
+if (width > 15 mm) throw(\"too wide\");\noutput area := width * width in mm^2;\n";
+    fs::write(at.join("model.cx"), model).expect("written");
+    fs::write(
+        at.join("cases.csv"),
+        "name,width,round,kind\none,1 mm,TRUE,a\ntwo,0.3 mm,FALSE,b\nthree,16 mm,TRUE,b\n",
+    )
+    .expect("written");
+    let (status, told) = calyx(at, &["sweep", "model.cx", "--cases", "cases.csv", "--out", "out", "--quiet"]);
+    assert_eq!(status, Some(1), "{told}");
+    let file = fs::File::open(at.join("out/sweep.parquet")).expect("a file");
+    let reader = SerializedFileReader::new(file).expect("Parquet");
+    let metadata = reader.metadata().file_metadata().key_value_metadata().expect("metadata").clone();
+    let units = metadata.iter().find(|entry| entry.key == "units").and_then(|entry| entry.value.clone());
+    let units: serde_json::Value = serde_json::from_str(&units.expect("units")).expect("JSON");
+    let statistics = ["min", "mean", "max", "peak_to_peak", "max_error"];
+    assert_eq!(units["width"], "mm");
+    assert!(statistics.iter().all(|statistic| units[format!("area.{statistic}")] == "mm^2"), "{units}");
+
+    let mut table = csv::Reader::from_path(at.join("out/sweep.csv")).expect("a table");
+    let headings: Vec<String> = table.headers().expect("headings").iter().map(str::to_owned).collect();
+    let mut rows = reader.get_row_iter(None).expect("rows");
+    for record in table.records() {
+        let (record, row) = (record.expect("a row"), rows.next().expect("a row").expect("a row"));
+        assert_eq!(row.len(), headings.len());
+        for ((cell, heading), (name, field)) in record.iter().zip(&headings).zip(row.get_column_iter()) {
+            assert_eq!(heading.split(" [").next(), Some(name.as_str()));
+            match field {
+                Field::Null => assert_eq!(cell, "", "{name}"),
+                Field::Double(value) => assert_eq!(cell.parse::<f64>().ok(), Some(*value), "{name}"),
+                Field::Long(value) => assert_eq!(cell, value.to_string(), "{name}"),
+                Field::Bool(value) => assert_eq!(cell.to_lowercase(), value.to_string(), "{name}"),
+                Field::Str(text) => assert_eq!(cell, text, "{name}"),
+                other => panic!("{name}: {other}"),
+            }
+        }
+        assert!(matches!(row.get_column_iter().nth(2), Some((_, Field::Double(_)))));
+    }
+    assert!(rows.next().is_none());
 }

@@ -22,6 +22,8 @@ pub mod modes_table;
 pub mod optimization;
 #[cfg(feature = "pages")]
 pub mod page;
+#[cfg(feature = "pages")]
+pub mod parquet_table;
 pub mod sample;
 #[cfg(feature = "pages")]
 pub mod signals;

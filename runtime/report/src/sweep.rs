@@ -150,6 +150,16 @@ impl Statistics {
     }
 }
 
+/// Names and values of the statistics of an output in a table.
+type Tabulated = (&'static str, fn(&Statistics) -> Option<f64>);
+pub(crate) const STATISTICS: [Tabulated; 5] = [
+    ("min", |all| all.min),
+    ("mean", |all| all.mean),
+    ("max", |all| all.max),
+    ("peak_to_peak", |all| all.peak_to_peak),
+    ("max_error", |all| all.error),
+];
+
 /// Result of a case.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Row {
@@ -290,20 +300,12 @@ impl SweepTable {
     /// # Errors
     /// The file cannot be written.
     pub fn write(&self, path: &Path) -> io::Result<()> {
-        type Statistic = (&'static str, fn(&Statistics) -> Option<f64>);
-        let statistics: [Statistic; 5] = [
-            ("min", |all| all.min),
-            ("mean", |all| all.mean),
-            ("max", |all| all.max),
-            ("peak_to_peak", |all| all.peak_to_peak),
-            ("max_error", |all| all.error),
-        ];
         let mut file = csv::Writer::from_path(path)?;
         let mut head = vec!["case".to_owned()];
         head.extend(self.is_named().then(|| "name".to_owned()));
         head.extend(self.params.iter().map(|param| param.heading("")));
         for output in &self.outputs {
-            head.extend(statistics.iter().map(|(name, _)| output.heading(name)));
+            head.extend(STATISTICS.iter().map(|(name, _)| output.heading(name)));
         }
         head.extend(["failure".to_owned(), "warnings".to_owned()]);
         file.write_record(&head)?;
@@ -314,7 +316,7 @@ impl SweepTable {
             for output in &self.outputs {
                 let of = |statistic: fn(&Statistics) -> Option<f64>| self.value(row, output, statistic);
                 let text = |value: f64| if value.is_nan() { String::new() } else { exact(value) };
-                cells.extend(statistics.iter().map(|(_, statistic)| text(of(*statistic))));
+                cells.extend(STATISTICS.iter().map(|(_, statistic)| text(of(*statistic))));
             }
             cells.push(row.failure.clone().unwrap_or_default());
             cells.push(row.warnings.join("; "));

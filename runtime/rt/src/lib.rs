@@ -68,6 +68,8 @@ pub use calyx_abi::Cancel;
 pub use calyx_abi::description::{ModelDescription, ParamValue};
 pub use calyx_abi::shell;
 #[cfg(feature = "command")]
+pub use calyx_report::parquet_table;
+#[cfg(feature = "command")]
 pub use calyx_report::study;
 #[cfg(feature = "command")]
 pub use calyx_report::sweep as sweep_table;

@@ -138,7 +138,7 @@ impl Kind {
 }
 
 /// Files of a sweep.
-pub const FILES_OF_A_SWEEP: [&str; 14] = [
+pub const FILES_OF_A_SWEEP: [&str; 16] = [
     "plan.json",
     "plan.json.part",
     "model.json",
@@ -146,6 +146,8 @@ pub const FILES_OF_A_SWEEP: [&str; 14] = [
     "job.sh",
     "job.json",
     "sweep.csv",
+    "sweep.parquet",
+    "sweep.parquet.part",
     "sweep.html",
     "cases.jsonl",
     component_table::NAME,

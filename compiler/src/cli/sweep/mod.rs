@@ -196,9 +196,9 @@ pub struct Sweep {
     allow: AllowPath,
     /// Directory for the results [default: the model's file name with the suffix .sweep]
     ///
-    /// Contains sweep.csv (one row per case), sweep.html, cases.jsonl (finished cases, from which
-    /// an interrupted sweep continues), with --cases component_loads.csv and duty_cycle.csv, and
-    /// with samples sample_statistics.csv and explained_variation.csv.
+    /// Contains sweep.csv and sweep.parquet (one row per case), sweep.html, cases.jsonl (finished
+    /// cases, from which an interrupted sweep continues), with --cases component_loads.csv and
+    /// duty_cycle.csv, and with samples sample_statistics.csv and explained_variation.csv.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write to a directory that contains other files

@@ -5,6 +5,7 @@ use calyx::rt::component_table;
 use calyx::rt::console::print;
 use calyx::rt::duty_cycle::{self, DutyCycle, PITTING_SLOPE};
 use calyx::rt::page::sweep as page;
+use calyx::rt::parquet_table;
 use calyx::rt::run_directory::RunDirectory;
 use calyx::rt::study::{self, EXPLAINED_VARIATION, Group, SAMPLE_STATISTICS};
 use calyx::rt::sweep::Outcome;
@@ -106,6 +107,8 @@ fn write(
     groups: &[Group],
 ) -> io::Result<()> {
     table.write(&directory.claim("sweep.csv")?)?;
+    directory.claim("sweep.parquet.part")?;
+    parquet_table::write_sweep(&directory.claim(parquet_table::NAME)?, table)?;
     page::write(&directory.claim("sweep.html")?, table, cycle, groups)?;
     match table.sample {
         Some(_) => {

@@ -36,7 +36,7 @@ use crate::program::Program;
 use crate::results::Results;
 use crate::run::RunError;
 use calyx_abi::description::ParamValue;
-use calyx_abi::{Cancel, Status};
+use calyx_abi::{Cancel, Status, stack};
 use calyx_report::directory::head;
 use calyx_report::study::{Objective, Sample};
 use calyx_report::sweep::{Case, Column, Row, Statistics, SweepTable};
@@ -285,14 +285,16 @@ impl Sweep {
     /// Checks the values of all cases. Errors of the model are those of its case, when it is
     /// solved.
     fn check_all(&self, params: &[Varied], cases: &[Case]) -> Result<(), Error> {
-        for (number, case) in (1..).zip(cases) {
-            match self.check(params, number, case) {
-                Err(error @ Error::Given(_)) => return Err(error),
-                _ if self.cancel.is_cancelled() => break,
-                _ => {}
+        on_large_stack(&|| {
+            for (number, case) in (1..).zip(cases) {
+                match self.check(params, number, case) {
+                    Err(error @ Error::Given(_)) => return Err(error),
+                    _ if self.cancel.is_cancelled() => break,
+                    _ => {}
+                }
             }
-        }
-        Ok(())
+            Ok(())
+        })
     }
 
     /// Returns the description of what the journals record: the model, and settings of all cases.
@@ -336,7 +338,7 @@ impl Sweep {
         };
         thread::scope(|scope| {
             for _ in 0..self.workers.clamp(1, numbers.len().max(1)) {
-                scope.spawn(work);
+                scope.spawn(|| on_large_stack(&work));
             }
         });
         let (lines, error) = found.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -394,9 +396,12 @@ impl Sweep {
         if by_params.is_empty() {
             return solved;
         }
-        for (k, case) in cases.iter().enumerate() {
+        let key = |case: &Case| {
             let values = self.instance_of(params, case).and_then(|instance| instance.params());
-            let key = values.map(|values| journal::key(&json!(values), fidelity_of(params, case)));
+            values.map(|values| journal::key(&json!(values), fidelity_of(params, case)))
+        };
+        let keys = on_large_stack(&|| cases.iter().map(key).collect::<Vec<_>>());
+        for (k, key) in keys.into_iter().enumerate() {
             if let Some(line) = key.ok().and_then(|key| by_params.remove(&key)) {
                 solved.insert(k + 1, line.of_case(k + 1).solved());
             }
@@ -456,6 +461,13 @@ impl Sweep {
         let tables = results.tables().iter().map(table).collect();
         Line { params, fidelity, tables, row, columns: columns.collect() }
     }
+}
+
+/// Calls a function for many cases on one large stack. Otherwise, each evaluation of a model starts
+/// a thread for its stack, which takes longer than a quick case.
+fn on_large_stack<R: Send>(function: &(dyn Fn() -> R + Sync)) -> R {
+    // Without such a thread, each case fails with the reason.
+    stack::with_stack(function).unwrap_or_else(|_| function())
 }
 
 /// Returns the fidelity level of a case, if it is an axis.

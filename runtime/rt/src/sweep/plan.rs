@@ -12,7 +12,7 @@
 
 use super::attempts::{self, Attempt};
 use super::axis::refused;
-use super::{Axis, Outcome, Sweep, Varied};
+use super::{Axis, Outcome, Sweep, Varied, on_large_stack};
 use crate::adapted::AdaptedProgram;
 use crate::error::Error;
 use crate::instance::Instance;
@@ -480,7 +480,8 @@ impl Sweep {
             found
         };
         thread::scope(|scope| {
-            let threads: Vec<_> = (0..self.workers.max(1)).map(|_| scope.spawn(work)).collect();
+            let spawn = |_| scope.spawn(|| on_large_stack(&work));
+            let threads: Vec<_> = (0..self.workers.max(1)).map(spawn).collect();
             for (number, (found, error)) in
                 threads.into_iter().filter_map(|thread| thread.join().ok()).flatten()
             {
