@@ -113,6 +113,9 @@ pub struct Plan {
     pub description: ModelDescription,
 }
 
+/// Files that the cases of a sweep read, and the cases that cannot be built, with the reason.
+type Built = (Vec<FileDescription>, Vec<(usize, String)>);
+
 /// Result of solving an index.
 pub struct Worked {
     /// Number of cases of the index.
@@ -445,11 +448,7 @@ fn default_size(cases: usize, seconds: Option<f64>) -> usize {
 
 impl Sweep {
     /// Returns the files that the cases read, and the cases that cannot be built, with the reason.
-    fn files(
-        &self,
-        varied: &[Varied],
-        cases: &[Case],
-    ) -> Result<(Vec<FileDescription>, Vec<(usize, String)>), Error> {
+    fn files(&self, varied: &[Varied], cases: &[Case]) -> Result<Built, Error> {
         let mut built = BTreeSet::new();
         let is_built = |(_, case): &(usize, &Case)| {
             let discrete = varied.iter().zip(&case.values).filter(|(varied, value)| {
