@@ -77,7 +77,7 @@ enum Command {
     /// Solves all combinations of the given values, several at a time, and writes a table with one
     /// row per case, sweep.csv, and a page with plots, sweep.html.
     #[command(after_help = sweep::EXAMPLES)]
-    Sweep(sweep::Sweep),
+    Sweep(Box<sweep::Sweep>),
     /// Find the values of params at which an output of a model is best
     ///
     /// Minimizes or maximizes a statistic of an output over several load cases, within bounds of
