@@ -117,6 +117,26 @@ test("sections of a cube have the exact area and the exact values of a linear fi
   }
 });
 
+test("on a layer of nodes, points are found in the cells that contain them and nowhere else", () => {
+  const section = new Section();
+  for (const kind of KINDS) {
+    const mesh = meshOf(kind, 2);
+    const values = fieldOf(mesh);
+    for (const plane of [[0, 0, 1, -0.5], [0, 0, -1, 0.5], [1, 0, 0, -0.5]] as Plane[]) {
+      section.compute(mesh, values, plane, 0, false, 1e30);
+      const at = (u: number, v: number) => (plane[0] ? [0.5, u, v] : [u, v, 0.5]) as [number, number, number];
+      for (const [u, v] of [[1.2, 0.3], [-0.1, 0.4], [0.31, -0.2], [7, 9]] as const) expect(section.find(...at(u, v), plane)).toBe(-1);
+      for (const [u, v] of [[0.11, 0.23], [0.61, 0.37], [0.83, 0.92], [0.27, 0.71]] as const) {
+        const triangle = section.find(...at(u, v), plane);
+        expect(triangle).toBeGreaterThanOrEqual(0);
+        const { nodes, weights } = weightsAt(mesh, section.sources[triangle]!, 0, at(u, v));
+        for (const weight of weights) expect(Math.abs(weight - 0.5)).toBeLessThan(0.5 + 1e-6);
+        expect(nodes.reduce((sum, n, i) => sum + weights[i]! * values[n]!, 0)).toBeCloseTo(field(...at(u, v)), 5);
+      }
+    }
+  }
+});
+
 test("sections follow the rotation of the copy and the scaled displacement", () => {
   const section = new Section();
   for (const kind of KINDS) {

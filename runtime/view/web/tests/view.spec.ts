@@ -119,6 +119,12 @@ test("the cutting plane removes and caps", async ({ page }) => {
   const centre = await project(page, "input shaft", [0, 0, 0]);
   const [r, g, b] = await pixel(page, centre.x, centre.y) as [number, number, number];
   expect(Math.max(r, g, b)).toBeLessThan(200);
+  // The pointer reads the point of the section, not one of the surface behind it.
+  await page.mouse.move(centre.x, centre.y);
+  const reading = page.getByRole("status", { name: "Value at the pointer" });
+  await expect(reading).toContainText("input shaft");
+  await expect(reading).toContainText(/ -?0(\.0+)? mm$/);
+  await page.mouse.move(0, 0);
   // The handle moves the plane.
   const before = (await state(page)).cut.offset!;
   await page.keyboard.press("]");

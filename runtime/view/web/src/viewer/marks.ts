@@ -19,6 +19,5 @@ export function isHidden(scene: Scene, display: Display, point: THREE.Vector3): 
   const distance = projected.copy(world).sub(ray.origin).dot(ray.direction);
   // The point itself is on a surface.
   const margin = 1e-3 * display.radius;
-  // A ray that meets an inner side has entered through a section.
-  return hit.distance < distance - margin || (hit.cap && !hit.view.part.open && hit.distance < distance + margin);
+  return hit.distance < distance - margin;
 }

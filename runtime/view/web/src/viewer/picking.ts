@@ -11,7 +11,7 @@ export interface Hit {
   copy: number;
   /** Index among the part's meshes, or -1. */
   mesh: number;
-  /** Nodes of the triangle. */
+  /** Nodes of the triangle; of a cap, of the surface behind it. */
   nodes: [number, number, number];
   /** Barycentric coordinates of the point. */
   weights: [number, number, number];
@@ -140,8 +140,12 @@ export function pick(
 ): Hit | null {
   const [from, to] = clipRay(ray.origin, ray.direction, plane);
   let best: Hit | null = null;
-  const consider = (view: PartView, copy: number, mesh: number, found: Candidate | null, triangles: Uint32Array) => {
-    if (!found || found.distance > to || (best && found.distance >= best.distance)) return;
+  const consider = (view: PartView, copy: number, mesh: number, found: Candidate | null, triangles: Uint32Array, open: boolean) => {
+    if (!found) return;
+    // A ray that meets the inner side of a closed surface has entered through the section, on the plane.
+    const cap = plane !== null && from > 0 && !found.facing && !open;
+    const distance = cap ? from : found.distance;
+    if (distance > to || (best && distance >= best.distance)) return;
     const t = found.triangle;
     best = {
       view,
@@ -149,9 +153,9 @@ export function pick(
       mesh,
       nodes: [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!],
       weights: [1 - found.u - found.v, found.u, found.v],
-      distance: found.distance,
-      point: ray.at(found.distance, new THREE.Vector3()),
-      cap: plane !== null && !found.facing,
+      distance,
+      point: ray.at(distance, new THREE.Vector3()),
+      cap,
     };
   };
   for (const view of views) {
@@ -170,7 +174,7 @@ export function pick(
       sphere.copy(local);
       if (!localRay.intersectsSphere(sphere) || !localRay.intersectsBox(view.copies.box)) continue;
       const found = intersect(toArrays(localRay), view.part.points, view.part.triangles, null, from);
-      consider(view, copy, -1, found, view.part.triangles);
+      consider(view, copy, -1, found, view.part.triangles, view.part.open);
     }
     localRay.origin.copy(origin);
     localRay.direction.copy(direction);
@@ -179,7 +183,7 @@ export function pick(
       const { points, triangles } = mesh.shape;
       const { cos, sin, displacements } = mesh;
       const found = intersect(toArrays(localRay), points, triangles, { cos, sin, displacements, factor }, from);
-      consider(view, -1, i, found, triangles);
+      consider(view, -1, i, found, triangles, mesh.shape.open);
     });
   }
   return best;

@@ -49,7 +49,10 @@ export function probeAt(core: Core, x: number, y: number): Probe | null {
   let node: number | null = null;
   let tooth: number | null = null;
   if (hit.cap) {
-    point.copy(hit.point);
+    // Hatched solids have no displacements: the point of the section is that of the undeformed part.
+    point.copy(hit.point).applyMatrix4(matrix.copy(hit.view.group.matrixWorld).invert());
+    point.applyMatrix4(poseMatrix(display.position?.poses ?? null, part.index, matrix));
+    tooth = part.copies > 1 ? (mesh?.copy ?? hit.copy) : null;
     return { x, y, part: part.name, tooth, value: null, node, point };
   }
   if (mesh) {

@@ -64,6 +64,9 @@ export function tetrahedraOf(shape: MeshShape): Tetrahedra {
   return result;
 }
 
+/** Area of a triangle relative to squared distances from its corners that is zero but for rounding. */
+const NO_AREA = 1e-13;
+
 /** A plane in coordinates of a part: the section is the border of the side with negative distances. */
 export type Plane = readonly [number, number, number, number];
 
@@ -189,6 +192,9 @@ export class Section {
       const ab = ax * by - ay * bx;
       const bc = bx * cy - by * cx;
       const ca = cx * ay - cy * ax;
+      // A cell that touches the plane with a corner or an edge only has a section without area, whose
+      // sides contain every point in this test.
+      if (Math.abs(ab + bc + ca) <= NO_AREA * (ax * ax + ay * ay + bx * bx + by * by + cx * cx + cy * cy)) continue;
       if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) return n;
     }
     return -1;
