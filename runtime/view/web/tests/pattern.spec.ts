@@ -67,6 +67,37 @@ test("the direction along the face of a conical tooth is its pitch cone angle", 
   }
 });
 
+test("conical teeth have the tip at the top and the toe on the left, cylindrical ones the radius upwards", () => {
+  const spur = gearSector({ ...PINION, width: 10e-3 }, 8, 6, 4);
+  const radius = (i: number) => Math.hypot(spur.points[3 * i]!, spur.points[3 * i + 1]!);
+  const nodes = Array.from({ length: spur.points.length / 3 }, (_, i) => i);
+  const tip = nodes.reduce((a, b) => (radius(b) > radius(a) + 1e-9 ? b : a));
+  const root = nodes.filter((i) => Math.abs(spur.points[3 * i + 2]! - spur.points[3 * tip + 2]!) < 1e-9).reduce((a, b) => (radius(b) < radius(a) ? b : a));
+  const [toe, heel] = [Math.min, Math.max].map((pick) => nodes.find((i) => spur.points[3 * i + 2] === pick(...nodes.map((k) => spur.points[3 * k + 2]!)) && Math.abs(radius(i) - radius(tip)) < 1e-9)!);
+  for (const degrees of [20, 63, 90]) {
+    for (const turn of [1, -1]) {
+      const shape = conical(spur, 34e-3, (degrees * Math.PI) / 180);
+      // The apex is on either side.
+      const points = shape.points.map((v, i) => (i % 3 === 0 ? v : turn * v));
+      const tooth = toothOf(partOf({ ...shape, points }, PINION.teeth))!;
+      const axes = new PatternAxes(tooth.direction, tooth.tip);
+      const at = (i: number) => [points[3 * i + 2]!, Math.hypot(points[3 * i]!, points[3 * i + 1]!)] as const;
+      expect(axes.across(...at(tip))).toBeGreaterThan(axes.across(...at(root)) + 5e-3);
+      expect(axes.along(...at(heel!))).toBeGreaterThan(axes.along(...at(toe!)) + 5e-3);
+      const [z, r] = axes.inverse(axes.along(...at(tip)), axes.across(...at(tip)));
+      expect(Math.hypot(z - at(tip)[0], r - at(tip)[1])).toBeLessThan(1e-12);
+      expect(axes.ends).toEqual(["toe", "heel", "root", "tip"]);
+    }
+  }
+  // An internal tooth: radii mirrored at the pitch circle.
+  const mirrored = spur.points.map((v, i) => (i % 3 === 2 ? v : (v / radius(Math.floor(i / 3))) * (68e-3 - radius(Math.floor(i / 3)))));
+  const triangles = spur.triangles.map((_, i) => spur.triangles[i - (i % 3) + [0, 2, 1][i % 3]!]!);
+  const ring = toothOf(partOf({ ...spur, points: mirrored, triangles }, PINION.teeth))!;
+  expect(new PatternAxes(ring.direction, ring.tip).ends).toEqual(["−z end", "+z end", "tip", "root"]);
+  const external = toothOf(partOf(spur, PINION.teeth))!;
+  expect(new PatternAxes(external.direction, external.tip).ends).toEqual(["−z end", "+z end", "root", "tip"]);
+});
+
 test("helical teeth have the direction of the axis, also with more than half a turn", () => {
   for (const twist of [0.2, -2, 9]) {
     const shape = gearSector(PINION, 8, 24, 4);
@@ -92,7 +123,7 @@ function positionAt(phase: number): Position {
     count: cells.pressures.length,
     corners: Float32Array.from(cells.corners),
     pressures: Float32Array.from(cells.pressures),
-    edges: Uint32Array.from(cells.edges), parts: Uint32Array.from(cells.parts),
+    zones: Uint32Array.from(cells.zones), parts: Uint32Array.from(cells.parts),
     teeth: Uint32Array.from(cells.teeth), surfaces: Uint32Array.from(cells.surfaces),
   };
   const poses = Float64Array.from([c, -s, 0, s, c, 0, 0, 0, 1, 0, 0, 0]);
@@ -141,7 +172,7 @@ test("cells have the coordinates of the gear, and the flank of their surface", (
   const edges = patternCells(position, part, "edges");
   const flanks = patternCells(position, part, "flanks");
   expect(edges.length + flanks.length).toBe(cells.length);
-  expect(edges.every(({ cell }) => position.contacts!.edges[cell] === 1)).toBe(true);
+  expect(edges.every(({ cell }) => position.contacts!.zones[cell] === 1)).toBe(true);
   const top = cells[cells.length - 1]!;
   const [z, r] = [(top.corners[0]! + top.corners[4]!) / 2, (top.corners[1]! + top.corners[5]!) / 2];
   expect(cellAt(cells, z, r)!.pressure).toBe(Math.max(...loaded));
@@ -186,12 +217,12 @@ const LEGEND = /Legend: Contact pressure from 0 to ([\d.]+) MPa/;
 test("pressures of flanks and edges are chosen separately", async ({ page }) => {
   const problems = await open(page);
   await page.getByLabel("Colours").selectOption("contact_pressure");
-  const { pressures, edges } = contactCells(0);
+  const { pressures, zones } = contactCells(0);
   const choice = page.getByRole("toolbar").getByLabel("Contact cells");
   for (const [name, note, wanted] of [
     ["all", "edges included", () => true],
-    ["flanks", "flanks only", (i: number) => edges[i] === 0],
-    ["edges", "edges only", (i: number) => edges[i] === 1],
+    ["flanks", "flanks only", (i: number) => zones[i] === 0],
+    ["edges", "edges only", (i: number) => zones[i] === 1],
   ] as const) {
     await choice.selectOption(name);
     const largest = Math.max(...pressures.filter((_, i) => wanted(i))) / 1e6;

@@ -87,27 +87,42 @@ export function isIncluded(cell: PatternCell, { tooth, side }: PatternChoice): b
   return cell.side === side && (tooth === null || cell.tooth === tooth);
 }
 
-/** Axes of the picture: along the face and across it. */
+/**
+ * Axes of the picture: along the face and across it. Those of conical gears, whose direction is not 0,
+ * point from the toe to the heel and from the root to the tip.
+ */
 export class PatternAxes {
   readonly cos: number;
   readonly sin: number;
+  readonly #along: 1 | -1;
+  readonly #across: 1 | -1;
 
-  constructor(readonly direction: number) {
+  /** The tip is at larger coordinates across the face, or at smaller ones if `tip` is -1. */
+  constructor(readonly direction: number, readonly tip: 1 | -1 = 1) {
     this.cos = Math.cos(direction);
     this.sin = Math.sin(direction);
+    this.#along = this.sin < 0 ? -1 : 1;
+    this.#across = direction === 0 ? 1 : tip;
   }
 
   along(z: number, r: number): number {
-    return this.cos * z + this.sin * r;
+    return this.#along * (this.cos * z + this.sin * r);
   }
 
   across(z: number, r: number): number {
-    return this.cos * r - this.sin * z;
+    return this.#across * (this.cos * r - this.sin * z);
   }
 
   /** z and radius of a point of the picture. */
   inverse(u: number, v: number): [number, number] {
-    return [this.cos * u - this.sin * v, this.sin * u + this.cos * v];
+    const [a, b] = [this.#along * u, this.#across * v];
+    return [this.cos * a - this.sin * b, this.sin * a + this.cos * b];
+  }
+
+  /** Names of the ends of the picture: left, right, bottom and top. */
+  get ends(): [string, string, string, string] {
+    if (this.direction !== 0) return ["toe", "heel", "root", "tip"];
+    return this.tip > 0 ? ["−z end", "+z end", "root", "tip"] : ["−z end", "+z end", "tip", "root"];
   }
 }
 
@@ -118,8 +133,8 @@ export interface Bounds {
   v1: number;
 }
 
-/** Bounds of a flank in the picture, or of the part's points if it has no teeth. */
-export function boundsOf(part: Part, side: Side, axes: PatternAxes): Bounds {
+/** Bounds of a flank, or of the part's points if it has no teeth. */
+export function flankBounds(part: Part, side: Side, axes: PatternAxes): Bounds {
   const bounds = { u0: Infinity, u1: -Infinity, v0: Infinity, v1: -Infinity };
   const include = (z: number, r: number) => {
     const [u, v] = [axes.along(z, r), axes.across(z, r)];
@@ -135,6 +150,12 @@ export function boundsOf(part: Part, side: Side, axes: PatternAxes): Bounds {
     for (let i = 0; i < p.length; i += 3) include(p[i + 2]!, Math.hypot(p[i]!, p[i + 1]!));
   }
   if (!(bounds.u1 > bounds.u0) || !(bounds.v1 > bounds.v0)) return { u0: -1e-3, u1: 1e-3, v0: 0, v1: 1e-3 };
+  return bounds;
+}
+
+/** Bounds of the picture of a flank. */
+export function boundsOf(part: Part, side: Side, axes: PatternAxes): Bounds {
+  const bounds = flankBounds(part, side, axes);
   // Cells reach beyond the flank at rounded edges.
   const margin = 0.03 * Math.max(bounds.u1 - bounds.u0, bounds.v1 - bounds.v0);
   return { u0: bounds.u0 - margin, u1: bounds.u1 + margin, v0: bounds.v0 - margin, v1: bounds.v1 + margin };

@@ -1,6 +1,7 @@
 // Drawing of a contact pattern, on a canvas or as SVG.
 
 import { banded, colourAt, cssColour } from "./colours.ts";
+import { flankBounds } from "./pattern.ts";
 import type { Pattern } from "./pattern_model.ts";
 import type { ColourState } from "./state.ts";
 import { roundTicks, scaleTicks } from "./ticks.ts";
@@ -26,7 +27,7 @@ export interface Pen {
   text(x: number, y: number, text: string, colour: string, anchor: Anchor, upright?: boolean): void;
 }
 
-const MARGIN = { left: 58, right: 92, top: 12, bottom: 36 };
+const MARGIN = { left: 58, right: 92, top: 20, bottom: 36 };
 const BAR = 14;
 /** Width of the line that covers the seam between areas of equal colours, pixels. */
 const SEAM = 0.6;
@@ -121,9 +122,11 @@ function drawEnvelope(pen: Pen, layout: PatternLayout, { envelope, limits }: Pat
   }
 }
 
-/** Origins of the axes: z and radius themselves, or on conical gears the ends of the face. */
-export function originOf({ axes, bounds }: Pattern): [number, number] {
-  return axes.direction === 0 ? [0, 0] : [bounds.u0, bounds.v0];
+/** Origins of the axes: z and radius themselves, or on conical gears the toe and the root. */
+export function originOf({ part, side, axes }: Pattern): [number, number] {
+  if (axes.direction === 0) return [0, 0];
+  const { u0, v0 } = flankBounds(part, side, axes);
+  return [u0, v0];
 }
 
 function drawAxes(pen: Pen, layout: PatternLayout, pattern: Pattern, theme: PatternTheme): void {
@@ -143,6 +146,11 @@ function drawAxes(pen: Pen, layout: PatternLayout, pattern: Pattern, theme: Patt
     pen.stroke([left - 4, y, left, y], theme.muted, 1);
     pen.text(left - 7, y + 4, formatNumber(tick), theme.muted, "end");
   }
+  const [low, high, lower, upper] = axes.ends;
+  pen.text(left, bottom + 30, low, theme.muted, "start");
+  pen.text(right, bottom + 30, high, theme.muted, "end");
+  pen.text(left - 16, bottom + 16, lower, theme.muted, "end");
+  pen.text(left - 16, top - 8, upper, theme.muted, "end");
   pen.text((left + right) / 2, bottom + 30, `${cylindrical ? "z" : "along the face"} in ${symbol}`, theme.text, "middle");
   pen.text(left - 44, (top + bottom) / 2, `${cylindrical ? "radius" : "across the face"} in ${symbol}`, theme.text, "middle", true);
 }

@@ -58,7 +58,7 @@ export class PatternModel {
     const gears = this.gears();
     const part = gears.find(({ name }) => name === state.pattern.gear) ?? gears[0];
     if (!part || !display) return null;
-    const axes = new PatternAxes(toothOf(part)?.direction ?? 0);
+    const axes = new PatternAxes(toothOf(part)?.direction ?? 0, toothOf(part)?.tip);
     const all = this.cellsOf(part);
     const tooth = this.tooth(part);
     const side = state.pattern.flank === "automatic" ? loadedSide(all.filter((cell) => tooth === null || cell.tooth === tooth)) : state.pattern.flank;

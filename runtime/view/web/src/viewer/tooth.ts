@@ -20,6 +20,8 @@ export interface Tooth {
   flanks: Record<Side, Flank>;
   /** Angle between the z axis and the direction along the face: 0 for cylindrical gears. */
   direction: number;
+  /** 1 if the tip is on the side of the direction across the face, which is that of larger radii on cylindrical gears; otherwise -1. */
+  tip: 1 | -1;
 }
 
 /** Share of the largest circumferential component of the normals from which a triangle belongs to a flank. */
@@ -70,7 +72,8 @@ function findTooth({ points, triangles }: Part): Tooth | null {
   };
   const [left, right] = [side(1), side(-1)];
   if (!left || !right) return null;
-  return { flanks: { left, right }, direction: faceDirection(left.angle, right.angle) };
+  const direction = faceDirection(left.angle, right.angle);
+  return { flanks: { left, right }, direction, tip: tipSide(left, right, direction) };
 }
 
 /** For each triangle the one with which it has its longest edge in common, if it is the longest of both; otherwise -1. */
@@ -104,6 +107,16 @@ function faceDirection(left: Affine, right: Affine): number {
   if (Math.abs(direction) < SNAP) return 0;
   if (Math.abs(direction) > Math.PI / 2 - SNAP) return Math.PI / 2;
   return direction;
+}
+
+/** Side of the tip: the thickness of the tooth decreases from root to tip. */
+function tipSide(left: Flank, right: Flank, direction: number): 1 | -1 {
+  const outline = left.outline[0] ?? [];
+  const mean = (offset: number) => outline.reduce((sum, value, i) => (i % 2 === offset ? sum + (2 * value) / outline.length : sum), 0);
+  const thickness = evaluate(left.angle, mean(0), mean(1)) - evaluate(right.angle, mean(0), mean(1));
+  const across = Math.cos(direction) * (left.angle[2] - right.angle[2]) - Math.sin(direction) * (left.angle[1] - right.angle[1]);
+  // A sector around a gap has the flanks of two teeth, and the width of the gap in place of the thickness.
+  return across * thickness <= 0 ? 1 : -1;
 }
 
 /** Angles of the points about the z axis, continuous along the triangles: helical teeth exceed half a turn. */

@@ -191,7 +191,7 @@ function ReadingView({ pattern, reading, layout, pointer }: { pattern: Pattern; 
       {cell ? <div>tooth {cell.tooth}</div> : null}
       <div class="cv-muted">z {number(z)}, radius {number(r)}</div>
       {axes.direction !== 0 ? (
-        <div class="cv-muted">along {number(axes.along(z, r) - u0)}, across {number(axes.across(z, r) - v0)}</div>
+        <div class="cv-muted">from the toe {number(axes.along(z, r) - u0)}, from the root {number(axes.across(z, r) - v0)}</div>
       ) : null}
     </div>
   );
