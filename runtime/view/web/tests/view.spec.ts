@@ -14,6 +14,23 @@ test("opens from a file and shows the parts", async ({ page }) => {
   expect(problems).toEqual([]);
 });
 
+test("a camera that nobody has moved is stored as fitted, and fits a window of another shape", async ({ page }) => {
+  await open(page);
+  const stored = (await state(page)).camera!;
+  expect(stored.fitted).toBe(true);
+  await page.setViewportSize({ width: 500, height: 900 });
+  await settle(page);
+  await restore(page, { camera: { ...stored, height: 0.01, fitted: false } });
+  await restore(page, { camera: stored });
+  const restored = (await state(page)).camera!;
+  expect(restored.fitted).toBe(true);
+  expect(restored.height).not.toBeCloseTo(stored.height, 3);
+  // The same picture as a new fit.
+  await page.keyboard.press("f");
+  await page.waitForTimeout(600);
+  expect((await state(page)).camera!.height).toBeCloseTo(restored.height, 6);
+});
+
 test("draws no frames while nothing changes", async ({ page }) => {
   await open(page);
   await page.waitForTimeout(500);

@@ -118,12 +118,8 @@ export class OrbitCamera {
   fit(animate = true): void {
     const goal = { ...this.#state, ...this.fitted(this.#state.azimuth, this.#state.elevation) };
     this.#wantsFit = true;
-    if (animate) {
-      this.animateTo(goal);
-    } else {
-      this.set(goal, true);
-      this.#fit = true;
-    }
+    if (animate) this.animateTo(goal);
+    else this.set({ ...goal, fitted: true }, true);
   }
 
   /** Stops a movement and the automatic fit. */
@@ -160,8 +156,8 @@ export class OrbitCamera {
   private animateTo(goal: CameraState): void {
     cancelAnimationFrame(this.#transition);
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-      this.set(goal, true);
-      this.#fit = this.#wantsFit;
+      // Whoever stores the state must know that it is fitted.
+      this.set({ ...goal, fitted: this.#wantsFit }, true);
       return;
     }
     const from = this.state;
