@@ -350,7 +350,7 @@ export class Core {
     const { scene, display } = this;
     if (!scene || !display || this.status !== "ready") return;
     this.labels.hide((point) => isHidden(scene, display, point));
-    this.labels.arrange(scene.width, this.element.querySelector(".cv-legend")?.getBoundingClientRect() ?? null);
+    this.labels.arrange(scene.width, scene.height, this.element.querySelector(".cv-legend")?.getBoundingClientRect() ?? null);
   }
 
   clearProbe(): void {

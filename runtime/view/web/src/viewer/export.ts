@@ -9,6 +9,14 @@ import { pdfOfJpeg } from "./pdf.ts";
 
 export type ImageFormat = "png" | "svg" | "pdf";
 
+/** Offset of the text of a label from its point, px, and its anchor. */
+const ANCHORS = {
+  right: [9, 4, "start"],
+  left: [-9, 4, "end"],
+  above: [0, -14, "middle"],
+  below: [0, 22, "middle"],
+} as const;
+
 /** Pixels of the export per CSS pixel. */
 const RATIO = 2;
 const FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, Helvetica, Arial, sans-serif";
@@ -50,7 +58,8 @@ function annotations(core: Core, d: Drawing): string {
     if (label.kind === "maximum" || label.kind === "minimum") {
       out.push(`<circle cx="${label.x.toFixed(1)}" cy="${label.y.toFixed(1)}" r="4" fill="none" stroke="${d.text}" stroke-width="1.6" ${hidden}/>`);
     }
-    text(label.x + 9, label.y + 4, label.text, `font-weight="600"${label.hidden ? ' opacity="0.7"' : ""}`);
+    const [dx, dy, anchor] = ANCHORS[label.side];
+    text(label.x + dx, label.y + dy, label.text, `font-weight="600" text-anchor="${anchor}"${label.hidden ? ' opacity="0.7"' : ""}`);
   }
   const { limits } = display!;
   const { colours } = state;

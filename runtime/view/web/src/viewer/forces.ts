@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { ViewMaterial, type SharedUniforms } from "./materials.ts";
 import type { Label } from "./labels.ts";
 import type { Force } from "./run_data.ts";
+import { shortNames } from "./names.ts";
 import { formatValue } from "./units.ts";
 
 const COLOURS = { bearing: "#2f6fb5", mesh: "#c2502b" };
@@ -46,6 +47,8 @@ export class ForceView {
   set(forces: Force[], options: ForceOptions): void {
     this.group.clear();
     this.labels = [];
+    const gearOf = ({ kind, parts }: Force) => (kind === "mesh" ? options.names[parts[0] ?? -1] : undefined);
+    const short = shortNames(forces.flatMap((force) => [force.name, gearOf(force) ?? ""]).filter((name) => name !== ""));
     let largest = 0;
     for (const { force } of forces) largest = Math.max(largest, Math.hypot(...force));
     if (!(largest > 0)) return;
@@ -59,9 +62,11 @@ export class ForceView {
       this.group.add(arrow);
       const tip = new THREE.Vector3(...force.force).multiplyScalar(length / size).add(new THREE.Vector3(...force.point));
       if (options.labels) {
-        const on = force.kind === "mesh" ? options.names[force.parts[0] ?? -1] : undefined;
-        const text = `${force.name ? `${force.name}: ` : ""}${formatValue(size, "N", 3)}${on ? ` on ${on}` : ""}`;
-        this.labels.push({ text, point: tip, kind: force.kind });
+        const name = short.get(force.name) ?? force.name;
+        const gear = gearOf(force);
+        const on = gear && short.get(gear);
+        const text = `${name ? `${name}: ` : ""}${formatValue(size, "N", 3)}${on ? ` on ${on}` : ""}`;
+        this.labels.push({ text, point: tip, kind: force.kind, weight: size });
       }
     }
   }

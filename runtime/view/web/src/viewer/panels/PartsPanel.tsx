@@ -3,6 +3,7 @@
 import { useState } from "preact/hooks";
 import type { Core } from "../core.ts";
 import type { Part, PartKind } from "../run_data.ts";
+import { splitName } from "../names.ts";
 import { type Visibility, visibilityOf } from "../state.ts";
 import { Icon, Select, type IconName } from "./ui.tsx";
 
@@ -77,7 +78,7 @@ function PartRow({ core, part }: { core: Core; part: Part }) {
     <div class={`cv-row cv-row-${visibility}`}>
       <span class="cv-swatch" style={{ background: core.display?.colours[part.index] }} />
       <span class="cv-name" title={part.name}>
-        {part.name}
+        <Name name={part.name} />
       </span>
       {part.copies > 1 ? <span class="cv-count" title={`${part.copies} teeth`}>z {part.copies}</span> : null}
       {core.state.frame === part.name ? <span class="cv-pin" title="Fixed frame"><Icon name="pin" /></span> : null}
@@ -87,6 +88,19 @@ function PartRow({ core, part }: { core: Core; part: Part }) {
         onChange={(value) => core.setVisibility([part.name], value)}
       />
     </div>
+  );
+}
+
+/** A name that is shortened in its middle: names of one assembly differ at their ends. */
+function Name({ name }: { name: string }) {
+  const [start, end] = splitName(name);
+  return start ? (
+    <>
+      <span class="cv-name-start">{start}</span>
+      <span class="cv-name-end">{end}</span>
+    </>
+  ) : (
+    <>{end}</>
   );
 }
 
