@@ -92,6 +92,19 @@ impl Edges {
     }
 }
 
+/// Returns the zone of each cell by its centre. `half_width` is that of the patch, m. Cells next to
+/// an edge that the patch does not reach are in the flank zone.
+pub fn of_cells(
+    pieces: &[impl PressureStrip],
+    pressures: &[f64],
+    edges: &Edges,
+    half_width: f64,
+) -> Vec<Zone> {
+    let intervals = Zone::Edge.intervals(edges.effective(pieces, pressures), edges.closest, half_width);
+    let is_edge = |x: f64| intervals.iter().any(|[from, to]| (*from..*to).contains(&x));
+    pieces.iter().map(|piece| if is_edge(center(piece)) { Zone::Edge } else { Zone::Flank }).collect()
+}
+
 impl Zone {
     /// Returns the intervals of the zone along the tangent, m. There is no edge zone at an edge
     /// that the patch does not reach.
@@ -240,6 +253,20 @@ mod tests {
         let far = Edges { ends: [f64::NEG_INFINITY, 4.0], nearest: [f64::NEG_INFINITY, 3.0], closest: 0.0 };
         assert_eq!(Zone::Flank.peak(&pieces, &pressures, &far, 1.0), pressure::peak(&pieces, &pressures));
         assert!(!far.reached(&pieces, &pressures, 1.0));
+    }
+
+    /// The cells of the edge zone are those whose pressures it contains.
+    #[test]
+    fn zones_of_cells_are_those_of_the_peaks() {
+        for (middle, is_reached) in [(-2.5, false), (-1.05, false), (-0.6, true), (0.3, true)] {
+            let (pieces, pressures) = hertz(middle, 160);
+            let edges = Edges::parallel([f64::NEG_INFINITY, 0.0], middle);
+            let zones = of_cells(&pieces, &pressures, &edges, 1.0);
+            let from = if is_reached { -1.0 } else { 0.0 };
+            for (piece, zone) in pieces.iter().zip(zones) {
+                assert_eq!(zone == Zone::Edge, center(piece) >= from, "{middle} {piece:?}");
+            }
+        }
     }
 
     /// The limit of the zones does not jump as the outermost cell becomes loaded.

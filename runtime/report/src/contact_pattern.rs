@@ -310,6 +310,7 @@ mod tests {
             locations: [place(), place()],
             pressure,
             edge,
+            zone: None,
             flank_corners: Some([corners, corners.map(|[x, y]| [1.0 - x, y])]),
         }
     }

@@ -134,6 +134,7 @@ mod tests {
             locations: [place(), place()],
             pressure: 0.1 + 0.2,
             edge: false,
+            zone: None,
             flank_corners: None,
         };
         let stress = |s: usize, z: usize| FilletStress {

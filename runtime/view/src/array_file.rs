@@ -9,7 +9,7 @@ use std::{error, fmt, fs};
 /// First bytes of an array file.
 pub const MAGIC: &[u8; 8] = b"CALYXARR";
 /// Version of the format.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 /// Alignment of the header and of arrays, bytes.
 const ALIGNMENT: usize = 8;
 /// Number of bytes before the header.
@@ -194,8 +194,8 @@ mod tests {
             ArrayFile::read(&bytes).unwrap_err().to_string()
         };
         assert_eq!(with(0, b'X'), "the file is no array file");
-        assert_eq!(with(8, 4), "the file has version 4 of the format, not 3");
-        assert_eq!(with(8, 2), "it was written by an older version of Calyx");
+        assert_eq!(with(8, 5), "the file has version 5 of the format, not 4");
+        assert_eq!(with(8, 3), "it was written by an older version of Calyx");
         assert_eq!(with(15, 255), "the file is truncated");
         let file = ArrayFile::read(&bytes).unwrap();
         for reference in [

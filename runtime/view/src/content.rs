@@ -2,7 +2,7 @@
 
 use crate::array_file::Arrays;
 use crate::mesh::Meshes;
-use calyx_runtime::observables::{Fields, ForceOf, Part, PartForce, PartKind, PartOf};
+use calyx_runtime::observables::{Fields, ForceOf, Part, PartForce, PartKind, PartOf, Zone};
 use serde_json::{Value, json};
 
 /// Index of a part that is not displayed.
@@ -80,11 +80,20 @@ fn contacts(arrays: &mut Arrays, fields: &Fields) -> Value {
     json!({
         "corners": arrays.single(corners),
         "pressures": arrays.single(loaded().map(|(_, cell)| [cell.pressure])),
-        "edges": arrays.indices(loaded().map(|(_, cell)| [u32::from(cell.edge)])),
+        "zones": arrays.indices(loaded().map(|(_, cell)| [zone(cell.zone)])),
         "parts": arrays.indices(loaded().map(|(contact, _)| [0, 1].map(|side: usize| part_of(&contact.bodies[side])))),
         "teeth": arrays.indices(loaded().map(|(contact, _)| contact.teeth)),
         "surfaces": arrays.indices(loaded().map(|(contact, _)| contact.surfaces)),
     })
+}
+
+/// Returns the number of a zone in files.
+fn zone(zone: Option<Zone>) -> u32 {
+    match zone {
+        Some(Zone::Flank) => 0,
+        Some(Zone::Edge) => 1,
+        None => 2,
+    }
 }
 
 fn force(force: &PartForce, parts: &[Part]) -> Value {

@@ -6,7 +6,7 @@ use super::flank_cells::FlankCorners;
 use super::parts::{Part, PartForce};
 use super::rolling::RollingBearingField;
 use super::stress::{RootStress, around_contact};
-use super::{Contact, Equilibrium, Slice};
+use super::{Contact, Equilibrium, Slice, Zone};
 use calyx_contact::solid::Pose;
 use calyx_model::ids::BodyId;
 use calyx_model::lubrication::RollingContact;
@@ -93,6 +93,10 @@ pub struct PressedCell {
     pub pressure: f64,
     /// True if either surface is on its rounded edge here.
     pub edge: bool,
+    /// Zone of the largest pressures to which the cell belongs: that of
+    /// [`MaxContactPressure`](super::MaxContactPressure) or of
+    /// [`MaxEdgePressure`](super::MaxEdgePressure). `None` next to a side face.
+    pub zone: Option<Zone>,
     /// Corners on both flanks, in the order of `corners`; `None` without pressure and for meshes on
     /// parallel axes.
     pub flank_corners: Option<[FlankCorners; 2]>,
@@ -214,6 +218,7 @@ impl Contact<'_> {
         let name = |body: BodyId| self.at.system.scene.bodies[body.0].name.clone();
         let corners = self.corners();
         let pressures = self.patch.pressures();
+        let zones = self.patch.zones();
         let cell = |(index, (corners, pressure)): (usize, ([[f64; 3]; 4], f64))| {
             let (first, second) = (self.location(0, index)?, self.location(1, index)?);
             let on_edge = match &self.patch.grid {
@@ -222,7 +227,8 @@ impl Contact<'_> {
             };
             let on_flanks = if pressure > 0.0 { self.flank_corners(index, &corners) } else { None };
             let locations = [first, second];
-            Some(PressedCell { corners, locations, pressure, edge: on_edge, flank_corners: on_flanks })
+            let zone = zones[index];
+            Some(PressedCell { corners, locations, pressure, edge: on_edge, zone, flank_corners: on_flanks })
         };
         let (slices, contacts): (Vec<Slice>, Vec<_>) = self.rolling_states().into_iter().unzip();
         let state = |contact: RollingContact| {

@@ -37,6 +37,7 @@ pub use bearings::{
 pub use bodies::{
     Displacement, HighestContact, LowestContact, Rotation, SupportForce, SupportMoment, ToothLoad,
 };
+pub use calyx_contact::zone::Zone;
 pub use calyx_model::fidelity::Needs;
 pub use calyx_solve::vibrations::Vibrations;
 pub(crate) use deformed::MeshedBodies;

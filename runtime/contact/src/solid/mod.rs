@@ -31,7 +31,7 @@ pub use grid::{Cell, Grid, Slice, build_grid, contact_modulus, grid_width};
 pub use grid_region::GridOptions;
 pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};
 pub use pressure::{
-    GridReport, Peak, assess, fitting_size, half_axes, peak, peak_in, pressures, slice_peaks_in,
+    GridReport, Peak, assess, fitting_size, half_axes, peak, peak_in, pressures, slice_peaks_in, zones,
 };
 pub use surface_curvature::relative_curvature_along;
 

@@ -117,6 +117,23 @@ pub fn peak_in(grid: &Grid, pressures: &[f64], zone: Zone) -> Option<Peak> {
     cut.or(found)
 }
 
+/// Returns the zone of each cell by its centre. Cells within one half-width of a side face at which
+/// the contact line ends are in neither zone, as in [`peak_in`].
+pub fn zones(grid: &Grid, pressures: &[f64]) -> Vec<Option<Zone>> {
+    let half_width = half_width(grid, pressures);
+    let [from, to] = between_side_faces(grid, half_width);
+    let mut zones = vec![None; grid.cells.len()];
+    for (index, slice) in grid.slices.iter().enumerate() {
+        let (cells, own) = strip(grid, pressures, index);
+        let is_beside = !(from..=to).contains(&middle(slice));
+        let of_slice = zone::of_cells(&cells, &own, &slice.edges, half_width);
+        for (cell, zone) in slice.cells.clone().zip(of_slice) {
+            zones[cell] = (zone == Zone::Edge || !is_beside).then_some(zone);
+        }
+    }
+    zones
+}
+
 /// Returns the part of the contact line that is at least one half-width (m) away from side faces,
 /// m.
 fn between_side_faces(grid: &Grid, half_width: f64) -> [f64; 2] {

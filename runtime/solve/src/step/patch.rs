@@ -4,7 +4,7 @@ use super::friction;
 use calyx_contact::grid::{Cell, pressures};
 use calyx_contact::load_boundary::participations;
 use calyx_contact::pressure::{Peak, half_width, peak};
-use calyx_contact::zone::{Edges, FlankEnds, Zone};
+use calyx_contact::zone::{self, Edges, FlankEnds, Zone};
 use calyx_contact::{ContactFrame, solid};
 use calyx_numerics::vec3::{cross, dot, minus};
 use std::ops::Range;
@@ -113,6 +113,20 @@ impl ContactPatch {
                     solid::peak_in(grid, &self.pressures(), zone)?;
                 Some(Peak { pressure, x, cell })
             }
+        }
+    }
+
+    /// Returns the zone of each cell by its centre; `None` for cells next to a side face, in which
+    /// [`ContactPatch::peak_in`] finds no peak.
+    pub fn zones(&self) -> Vec<Option<Zone>> {
+        match &self.grid {
+            ContactGrid::Plane { cells, flank, unit_half_width, .. } => {
+                let half_width = unit_half_width * self.force().max(0.0).sqrt();
+                let edges = Edges::parallel(*flank, 0.0);
+                let zones = zone::of_cells(cells, &self.pressures(), &edges, half_width);
+                zones.into_iter().map(Some).collect()
+            }
+            ContactGrid::Solid(grid) => solid::zones(grid, &self.pressures()),
         }
     }
 

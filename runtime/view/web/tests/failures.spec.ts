@@ -74,7 +74,7 @@ test("runs without meshes, without contacts, with one position, without position
   const problems = await openWith(page, "no_meshes", { meshes: false });
   await expect(page.getByRole("button", { name: /Legend: Contact pressure/ })).toBeVisible();
   await page.getByLabel("Colours").selectOption("von_mises");
-  await expect(page.getByText("No values in this position")).toBeVisible();
+  await expect(page.getByText("No values: the run stored no meshes with stresses")).toBeVisible();
   problems.push(...(await openWith(page, "no_contacts", { contacts: false, meshes: false, positions: 1 })));
   expect((await state(page)).colours.field).toBe("plain");
   await page.getByLabel("Colours").selectOption("contact_pressure");

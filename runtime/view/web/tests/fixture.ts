@@ -90,7 +90,7 @@ export function contactCells(phase: number) {
   const pressures: number[] = [];
   const parts: number[] = [];
   const teeth: number[] = [];
-  const edges: number[] = [];
+  const zones: number[] = [];
   const surfaces: number[] = [];
   const centres: [number, number, number][] = [];
   const base = baseRadius(PINION);
@@ -118,13 +118,13 @@ export function contactCells(phase: number) {
         pressures.push(u + v < 1 ? 9.5e8 * Math.sqrt(1 - u - v) : 0);
         parts.push(0, 1);
         teeth.push(tooth, partner);
-        // The outermost row of each contact touches with the edge.
-        edges.push(i === across - 1 ? 1 : 0);
+        // The outermost row of each contact is in the edge zone.
+        zones.push(i === across - 1 ? 1 : 0);
         surfaces.push(1, 0);
       }
     }
   }
-  return { corners, pressures, parts, teeth, edges, surfaces, centres };
+  return { corners, pressures, parts, teeth, zones, surfaces, centres };
 }
 
 /** Normal force of the fixture's contact cells, N: arc length by width by pressure. */
@@ -224,7 +224,7 @@ export function createFixture(options: FixtureOptions = {}): Fixture {
             contacts: {
               corners: file.add("f32", 12, cells.corners),
               pressures: file.add("f32", 1, cells.pressures),
-              edges: file.add("u32", 1, cells.edges),
+              zones: file.add("u32", 1, cells.zones),
               surfaces: file.add("u32", 2, cells.surfaces),
               parts: file.add("u32", 2, cells.parts),
               teeth: file.add("u32", 2, cells.teeth),

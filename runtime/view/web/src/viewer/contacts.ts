@@ -107,9 +107,26 @@ export class ContactView {
   }
 }
 
+/** Zones of cells: those of the outputs `max_contact_pressure` and `max_edge_pressure`. Cells next to a side face are in neither. */
+export const Zone = { Flank: 0, Edge: 1 } as const;
+
 /** Returns whether a cell belongs to the displayed ones. */
 export function isChosen(contacts: Contacts, cell: number, choice: CellChoice): boolean {
-  return choice === "all" || (contacts.edges[cell] !== 0) === (choice === "edges");
+  return choice === "all" || contacts.zones[cell] === (choice === "edges" ? Zone.Edge : Zone.Flank);
+}
+
+/** Ratio of the largest pressures from which cells next to edges leave no colours for the flanks. */
+const DOMINANT = 1.5;
+
+/** Largest pressure of a choice of cells, Pa. */
+export function largestPressure(contacts: Contacts, choice: CellChoice): number {
+  return contacts.pressures.reduce((most, pressure, cell) => (isChosen(contacts, cell, choice) ? Math.max(most, pressure) : most), 0);
+}
+
+/** Returns whether cells outside of the flank zone have far larger pressures than the flanks. */
+export function edgesDominate(contacts: Contacts): boolean {
+  const flanks = largestPressure(contacts, "flanks");
+  return flanks > 0 && largestPressure(contacts, "all") > DOMINANT * flanks;
 }
 
 /** Sum of pressure times area over the cells of each pair of gears, N. */

@@ -6,6 +6,7 @@ import { FileError } from "./array_file.ts";
 import { Display, type Limits } from "./display.ts";
 import { isNodal } from "./fields.ts";
 import { Labels } from "./labels.ts";
+import { edgesDominate } from "./contacts.ts";
 import { isHidden } from "./marks.ts";
 import { PatternModel } from "./pattern_model.ts";
 import { probeAt, type Probe } from "./probe.ts";
@@ -61,6 +62,7 @@ export class Core {
   #notified = 0;
   #generation = 0;
   #fieldChosen: boolean;
+  #cellsChosen: boolean;
   #allLimits = new Map<string, Limits>();
   #scan = "";
   #marks = 0;
@@ -73,6 +75,7 @@ export class Core {
   ) {
     this.state = completeState(initial, defaultState());
     this.#fieldChosen = initial.colours?.field !== undefined;
+    this.#cellsChosen = initial.colours?.cells !== undefined;
     this.theme = new ThemeWatcher(element, () => this.changed());
     this.theme.set(this.state.theme);
     this.#size.observe(element);
@@ -203,6 +206,10 @@ export class Core {
         this.#fieldChosen = true;
         this.state.colours.field = first.meshes.length ? "von_mises" : "contact_pressure";
       }
+      if (!this.#cellsChosen && first?.contacts) {
+        this.#cellsChosen = true;
+        if (edgesDominate(first.contacts)) this.state.colours.cells = "flanks";
+      }
       this.state.position = Math.min(Math.max(0, Math.trunc(this.state.position)), Math.max(0, positions.list.length - 1));
       this.status = "ready";
       this.apply();
@@ -236,6 +243,7 @@ export class Core {
     const before = this.state;
     this.state = completeState(patch, before);
     if (patch.colours?.field) this.#fieldChosen = true;
+    if (patch.colours?.cells) this.#cellsChosen = true;
     this.probe = null;
     this.theme.set(this.state.theme);
     if (patch.camera && this.scene) this.scene.camera.set(this.state.camera!);

@@ -28,8 +28,8 @@ export interface Contacts {
   count: number;
   corners: Float32Array;
   pressures: Float32Array;
-  /** 1 if either gear touches with a rounded edge, otherwise 0. */
-  edges: Uint32Array;
+  /** Zone of each cell: 0 on the flank, 1 next to an edge, 2 next to a side face. */
+  zones: Uint32Array;
   parts: Uint32Array;
   teeth: Uint32Array;
   /** Surfaces of both teeth; the two flanks of a tooth have different numbers. */
@@ -159,14 +159,14 @@ function readContacts(file: ArrayFile, value: Json | undefined): Contacts | null
   const pressures = file.f32(entry.pressures, 1, "contacts, pressures");
   const parts = file.u32(entry.parts, 2, "contacts, parts");
   const teeth = file.u32(entry.teeth, 2, "contacts, teeth");
-  const edges = file.u32(entry.edges, 1, "contacts, edges");
+  const zones = file.u32(entry.zones, 1, "contacts, zones");
   const surfaces = file.u32(entry.surfaces, 2, "contacts, surfaces");
   const count = pressures.length;
   const pairs = [parts, teeth, surfaces].every(({ length }) => length === 2 * count);
-  if (corners.length !== 12 * count || edges.length !== count || !pairs) {
+  if (corners.length !== 12 * count || zones.length !== count || !pairs) {
     throw new FileError(file.name, "contacts: the arrays have different lengths");
   }
-  return count > 0 ? { count, corners, pressures, edges, parts, teeth, surfaces } : null;
+  return count > 0 ? { count, corners, pressures, zones, parts, teeth, surfaces } : null;
 }
 
 /** Returns the displaced point of a node, in coordinates of the part. */

@@ -14,7 +14,7 @@ export type StandardView = "front" | "back" | "left" | "right" | "top" | "bottom
 export type ThemeChoice = "system" | "light" | "dark";
 export type Axis = "x" | "y" | "z";
 export type Vector = [number, number, number];
-/** Contact cells that are displayed: all, those of flanks, or those at rounded edges. */
+/** Contact cells that are displayed: all, those of the flank zone, or those of the edge zone. */
 export type CellChoice = "all" | "flanks" | "edges";
 
 export interface CameraState {

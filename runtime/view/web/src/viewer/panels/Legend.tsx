@@ -1,6 +1,7 @@
 // Legend of the colours.
 
 import { banded, colourAt, cssColour } from "../colours.ts";
+import { largestPressure } from "../contacts.ts";
 import type { Core } from "../core.ts";
 import { EXPLANATIONS } from "../fields.ts";
 import { legendTicks, legendTitle } from "../legend.ts";
@@ -30,6 +31,29 @@ function clippedText({ share, largest }: { share: number; largest: number }, uni
   return `${formatNumber(100 * share, 2)} % of the nodes are above, up to ${formatNumber(largest * stressUnit().factor, 3)} ${unit}`;
 }
 
+/** States the pressures that "flanks only" leaves out, if they are larger. */
+function edgesText(core: Core, unit: string): string | null {
+  const { field, cells } = core.state.colours;
+  const contacts = core.display?.position?.contacts;
+  if (field !== "contact_pressure" || cells !== "flanks" || !contacts) return null;
+  const largest = largestPressure(contacts, "all");
+  if (!(largest > largestPressure(contacts, "flanks"))) return null;
+  return `edges, not shown: up to ${formatNumber(largest * stressUnit().factor, 4)} ${unit}`;
+}
+
+/** Reason why a field has no values. */
+function reasonWithoutValues(core: Core): string {
+  const position = core.display?.position;
+  if (!position) return "No values: the run has no positions.";
+  if (core.state.colours.field !== "contact_pressure") {
+    return position.meshes.length === 0
+      ? "No values: the run stored no meshes with stresses (--vtu), or its fidelity level has no finite elements."
+      : "No values: the parts with meshes are hidden.";
+  }
+  if (!position.contacts) return "No values: no contact is loaded in this position, or the fidelity level is \"rigid\".";
+  return core.state.colours.cells === "all" ? "No values: the gears in contact are hidden." : `No values: no visible loaded cells, ${CELLS[core.state.colours.cells]}.`;
+}
+
 export function Legend({ core }: { core: Core }) {
   const { field } = core.state.colours;
   if (field === "plain") return null;
@@ -38,7 +62,7 @@ export function Legend({ core }: { core: Core }) {
     return (
       <div class="cv-legend cv-legend-empty" role="note">
         <strong>{legendTitle(core)}</strong>
-        <span>No values in this position</span>
+        <span>{reasonWithoutValues(core)}</span>
       </div>
     );
   }
@@ -46,6 +70,7 @@ export function Legend({ core }: { core: Core }) {
   const step = core.narrow ? Math.ceil(ticks.length / 6) : 1;
   const { limits } = core.state.colours;
   const clipped = core.display?.clipped;
+  const edges = edgesText(core, unit);
   const range = limits === "all" ? "all positions" : limits === "fixed" ? "fixed limits" : "this position";
   return (
     <button
@@ -70,6 +95,7 @@ export function Legend({ core }: { core: Core }) {
         </span>
       </span>
       {EXPLANATIONS[field] ? <span class="cv-range">{SHORT[field]}</span> : null}
+      {edges ? <span class="cv-range">{edges}</span> : null}
       {clipped ? <span class="cv-range">{clippedText(clipped, unit)}</span> : null}
       <span class="cv-range">
         {field === "contact_pressure" ? `${CELLS[core.state.colours.cells]}; ` : ""}
