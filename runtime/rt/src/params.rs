@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::param_assignment::{AssignedValue, Origin, ParamAssignment};
 use crate::program::{ParamFunction, Program};
 use calyx_abi::description::{
-    DimensionDescription, Exponents, ModelDescription, ParamDescription, ParamValue,
+    DimensionDescription, Exponents, ModelDescription, ParamDescription, ParamValue, UnitDescription,
 };
 use calyx_abi::quantity::{self, Quantity};
 use calyx_abi::units::{from_si, shortest, to_si};
@@ -355,6 +355,34 @@ pub fn with_decimal_point(text: &str) -> Option<String> {
     is_number.then(|| format!("{before}.{after}"))
 }
 
+/// Returns a text in units that the language has for other common spellings: `200 N*m` for `200 Nm`,
+/// `25 deg` for `25°` and `3 inch` for `3"`; `None` for other texts.
+fn with_known_units(text: &str, units: &[UnitDescription]) -> Option<String> {
+    let text = text.trim();
+    let (number, unit) = text.split_at(text.find(|c: char| !"+-.0123456789".contains(c))?);
+    let unit = unit.trim();
+    let symbol = match unit {
+        "°" => Some("deg"),
+        "\"" | "″" => Some("inch"),
+        "'" | "′" => Some("ft"),
+        _ => None,
+    };
+    // A product without its sign: the shortest first factor that is a unit.
+    let product = || {
+        let mut parts = unit.char_indices().skip(1).map(|(at, _)| unit.split_at(at));
+        let (first, second) =
+            parts.find(|(first, second)| [first, second].iter().all(|part| is_unit(part, units)))?;
+        Some(format!("{first}*{second}"))
+    };
+    let unit = symbol.map(str::to_owned).or_else(product)?;
+    let written = format!("{} {unit}", number.trim());
+    quantity::parse(&written, units).is_ok().then_some(written)
+}
+
+fn is_unit(name: &str, units: &[UnitDescription]) -> bool {
+    units.iter().any(|unit| unit.name == name)
+}
+
 /// Converts an assigned value to a number in SI, for a param of any range.
 pub(crate) fn read_number(
     param: &ParamDescription,
@@ -380,7 +408,10 @@ pub(crate) fn read_number(
     };
     let quantity = quantity.map_err(|why| match with_decimal_point(written) {
         Some(number) => refused(&format!("write a decimal point in place of the comma, `{number}`")),
-        None => refused(&why),
+        None => match with_known_units(written, units) {
+            Some(text) => refused(&format!("{why}; write `{text}`")),
+            None => refused(&why),
+        },
     })?;
     // A bare number is in the unit of the default.
     let value = if quantity.unit { quantity.value } else { to_si(quantity.value, param.unit.factor) };
