@@ -346,9 +346,8 @@ fn pressures_by_zone(name: &str) -> Vec<(Vec<(f64, f64)>, [f64; 2])> {
 /// The largest cell of a zone has the pressure of its output, up to the interpolation between cells.
 /// Where an edge truncates a patch, the output of the flank decreases with the distance of the contact
 /// line from the edge, and a cell next to a steep edge can exceed the peak: at most 13 % and 24 % here.
-#[test]
-fn largest_cells_agree_with_the_outputs_of_their_zones() {
-    for name in ["spur_pair.cx", "helical_pair.cx", "crossed_helical.cx", "face_gear.cx", "spiral_bevel.cx"] {
+fn check_zones(examples: &[&str]) {
+    for &name in examples {
         let mut edges = 0;
         for (index, (cells, outputs)) in pressures_by_zone(name).into_iter().enumerate() {
             for (zone, (output, excess)) in outputs.into_iter().zip([1.15, 1.3]).enumerate() {
@@ -361,4 +360,15 @@ fn largest_cells_agree_with_the_outputs_of_their_zones() {
         }
         assert!(edges > 0, "{name} has no contact of an edge");
     }
+}
+
+#[test]
+fn largest_cells_agree_with_the_outputs_of_their_zones() {
+    check_zones(&["crossed_helical.cx", "face_gear.cx"]);
+}
+
+#[test]
+#[ignore = "takes some seconds"]
+fn largest_cells_of_more_gears_agree_with_the_outputs_of_their_zones() {
+    check_zones(&["spur_pair.cx", "helical_pair.cx", "spiral_bevel.cx"]);
 }

@@ -23,6 +23,17 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+/// Adds the texts that were entered in the form to the params of a run, which has them in the units
+/// of the defaults.
+fn with_entered(mut params: Value, entered: &Value) -> Value {
+    for (name, param) in params.as_object_mut().into_iter().flatten() {
+        if let (Some(param), Some(text)) = (param.as_object_mut(), entered[name]["text"].as_str()) {
+            param.insert("entered".to_owned(), json!(text));
+        }
+    }
+    params
+}
+
 /// Identifier of the run in `MODEL.cx.run`.
 const OF_MODEL: &str = "model";
 /// Identifier of the run that the studio was opened with, if it is none of the others.
@@ -199,7 +210,7 @@ impl Runs {
             "status": status,
             "message": message,
             "started": record["started"].as_u64().or_else(|| results::time_of(&directory)),
-            "params": of_run("params"),
+            "params": with_entered(of_run("params"), &record["params"]),
             "settings": of_run("settings"),
             "progress": process.as_ref().filter(|process| process.status() == Status::Running).map(|process| process.progress()),
             "positions": solved,

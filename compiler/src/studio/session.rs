@@ -5,8 +5,10 @@ use super::error::RequestError;
 use super::folder;
 use serde_json::{Value, json};
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Version of the format of the file.
 const VERSION: u64 = 1;
@@ -16,16 +18,27 @@ pub(crate) const LONGEST: usize = 1 << 20;
 /// The session file of a model.
 pub(crate) struct Session {
     path: PathBuf,
+    /// State of the file when this studio last read or wrote it; `None` before that.
+    known: Mutex<Option<FileState>>,
 }
+
+/// Hash of the content of a file; `None` without a file.
+type FileState = Option<u64>;
 
 impl Session {
     pub fn of_model(model: &Path) -> Session {
-        Session { path: folder::of_model(model).join("session.json") }
+        Session { path: folder::of_model(model).join("session.json"), known: Mutex::default() }
+    }
+
+    fn known(&self) -> MutexGuard<'_, Option<FileState>> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Returns the session; an empty one if there is no file, or a file with other contents.
     pub fn read(&self) -> Result<Value, RequestError> {
         let empty = json!({ "version": VERSION, "params": {}, "settings": {}, "view": null });
+        let mut known = self.known();
+        *known = Some(state_of(&self.path));
         let length = fs::metadata(&self.path).map_or(0, |about| about.len());
         if length > LONGEST as u64 {
             return Ok(empty);
@@ -43,16 +56,36 @@ impl Session {
     /// Stores the session.
     ///
     /// # Errors
-    /// It is invalid, or the file cannot be written.
+    /// It is invalid, the file cannot be written, or another studio has changed it since this one
+    /// last read or wrote it.
     pub fn write(&self, session: &Value) -> Result<(), RequestError> {
         validate(session)?;
+        let mut known = self.known();
+        if known.is_some_and(|known| known != state_of(&self.path)) {
+            return Err(RequestError::conflict(
+                "another studio of this model has stored its form: that of this page is not stored any more",
+                "the page keeps its form, and its runs are stored; reload the page to take the stored form",
+            ));
+        }
         let unwritable =
             |error| RequestError::internal(format!("cannot write {}", self.path.display()), &error);
         let mut text = serde_json::to_vec_pretty(session).map_err(|error| unwritable(error.into()))?;
         text.push(b'\n');
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        fs::create_dir_all(folder).and_then(|()| folder::replace(&self.path, &text)).map_err(unwritable)
+        fs::create_dir_all(folder).and_then(|()| folder::replace(&self.path, &text)).map_err(unwritable)?;
+        *known = Some(Some(hash_of(&text)));
+        Ok(())
     }
+}
+
+fn state_of(path: &Path) -> FileState {
+    fs::read(path).ok().map(|text| hash_of(&text))
+}
+
+fn hash_of(text: &[u8]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    text.hash(&mut hasher);
+    hasher.finish()
 }
 
 /// Checks the form of a session. The page alone interprets `view`.
@@ -81,4 +114,31 @@ fn validate(session: &Value) -> Result<(), RequestError> {
 
 fn is_table_of_texts(value: &Value) -> bool {
     value.as_object().is_some_and(|entries| entries.values().all(Value::is_string))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_session_of_another_studio_is_not_overwritten() {
+        let directory = tempfile::tempdir().unwrap();
+        let model = directory.path().join("pair.cx");
+        let [one, other] = [(), ()].map(|()| Session::of_model(&model));
+        let form = |torque: &str| json!({ "version": VERSION, "params": { "torque": torque }, "settings": {}, "view": null });
+        assert_eq!(
+            [&one, &other].map(|session| session.read().unwrap()["params"].clone()),
+            [json!({}), json!({})]
+        );
+        one.write(&form("1")).unwrap();
+        one.write(&form("2")).unwrap();
+        assert!(other.write(&form("3")).is_err());
+        assert_eq!(one.read().unwrap(), form("2"));
+        // After it has read the file, the other studio may store its form, and the first one may not.
+        other.read().unwrap();
+        other.write(&form("4")).unwrap();
+        assert!(one.write(&form("5")).is_err());
+        // A studio that was restarted has not read the file of its page.
+        Session::of_model(&model).write(&form("6")).unwrap();
+    }
 }

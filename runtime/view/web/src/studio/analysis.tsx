@@ -5,6 +5,7 @@ import { useEffect, useState } from "preact/hooks";
 import type { Setting } from "./api.ts";
 import { FieldError, FieldHead } from "./field.tsx";
 import type { Studio } from "./store.ts";
+import { Text } from "./text.tsx";
 
 export function AnalysisSettings({ studio }: { studio: Studio }): JSX.Element | null {
   const { analysisSettings: all, analysis } = studio;
@@ -48,7 +49,8 @@ function SettingField({ studio, setting }: { studio: Studio; setting: Setting })
   const text = studio.analysis[name] ?? "";
   const error = studio.check?.setting_errors[name];
   const id = `setting-${name}`;
-  const describedBy = [`${id}-doc`, error && `${id}-error`].filter(Boolean).join(" ");
+  const effect = withoutEffect(studio, name);
+  const describedBy = [`${id}-doc`, error && `${id}-error`, !error && effect && `${id}-effect`].filter(Boolean).join(" ");
   const isChanged = name in studio.analysis;
   return (
     <div class={`field ${isChanged ? "changed" : ""} ${error ? "invalid" : ""}`} data-setting={name}>
@@ -79,8 +81,27 @@ function SettingField({ studio, setting }: { studio: Studio; setting: Setting })
         {domain && <span class="range">{domain}</span>}
       </p>
       {error && <FieldError id={`${id}-error`} error={error} />}
+      {!error && effect && <p class="field-note" id={`${id}-effect`} role="status"><Text text={effect} /></p>}
     </div>
   );
+}
+
+/** Settings of the finite-element meshes of gears. */
+const OF_MESHES = new Set(["vtu", "refinement", "element_order", "face_elements", "displacement_order"]);
+/** Settings of the direction along the face. */
+const ALONG_FACE = new Set(["face_elements", "displacement_order", "contact_slices"]);
+
+/** Returns why a setting has no effect with the fidelity of the form; null if it has one, or if this is unknown. */
+function withoutEffect(studio: Studio, name: string): string | null {
+  const plan = studio.check?.plan;
+  if (!plan || !(name in studio.analysis)) return null;
+  const reason = plan.ignored_inputs[name];
+  if (reason) return `This setting has no effect: ${reason}.`;
+  if (OF_MESHES.has(name) && (plan.fidelity === "rigid" || plan.fidelity === "analytic")) {
+    return `This setting has no effect on gears: at the fidelity "${plan.fidelity}" they have no finite-element meshes.`;
+  }
+  if (ALONG_FACE.has(name) && plan.fidelity === "plane") return "This setting has no effect: a two-dimensional model has no face-width direction.";
+  return null;
 }
 
 interface ControlProps {

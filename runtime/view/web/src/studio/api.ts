@@ -129,6 +129,8 @@ export type Status = "running" | "elsewhere" | "finished" | "failed" | "cancelle
 
 export interface RunParam {
   text: string;
+  /** Text that was entered in the form, perhaps with another unit. */
+  entered?: string;
   unit?: string;
   at_default?: boolean;
 }

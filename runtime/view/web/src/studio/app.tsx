@@ -102,6 +102,7 @@ function ThemeMenu(): JSX.Element {
 
 function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
   if (!studio.isConnected) return <ConnectionLost studio={studio} />;
+  if (!studio.notice && studio.model?.broken) return <ModelBroken studio={studio} />;
   if (!studio.notice) return null;
   return (
     <div class="notice" role="alert">
@@ -110,6 +111,17 @@ function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
         {studio.notice.help && <span class="help"> <Text text={studio.notice.help} /></span>}
       </span>
       <button type="button" class="quiet" onClick={() => studio.dismiss()}>Dismiss</button>
+    </div>
+  );
+}
+
+/** The diagnostics may be outside of the window. */
+function ModelBroken({ studio }: { studio: Studio }): JSX.Element {
+  const show = () => document.querySelector("pre.rendered.error")?.scrollIntoView({ block: "start" });
+  return (
+    <div class="notice error" role="status" data-testid="model-broken">
+      <span>The model has errors: it cannot run, and the form keeps its values. Correct {fileName(studio.model?.model ?? "the file")} in the editor.</span>
+      <button type="button" class="quiet" onClick={show}>Show the errors</button>
     </div>
   );
 }

@@ -20,7 +20,7 @@ interface Props {
 
 export function Field({ studio, param }: Props): JSX.Element {
   const text = studio.value(param);
-  const isChanged = param.name in studio.values;
+  const isChanged = studio.isChanged(param.name);
   const error = studio.check?.errors[param.name];
   const id = `param-${param.name}`;
   const isNumeric = param.kind === "number" || param.kind === "integer" || param.kind === "array";

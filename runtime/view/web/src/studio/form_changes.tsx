@@ -2,7 +2,7 @@
 
 import type { JSX } from "preact";
 import type { Param, RunSummary } from "./api.ts";
-import { isPlainNumber, runName, words } from "./format.ts";
+import { isSame, runName, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 
 /** Largest number of names in a sentence. */
@@ -32,11 +32,6 @@ function isChanged(studio: Studio, param: Param, run: RunSummary): boolean {
   const own = studio.check?.values[param.name] ?? typed;
   const before = of?.text ?? param.default;
   return before === null || !(isSame(own, before) || isSame(typed, before));
-}
-
-function isSame(first: string, second: string): boolean {
-  const [a, b] = [first.trim(), second.trim()];
-  return a === b || (isPlainNumber(a) && isPlainNumber(b) && Number(a) === Number(b));
 }
 
 /** States that the displayed results belong to an older form, with the remedy. */

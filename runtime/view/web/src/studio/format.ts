@@ -1,6 +1,6 @@
 // Numbers, times and names as text.
 
-import type { RunSummary } from "./api.ts";
+import type { RunParam, RunSummary } from "./api.ts";
 
 /** Formats a number with about five digits. */
 export function number(value: number | null | undefined): string {
@@ -31,6 +31,13 @@ export function bytes(count: number): string {
 export function percent(relative: number): string {
   const value = 100 * relative;
   return value >= 1 ? `${value.toFixed(1)} %` : `${Number(value.toPrecision(1))} %`;
+}
+
+/** Formats a time, s since 1970, with its date, in the time zone of the browser. */
+export function dateAndTime(started: number | null): string {
+  if (started === null) return "";
+  const date = new Date(1000 * started);
+  return `${date.toLocaleDateString(undefined, { year: "numeric", month: "short", day: "numeric" })} ${date.toLocaleTimeString()}`;
 }
 
 /** Formats a time, s since 1970, in the time zone of the browser. */
@@ -70,6 +77,12 @@ export function quantity(text: string, unit: string | undefined): string {
   return unit ? `${text} ${unit}` : text;
 }
 
+/** Value of a param of a run as it was entered; without an entered text, with few digits. */
+export function enteredText({ entered, text, unit }: RunParam): string {
+  if (entered !== undefined) return isPlainNumber(entered) ? quantity(entered.trim(), unit) : entered.trim();
+  return quantity(isPlainNumber(text) && text.length > 8 ? number(Number(text)) : text, unit);
+}
+
 /** True for a number without a unit. */
 export function isPlainNumber(text: string): boolean {
   return /^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*$/.test(text);
@@ -96,4 +109,10 @@ export function settingWords(name: string): string {
 /** Value of an analysis setting in tables and lists. */
 export function settingText(text: string): string {
   return text === "TRUE" ? "yes" : text === "FALSE" ? "no" : text;
+}
+
+/** True for equal texts, and for equal numbers without units. */
+export function isSame(first: string, second: string): boolean {
+  const [a, b] = [first.trim(), second.trim()];
+  return a === b || (isPlainNumber(a) && isPlainNumber(b) && Number(a) === Number(b));
 }

@@ -1,14 +1,19 @@
 // Params files, which `calyx run --params` reads as well.
 
-import { send } from "./api.ts";
+import { RequestError, send } from "./api.ts";
 import { isPlainNumber } from "./format.ts";
 import type { Studio, Values } from "./store.ts";
 
 /** Reads a JSON or TOML file. The server parses it, as for `--params`. */
 export async function readParamsFile(file: File): Promise<Values> {
   const text = await file.text();
-  const { params } = await send<{ params: Values }>("POST", "/api/params", { name: file.name, text });
-  return params;
+  try {
+    const { params } = await send<{ params: Values }>("POST", "/api/params", { name: file.name, text });
+    return params;
+  } catch (error) {
+    if (!(error instanceof RequestError) || error.message.includes(file.name)) throw error;
+    throw new RequestError(`${file.name}: ${error.message}`, error.status, error.help, error.body);
+  }
 }
 
 /** Content of a params file: all params that do not follow others, and all changed ones. */

@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import type { Results } from "./api.ts";
 import { ofRun } from "./api.ts";
-import { number, runName, settingText, settingWords, solvedOf, time, words } from "./format.ts";
+import { dateAndTime, enteredText, number, runName, settingText, settingWords, solvedOf, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 
 /** Labels and values of a run. */
@@ -11,12 +11,15 @@ export function provenanceOf(results: Results): [string, string][] {
   const run = results.run;
   const entries: [string, string | null | undefined][] = [
     ["Directory", results.directory],
-    ["Started", time(results.started)],
+    ["Started", dateAndTime(results.started)],
     ["Model", run?.model],
     ["Hash of the source", run?.source?.sha256?.slice(0, 16)],
     ["Calyx", run?.calyx],
     ["Fidelity", run?.fidelity],
     ["Positions", solvedOf(results)],
+    ...Object.entries(results.params ?? {})
+      .filter(([, param]) => param.at_default !== true)
+      .map(([name, param]): [string, string] => [`Param: ${words(name)}`, enteredText(param)]),
     ...Object.entries(results.settings ?? {}).map(([name, text]): [string, string] => [`Set: ${settingWords(name)}`, settingText(text)]),
     ...Object.entries(run?.certificate ?? {}).map(([name, value]): [string, string] => [`Residual: ${words(name)}`, number(value)]),
   ];

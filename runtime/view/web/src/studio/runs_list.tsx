@@ -3,7 +3,7 @@
 import type { JSX } from "preact";
 import type { RunSummary } from "./api.ts";
 import { colourOf } from "./colours.ts";
-import { quantity, runName, seconds, settingText, settingWords, solvedPositions, time, words } from "./format.ts";
+import { enteredText, quantity, runName, seconds, settingText, settingWords, solvedPositions, time, words } from "./format.ts";
 import type { Studio } from "./store.ts";
 
 /** Largest number of differing params in a row of the list. */
@@ -19,7 +19,7 @@ export function RunsList({ studio }: { studio: Studio }): JSX.Element {
       <ul class="runs">
         {runs.map((run) => <Row key={run.id} studio={studio} run={run} differing={differing} />)}
       </ul>
-      {runs.length > 1 && <p class="muted small-text">Check two or more runs to compare them.</p>}
+      {runs.length > 1 && studio.settings.selected.length < 2 && <p class="muted small-text">Check two or more runs to compare them.</p>}
     </section>
   );
 }
@@ -67,18 +67,25 @@ export function differingInputs(runs: RunSummary[]): Input[] {
   return kinds.flatMap((kind) => {
     const known = runs.filter((run) => run[kind] !== null);
     const names = new Set(known.flatMap((run) => Object.keys(run[kind] ?? {})));
-    const differing = [...names].filter((name) => new Set(known.map((run) => textOf(run, { kind, name }))).size > 1);
+    const differing = [...names].filter((name) => new Set(known.map((run) => valueOf(run, { kind, name }))).size > 1);
     return differing.map((name) => ({ kind, name }));
   });
 }
 
-function textOf(run: RunSummary, { kind, name }: Input): string {
+/** Exact value of an input, in the same unit for all runs. */
+function valueOf(run: RunSummary, { kind, name }: Input): string {
   if (kind === "settings") {
     const setting = run.settings?.[name];
     return setting === undefined ? (name === "vtu" ? "no" : "as in the model") : settingText(setting);
   }
   const param = run.params?.[name];
   return param ? quantity(param.text, param.unit) : "default";
+}
+
+/** Value of an input for the reader: as it was entered, or with few digits. */
+function textOf(run: RunSummary, input: Input): string {
+  const param = input.kind === "params" ? run.params?.[input.name] : undefined;
+  return param ? enteredText(param) : valueOf(run, input);
 }
 
 function labelOf({ kind, name }: Input): string {
@@ -109,7 +116,7 @@ export function ParamDifferences({ studio }: { studio: Studio }): JSX.Element | 
       <h2 id="differences-heading">Different params and settings</h2>
       {inputs.length === 0 && <p class="muted">These runs have the same params and settings.</p>}
       {inputs.length > 0 && (
-        <div class="scroll" tabIndex={0} role="region" aria-label="Table of different params and settings">
+        <div class="scroll inputs" tabIndex={0} role="region" aria-label="Table of different params and settings">
           <table>
             <thead>
               <tr><th scope="col">Param</th>{runs.map((run) => <th key={run.id} scope="col">{runName(run.id)}</th>)}</tr>
@@ -118,7 +125,7 @@ export function ParamDifferences({ studio }: { studio: Studio }): JSX.Element | 
               {inputs.map((input) => (
                 <tr key={`${input.kind}.${input.name}`}>
                   <th scope="row">{labelOf(input)}</th>
-                  {runs.map((run) => <td key={run.id}>{textOf(run, input)}</td>)}
+                  {runs.map((run) => <td key={run.id} title={valueOf(run, input)}>{textOf(run, input)}</td>)}
                 </tr>
               ))}
             </tbody>

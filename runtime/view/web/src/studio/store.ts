@@ -20,7 +20,7 @@ import {
   sendSession,
 } from "./api.ts";
 import { Connection, type ConnectionState } from "./connection.ts";
-import { runName } from "./format.ts";
+import { isSame, runName } from "./format.ts";
 
 /** Values that differ from the defaults, as typed. */
 export type Values = Record<string, string>;
@@ -74,6 +74,8 @@ export class Studio {
   #checkTimer = 0;
   #sessionTimer = 0;
   #isUnsaved = false;
+  /** Another studio has stored its session. */
+  #isForeign = false;
   /** True until the values of the session are compared with the model. */
   #isRestored = false;
   #about: About | null = null;
@@ -282,9 +284,17 @@ export class Studio {
     return { params: { ...this.values }, settings: { ...this.analysis } };
   }
 
+  /** True if a param is not at its default; another spelling of the same number is. */
+  isChanged(name: string): boolean {
+    const typed = this.values[name];
+    const param = this.param(name);
+    if (typed === undefined) return false;
+    return !param?.independent || param.default === null || !isSame(param.default, typed);
+  }
+
   /** Number of params and settings that are not at their defaults. */
   get changes(): number {
-    return Object.keys(this.values).length + Object.keys(this.analysis).length;
+    return Object.keys(this.values).filter((name) => this.isChanged(name)).length + Object.keys(this.analysis).length;
   }
 
   /** Assigns an analysis setting; an empty text leaves it to the model. */
@@ -305,7 +315,7 @@ export class Studio {
     this.values = {};
     for (const [name, text] of Object.entries(values)) {
       const param = this.param(name);
-      if (!param?.independent || param.default !== text) this.values[name] = text;
+      if (!param?.independent || param.default === null || !isSame(param.default, text)) this.values[name] = text;
     }
     this.#checkSoon(0);
     this.#changed();
@@ -457,7 +467,7 @@ export class Studio {
   useForm(run: RunSummary): void {
     const values: Values = {};
     for (const [name, param] of Object.entries(run.params ?? {})) {
-      if (this.param(name) && param.at_default !== true) values[name] = param.text;
+      if (this.param(name) && param.at_default !== true) values[name] = param.entered ?? param.text;
     }
     this.analysis = { ...run.settings };
     this.setValues(values);
@@ -489,7 +499,7 @@ export class Studio {
   }
 
   #saveSession(): void {
-    if (!this.#isLoaded || this.withoutModel) return;
+    if (!this.#isLoaded || this.withoutModel || this.#isForeign) return;
     this.#isUnsaved = true;
     window.clearTimeout(this.#sessionTimer);
     this.#sessionTimer = window.setTimeout(() => this.#saveNow(), SESSION_DELAY);
@@ -511,7 +521,9 @@ export class Studio {
       try {
         await sendSession(session);
       } catch (error) {
-        this.#isUnsaved = true;
+        // The session of another studio is not overwritten; the form remains in this page.
+        if (error instanceof RequestError && error.status === 409) this.#isForeign = true;
+        else this.#isUnsaved = true;
         throw error;
       }
     });
