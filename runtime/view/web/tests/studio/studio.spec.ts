@@ -1,7 +1,7 @@
 // The studio in a browser: form, errors, runs, results, comparison, cancellation, a model with
 // errors, the keyboard, and accessibility.
 
-import { readFileSync, renameSync, rmSync } from "node:fs";
+import { existsSync, readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { savedFile } from "../page.ts";
 import { picture, row, run, serious, switchAutomaticOff } from "./page.ts";
@@ -140,6 +140,8 @@ test("a model with errors shows the diagnostic, and the page follows the editor"
   server.write(PAIR.replace("torque = torque", "torque = torqe"));
   await expect(page.getByLabel("Diagnostics of the model")).toContainText("torqe");
   await expect(page.getByLabel("Diagnostics of the model")).toContainText("pair.cx:");
+  // The diagnostics may be outside of the window; the bar at its top is not.
+  await expect(page.getByTestId("model-broken")).toContainText("Correct pair.cx in the editor");
   // The form and its values remain.
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("150");
   await expect(page.getByRole("button", { name: "Run", exact: true })).toBeDisabled();
@@ -148,6 +150,57 @@ test("a model with errors shows the diagnostic, and the page follows the editor"
   server.write(PAIR.replace("param torque = 100 N*m", "param torque = 120 N*m"));
   await page.getByRole("button", { name: /^Reset torque/ }).click();
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("120");
+  await expect(page.getByTestId("model-broken")).toHaveCount(0);
+});
+
+test("values keep the unit in which they were entered, and settings without effect say so", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  const torque = page.getByLabel("torque", { exact: true });
+  // Another spelling of the default is not a change.
+  await page.getByLabel("steps", { exact: true }).fill("8.0");
+  await expect(page.getByText("Defaults", { exact: true })).toBeVisible();
+  await page.getByLabel("steps", { exact: true }).fill("8");
+  await torque.fill("200 Nm");
+  await expect(page.getByRole("alert")).toContainText("200 N*m");
+  await torque.fill("1234.5 lbf*inch");
+  await run(page, "run-0001");
+  await expect(row(page, "run-0001")).toContainText("torque 1234.5 lbf*inch");
+  const provenance = page.getByRole("region", { name: "Provenance" });
+  await expect(provenance).toContainText("Param: torque");
+  await expect(provenance).toContainText(String(new Date().getFullYear()));
+  await torque.fill("90");
+  await page.getByRole("button", { name: "Use these params and settings" }).click();
+  await expect(torque).toHaveValue("1234.5 lbf*inch");
+  await expect(page.getByTestId("form-changed")).toHaveCount(0);
+  const meshes = page.locator('[data-setting="vtu"]');
+  await meshes.getByRole("checkbox").check();
+  await expect(meshes).toContainText("no effect on gears");
+  await meshes.getByRole("checkbox").uncheck();
+  await expect(meshes).not.toContainText("no effect");
+  await run(page, "run-0002");
+  await expect(page.getByText("Check two or more runs")).toBeVisible();
+  await page.getByLabel("Compare Run 1").check();
+  await expect(page.getByText("Check two or more runs")).toHaveCount(0);
+});
+
+test("a studio does not overwrite the session of another one", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  const file = join(server.folder, "pair.cx.studio/session.json");
+  const stored = () => existsSync(file) && (JSON.parse(readFileSync(file, "utf8")) as { params: Record<string, string> }).params.torque;
+  await page.getByLabel("torque", { exact: true }).fill("150");
+  await expect.poll(stored).toBe("150");
+  const other = await page.context().newPage();
+  await other.goto(await server.open("pair.cx"));
+  await other.getByLabel("torque", { exact: true }).fill("160");
+  await expect.poll(stored).toBe("160");
+  await page.getByLabel("torque", { exact: true }).fill("170");
+  await expect(page.getByRole("alert")).toContainText("another studio of this model has stored its form");
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("170");
+  expect(stored()).toBe("160");
+  await page.reload();
+  await expect(page.getByLabel("torque", { exact: true })).toHaveValue("160");
 });
 
 test("the session and params files keep the values of the form", { tag: "@slow" }, async ({ page, server }) => {
