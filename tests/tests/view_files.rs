@@ -309,9 +309,12 @@ output";
     assert_eq!(has_position.collect::<Vec<_>>(), [true, true, true, false]);
 }
 
+/// Pressures of cells with the numbers of their zones, and outputs by zone, Pa.
+type ZonePressures = (Vec<(f64, f64)>, [f64; 2]);
+
 /// Returns for each position of an example the pressures of the cells with their zones, and the
 /// outputs `max_contact_pressure` and `max_edge_pressure`.
-fn pressures_by_zone(name: &str) -> Vec<(Vec<(f64, f64)>, [f64; 2])> {
+fn pressures_by_zone(name: &str) -> Vec<ZonePressures> {
     let engine = Engine::default();
     let checked = check_file(&root().join("examples").join(name)).expect("the model can be read");
     let module = Module::from_checked(&engine, checked).expect("the model compiles");

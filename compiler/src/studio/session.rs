@@ -5,7 +5,6 @@ use super::error::RequestError;
 use super::folder;
 use serde_json::{Value, json};
 use std::fs;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -18,19 +17,20 @@ pub(crate) const LONGEST: usize = 1 << 20;
 /// The session file of a model.
 pub(crate) struct Session {
     path: PathBuf,
-    /// State of the file when this studio last read or wrote it; `None` before that.
-    known: Mutex<Option<FileState>>,
+    /// Form in the file when this studio last read or wrote it; `None` before that.
+    known: Mutex<Option<StoredForm>>,
 }
 
-/// Hash of the content of a file; `None` without a file.
-type FileState = Option<u64>;
+/// Values and settings of a stored form. The view is not compared, because each movement of a camera
+/// changes it.
+type StoredForm = [Value; 2];
 
 impl Session {
     pub fn of_model(model: &Path) -> Session {
         Session { path: folder::of_model(model).join("session.json"), known: Mutex::default() }
     }
 
-    fn known(&self) -> MutexGuard<'_, Option<FileState>> {
+    fn known(&self) -> MutexGuard<'_, Option<StoredForm>> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -38,7 +38,7 @@ impl Session {
     pub fn read(&self) -> Result<Value, RequestError> {
         let empty = json!({ "version": VERSION, "params": {}, "settings": {}, "view": null });
         let mut known = self.known();
-        *known = Some(state_of(&self.path));
+        *known = Some(stored_form(&self.path).unwrap_or_else(|| form_of(&empty)));
         let length = fs::metadata(&self.path).map_or(0, |about| about.len());
         if length > LONGEST as u64 {
             return Ok(empty);
@@ -61,7 +61,10 @@ impl Session {
     pub fn write(&self, session: &Value) -> Result<(), RequestError> {
         validate(session)?;
         let mut known = self.known();
-        if known.is_some_and(|known| known != state_of(&self.path)) {
+        let stored = stored_form(&self.path);
+        if let (Some(known), Some(stored)) = (&*known, stored)
+            && *known != stored
+        {
             return Err(RequestError::conflict(
                 "another studio of this model has stored its form: that of this page is not stored any more",
                 "the page keeps its form, and its runs are stored; reload the page to take the stored form",
@@ -73,19 +76,20 @@ impl Session {
         text.push(b'\n');
         let folder = self.path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(folder).and_then(|()| folder::replace(&self.path, &text)).map_err(unwritable)?;
-        *known = Some(Some(hash_of(&text)));
+        *known = Some(form_of(session));
         Ok(())
     }
 }
 
-fn state_of(path: &Path) -> FileState {
-    fs::read(path).ok().map(|text| hash_of(&text))
+/// Returns the form in a session file; `None` without a valid file.
+fn stored_form(path: &Path) -> Option<StoredForm> {
+    let length = fs::metadata(path).ok()?.len();
+    let text = (length <= LONGEST as u64).then(|| fs::read(path).ok())??;
+    serde_json::from_slice(&text).ok().map(|session| form_of(&session))
 }
 
-fn hash_of(text: &[u8]) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    text.hash(&mut hasher);
-    hasher.finish()
+fn form_of(session: &Value) -> StoredForm {
+    ["params", "settings"].map(|key| session[key].clone())
 }
 
 /// Checks the form of a session. The page alone interprets `view`.
@@ -133,6 +137,11 @@ mod tests {
         one.write(&form("1")).unwrap();
         one.write(&form("2")).unwrap();
         assert!(other.write(&form("3")).is_err());
+        // Cameras do not count.
+        let mut moved = form("2");
+        moved["view"] = json!({ "scene": null });
+        one.write(&moved).unwrap();
+        one.write(&form("2")).unwrap();
         assert_eq!(one.read().unwrap(), form("2"));
         // After it has read the file, the other studio may store its form, and the first one may not.
         other.read().unwrap();

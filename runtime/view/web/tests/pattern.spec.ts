@@ -1,6 +1,7 @@
 // Contact patterns on unrolled flanks, choices of cells, and stress errors, against known values.
 
 import { expect, test, type Page } from "@playwright/test";
+import { edgesDominate, largestPressure } from "../src/viewer/contacts.ts";
 import { boundsOf, cellAt, Envelope, isIncluded, loadedSide, PatternAxes, patternCells } from "../src/viewer/pattern.ts";
 import { roundTicks } from "../src/viewer/ticks.ts";
 import type { Contacts, Part, Position } from "../src/viewer/run_data.ts";
@@ -177,6 +178,19 @@ test("cells have the coordinates of the gear, and the flank of their surface", (
   const [z, r] = [(top.corners[0]! + top.corners[4]!) / 2, (top.corners[1]! + top.corners[5]!) / 2];
   expect(cellAt(cells, z, r)!.pressure).toBe(Math.max(...loaded));
   expect(cellAt(cells, 0, 20e-3)).toBeNull();
+});
+
+test("edges dominate if they exceed the flank zone by more than half", () => {
+  const contacts = (pressures: number[], zones: number[]): Contacts => ({
+    count: pressures.length, pressures: Float32Array.from(pressures), zones: Uint32Array.from(zones), corners: new Float32Array(12 * pressures.length),
+    parts: new Uint32Array(2 * pressures.length), teeth: new Uint32Array(2 * pressures.length), surfaces: new Uint32Array(2 * pressures.length),
+  });
+  expect(edgesDominate(contacts([10, 16, 3], [0, 1, 2]))).toBe(true);
+  expect(edgesDominate(contacts([10, 3, 16], [0, 1, 2]))).toBe(true);
+  expect(edgesDominate(contacts([10, 14, 3], [0, 1, 2]))).toBe(false);
+  // Without cells on flanks, there is nothing else to display.
+  expect(edgesDominate(contacts([16], [1]))).toBe(false);
+  expect(largestPressure(contacts([10, 14, 20], [0, 1, 2]), "edges")).toBe(14);
 });
 
 test("the envelope is the maximum over the positions", () => {
