@@ -5,6 +5,7 @@ import { setCut } from "../controls.ts";
 import type { Core } from "../core.ts";
 import { EXPLANATIONS, isNodal, UNDEFORMED } from "../fields.ts";
 import { fieldUnit } from "../legend.ts";
+import type { Part } from "../run_data.ts";
 import type { Axis, CellChoice, Vector } from "../state.ts";
 import { displayUnit, formatNumber } from "../units.ts";
 import { NumberField, Section, Select, Slider, Toggle } from "./ui.tsx";
@@ -93,6 +94,9 @@ function Colours({ core }: { core: Core }) {
 
 function Deformation({ core }: { core: Core }) {
   const { mode } = core.state.deformation;
+  const has = ({ index }: Part) => (core.display!.meshes[index]?.length ?? 0) > 0;
+  const all = core.parts?.parts ?? [];
+  const [moving, rest] = [all.filter(has), all.filter((part) => !has(part))];
   return (
     <Section title="Deformation">
       <Toggle
@@ -107,8 +111,21 @@ function Deformation({ core }: { core: Core }) {
         onChange={(factor) => core.update({ deformation: { mode: "factor", factor } })}
       />
       {mode === "automatic" && !isNodal(core.state.colours.field) ? <p class="cv-note">{UNDEFORMED}</p> : null}
+      {rest.length > 0 && core.display!.factor > 0 ? (
+        <p class="cv-note" title={rest.map(({ name }) => name).join(", ")}>
+          Parts with meshes move: {listed(moving)}. The other parts stay in place.
+        </p>
+      ) : null}
     </Section>
   );
+}
+
+/** Largest number of parts in a note. */
+const MOST_NAMED = 5;
+
+function listed(parts: Part[]): string {
+  const names = parts.slice(0, MOST_NAMED).map(({ name }) => name).join(", ");
+  return parts.length > MOST_NAMED ? `${names} and ${parts.length - MOST_NAMED} more` : names;
 }
 
 function Cut({ core }: { core: Core }) {
