@@ -81,8 +81,8 @@ impl Module {
         Ok(Module::new(engine, Compiled { description, files, code, param_functions, typed }))
     }
 
-    /// Compiles the sources in the description of a module, which were checked when it was made. The
-    /// module is equivalent to the original, on any machine. It reads the files that the
+    /// Compiles the sources in the description of a module, which were checked when it was made.
+    /// The module is equivalent to the original, on any machine. It reads the files that the
     /// description stores, and no others.
     ///
     /// # Errors

@@ -110,7 +110,7 @@ fn stepping_solving_and_the_run_directory_are_one() {
 
     let directory = tempfile::tempdir().unwrap();
     let given =
-        vec![calyx::ParamAssignment::text("steps", "2"), calyx::ParamAssignment::text("fidelity", "plane")];
+        vec![ParamAssignment::text("steps", "2"), ParamAssignment::text("fidelity", "plane")];
     let options =
         RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
     run(PAIR.as_program(), &options).unwrap();

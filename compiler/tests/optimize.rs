@@ -1,5 +1,5 @@
-//! Tests of `calyx optimize`: problems with known solutions, robust optima, failing designs, and the
-//! same bits for any number of threads and after a kill.
+//! Tests of `calyx optimize`: problems with known solutions, robust optima, failing designs, and
+//! the same bits for any number of threads and after a kill.
 
 use crate::support::pair;
 use calyx::rt::optimization::{Optimization, Optimizer, read};
@@ -23,8 +23,8 @@ struct Known {
     multipliers: &'static [f64],
 }
 
-/// The tolerances are those of the setting `tolerance` times the range, with a factor of ten for the
-/// flatness of smooth optima.
+/// The tolerances are those of the setting `tolerance` times the range, with a factor of ten for
+/// the flatness of smooth optima.
 const KNOWN: &[Known] = &[
     Known {
         name: "Rosen and Suzuki; Hock and Schittkowski 43",
@@ -186,8 +186,8 @@ fn files_are_the_same_at_any_number_of_threads_and_after_a_kill() {
     assert!((shown - best).abs() <= 1e-12 * best, "{shown} {best}");
 }
 
-/// Tip relief of the example at three torques: the optimum is better than the best of 2,000 designs of
-/// a Latin hypercube, and most searches find it.
+/// Tip relief of the example at three torques: the optimum is better than the best of 2,000 designs
+/// of a Latin hypercube, and most searches find it.
 #[test]
 #[ignore = "long; part of .ci/full"]
 fn reliefs_are_better_than_those_of_a_latin_hypercube() {

@@ -346,9 +346,10 @@ fn pressures_by_zone(name: &str) -> Vec<ZonePressures> {
     lines.enumerate().map(position).collect()
 }
 
-/// The largest cell of a zone has the pressure of its output, up to the interpolation between cells.
-/// Where an edge truncates a patch, the output of the flank decreases with the distance of the contact
-/// line from the edge, and a cell next to a steep edge can exceed the peak: at most 13 % and 24 % here.
+/// The largest cell of a zone has the pressure of its output, up to the interpolation between
+/// cells. Where an edge truncates a patch, the output of the flank decreases with the distance of
+/// the contact line from the edge, and a cell next to a steep edge can exceed the peak: at most 13
+/// % and 24 % here.
 fn check_zones(examples: &[&str]) {
     for &name in examples {
         let mut edges = 0;

@@ -1,9 +1,9 @@
 //! Extension module `calyx._calyx` of the Python package: the embedding API of the crate `calyx`
 //! for the Python code in `calyx/`, which has the public interface.
 //!
-//! Numbers cross the boundary as bytes, from which NumPy creates arrays without another copy. Models
-//! are solved on threads of their own without the GIL; the calling thread waits for messages and
-//! handles signals ([`running`]). Errors become the exceptions of `calyx.errors` ([`errors`]).
+//! Numbers cross the boundary as bytes, from which NumPy creates arrays without another copy.
+//! Models are solved on threads of their own without the GIL; the calling thread waits for messages
+//! and handles signals ([`running`]). Errors become the exceptions of `calyx.errors` ([`errors`]).
 
 mod arrays;
 mod describe;

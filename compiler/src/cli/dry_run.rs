@@ -15,7 +15,8 @@ use std::sync::Arc;
 /// Largest number of cases of which each is planned; of more cases only the first one is.
 const PLANNED: usize = 32;
 
-/// Returns the predicted time of a sweep's first case on this machine, s; `None` if it is not known.
+/// Returns the predicted time of a sweep's first case on this machine, s; `None` if it is not
+/// known.
 pub fn predicted_time(file: &Path, sweep: &Sweep, allowed: &Arc<[PathBuf]>) -> Option<f64> {
     let (_, cases) = sweep.cases().ok()?;
     time_of(file, sweep, cases.first()?, allowed, &Rates::of_this_machine(rates_file().as_deref(), false))

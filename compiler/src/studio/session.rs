@@ -21,8 +21,8 @@ pub(crate) struct Session {
     known: Mutex<Option<StoredForm>>,
 }
 
-/// Values and settings of a stored form. The view is not compared, because each movement of a camera
-/// changes it.
+/// Values and settings of a stored form. The view is not compared, because each movement of a
+/// camera changes it.
 type StoredForm = [Value; 2];
 
 impl Session {
@@ -143,7 +143,8 @@ mod tests {
         one.write(&moved).unwrap();
         one.write(&form("2")).unwrap();
         assert_eq!(one.read().unwrap(), form("2"));
-        // After it has read the file, the other studio may store its form, and the first one may not.
+        // After it has read the file, the other studio may store its form, and the first one may
+        // not.
         other.read().unwrap();
         other.write(&form("4")).unwrap();
         assert!(one.write(&form("5")).is_err());

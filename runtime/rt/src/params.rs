@@ -355,8 +355,8 @@ pub fn with_decimal_point(text: &str) -> Option<String> {
     is_number.then(|| format!("{before}.{after}"))
 }
 
-/// Returns a text in units that the language has for other common spellings: `200 N*m` for `200 Nm`,
-/// `25 deg` for `25°` and `3 inch` for `3"`; `None` for other texts.
+/// Returns a text in units that the language has for other common spellings: `200 N*m` for `200
+/// Nm`, `25 deg` for `25°` and `3 inch` for `3"`; `None` for other texts.
 fn with_known_units(text: &str, units: &[UnitDescription]) -> Option<String> {
     let text = text.trim();
     let (number, unit) = text.split_at(text.find(|c: char| !"+-.0123456789".contains(c))?);

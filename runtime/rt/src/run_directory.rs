@@ -7,12 +7,9 @@
 //! kill at any moment the marker is readable: lines are appended, and an incomplete last line is
 //! ignored.
 
-use calyx_report::directory::{REPORT, SIGNALS};
+use calyx_report::directory::SIGNALS;
 use calyx_report::former_keys::{self, ResultFile};
-use calyx_report::optimization::{DESIGNS, OPTIMUM};
-use calyx_report::study::{EXPLAINED_VARIATION, SAMPLE_STATISTICS};
-use calyx_report::sweep::PRINTED_TEXT;
-use calyx_report::{body_pictures, component_table, duty_cycle, journal, page, view, vtu};
+use calyx_report::{body_pictures, journal, page, view, vtu};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -23,9 +20,12 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 mod error;
+mod file_names;
 mod owner;
 
 pub use error::DirectoryError;
+pub use file_names::FILES_OF_A_SWEEP;
+use file_names::{FILES_OF_A_RUN, FILES_OF_AN_OPTIMIZATION};
 pub use owner::utc;
 
 /// File name of the marker.
@@ -136,68 +136,6 @@ impl Kind {
         }
     }
 }
-
-/// Files of a sweep.
-pub const FILES_OF_A_SWEEP: [&str; 16] = [
-    "plan.json",
-    "plan.json.part",
-    "model.json",
-    "cases.json",
-    "job.sh",
-    "job.json",
-    "sweep.csv",
-    "sweep.parquet",
-    "sweep.parquet.part",
-    "sweep.html",
-    "cases.jsonl",
-    component_table::NAME,
-    duty_cycle::NAME,
-    PRINTED_TEXT,
-    SAMPLE_STATISTICS,
-    EXPLAINED_VARIATION,
-];
-
-/// Files of an optimization.
-const FILES_OF_AN_OPTIMIZATION: [&str; 4] = [OPTIMUM, DESIGNS, "evaluations.jsonl", page::optimization::NAME];
-
-/// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
-/// complete.
-const FILES_OF_A_RUN: [&str; 34] = [
-    view::page::NAME,
-    "run.json",
-    "journal.jsonl",
-    "run.json.part",
-    "timing.json",
-    "timing.json.part",
-    "steps.csv",
-    "line_load.csv",
-    "pressure.csv",
-    "root_stress.csv",
-    "max_locations.csv",
-    "places.csv",
-    "root_stress_range.csv",
-    "root_stress_range.csv.part",
-    "contact_pattern.csv",
-    "contact_pattern.csv.part",
-    "contact_path.csv",
-    "contact_path.csv.part",
-    "rolling_elements.csv",
-    "rolling_elements.csv.part",
-    "roller_pressure.csv",
-    "roller_pressure.csv.part",
-    "tooth_flanks.csv",
-    "tooth_flanks.csv.part",
-    "unloaded_contact.csv",
-    "unloaded_contact.csv.part",
-    "ease_off.csv",
-    "ease_off.csv.part",
-    "campbell.csv",
-    "forced_response.csv",
-    "forced_response_modes.csv",
-    "modes.csv",
-    REPORT,
-    "report.html.part",
-];
 
 /// A results directory that is locked by this process until the value is dropped.
 #[derive(Debug)]

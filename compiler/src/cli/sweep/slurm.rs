@@ -204,8 +204,8 @@ pub fn run(command: &Sweep, module: &calyx::Module, sweep: &Cases) -> ExitCode {
     ExitCode::from(MODEL_ERROR)
 }
 
-/// Returns the job of a plan: the one that was submitted before, or a new one. `None` if no index is
-/// left to be solved.
+/// Returns the job of a plan: the one that was submitted before, or a new one. `None` if no index
+/// is left to be solved.
 fn job_of(
     command: &Sweep,
     plan: &Plan,

@@ -86,7 +86,7 @@ type Memo = HashMap<Vec<u64>, Arc<Result<Evaluated, String>>>;
 /// Evaluator of the designs of a problem.
 pub struct Evaluator<'o> {
     optimizer: &'o Optimizer,
-    /// What the load cases vary.
+    /// Quantities that the load cases vary.
     varied: Vec<Varied>,
     cases: Vec<Case>,
     /// Outputs of objective and constraints.

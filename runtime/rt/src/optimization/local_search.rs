@@ -1,8 +1,8 @@
 //! Local search: COBYLA in the unit cube of the variables, restarted until it no longer improves.
 //!
 //! M. J. D. Powell, "A direct search optimization method that models the objective and constraint
-//! functions by linear interpolation", Advances in Optimization and Numerical Analysis (1994), 51-67,
-//! in the implementation of the crate `basin`, after that of Zhang's PRIMA.
+//! functions by linear interpolation", Advances in Optimization and Numerical Analysis (1994),
+//! 51-67, in the implementation of the crate `basin`, after that of Zhang's PRIMA.
 
 use super::evaluation::{Evaluator, Functions, Stop};
 use super::functions::Shape;

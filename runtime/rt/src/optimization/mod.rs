@@ -1,12 +1,12 @@
 //! Optimization of a model: the values of some params at which a statistic of an output is best,
 //! within bounds of others, over load cases and samples of toleranced params.
 //!
-//! Several local searches begin at different designs. Each is COBYLA of Powell: linear models of all
-//! functions, interpolated at the corners of a simplex, minimized within a trust region. It needs no
-//! derivatives, and a maximum over positions or load cases is a set of functions below a common
-//! bound, whose kinks are therefore exact. Every evaluated load case is a line of a journal, from
-//! which an interrupted optimization continues: the searches are deterministic, and repeat their
-//! designs from the journal.
+//! Several local searches begin at different designs. Each is COBYLA of Powell: linear models of
+//! all functions, interpolated at the corners of a simplex, minimized within a trust region. It
+//! needs no derivatives, and a maximum over positions or load cases is a set of functions below a
+//! common bound, whose kinks are therefore exact. Every evaluated load case is a line of a journal,
+//! from which an interrupted optimization continues: the searches are deterministic, and repeat
+//! their designs from the journal.
 //!
 //! See `docs/theory/optimization.md`.
 

@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 
 /// Step of the gradients, relative to the ranges of the variables.
 const STEP: f64 = 1e-3;
-/// Distance of a function from the largest one below which it is active, relative to the magnitude of
-/// the objective or bound.
+/// Distance of a function from the largest one below which it is active, relative to the magnitude
+/// of the objective or bound.
 const NEAR: f64 = 2e-3;
 
 /// Function near its bound, with its gradient by the coordinates of the unit cube.
@@ -80,8 +80,8 @@ fn active(at: &[f64], center: &Functions, steps: &[(Functions, f64)]) -> Vec<Act
     all
 }
 
-/// Finds nonnegative multipliers, those of the objective with the sum one, for which the weighted sum
-/// of the gradients is smallest.
+/// Finds nonnegative multipliers, those of the objective with the sum one, for which the weighted
+/// sum of the gradients is smallest.
 fn balance(all: &[Active]) -> Optimality {
     let largest = all.iter().filter(|one| !one.is_bound).map(|one| norm(&one.gradient)).fold(0.0, f64::max);
     let weight = 100.0 * largest.max(f64::MIN_POSITIVE);
@@ -121,7 +121,8 @@ fn norm(vector: &[f64]) -> f64 {
 fn nonnegative_least_squares(columns: &[Vec<f64>], target: &[f64]) -> Vec<f64> {
     let mut weights = vec![0.0; columns.len()];
     let mut chosen: Vec<usize> = Vec::new();
-    // Each pass adds a column, so that few passes suffice; rounding could make it return to earlier ones.
+    // Each pass adds a column, so that few passes suffice; rounding could make it return to earlier
+    // ones.
     for _ in 0..3 * columns.len() {
         let rest = remainder(columns, &weights, target);
         let slope = |k: usize| dot(&columns[k], &rest) / norm(&columns[k]).max(f64::MIN_POSITIVE);
@@ -172,8 +173,8 @@ fn remainder(columns: &[Vec<f64>], weights: &[f64], target: &[f64]) -> Vec<f64> 
     rest
 }
 
-/// Solves the unconstrained problem for some of the columns, by the normal equations and elimination
-/// with pivots; `None` if they are dependent.
+/// Solves the unconstrained problem for some of the columns, by the normal equations and
+/// elimination with pivots; `None` if they are dependent.
 fn least_squares(columns: &[Vec<f64>], chosen: &[usize], target: &[f64]) -> Option<Vec<f64>> {
     let count = chosen.len();
     let entry = |row: usize, column: usize| match column {

@@ -1,4 +1,4 @@
-//! What is optimized: variables, objective, constraints, load cases and samples.
+//! Optimization problem: variables, objective, constraints, load cases and samples.
 
 use crate::error::Error;
 use crate::param_assignment::AssignedValue;
@@ -94,8 +94,8 @@ pub(crate) fn variable(name: &str, description: &ModelDescription) -> Result<usi
     ))
 }
 
-/// Reads the range of a variable, and its initial value: by default that of the model, or the middle
-/// of the range if that is outside.
+/// Reads the range of a variable, and its initial value: by default that of the model, or the
+/// middle of the range if that is outside.
 ///
 /// # Errors
 /// A value is invalid, or the range is empty.

@@ -64,7 +64,8 @@ pub fn read(
     let variables = parts.variables.iter().map(|(_, _, variable)| variable.clone()).collect();
     let params: Vec<usize> = parts.variables.iter().map(|(_, index, _)| *index).collect();
     let toleranced = study.tolerances.into_iter().chain(parts.deviations).collect();
-    // The sampled values of variables are deviations, which may be outside of the ranges of the params.
+    // The sampled values of variables are deviations, which may be outside of the ranges of the
+    // params.
     let unbounded = without_ranges(description, &params);
     let sample = study.sampling.axis(toleranced, &unbounded).map_err(given)?;
     let (sample, about) = sample.map_or((None, None), |(axis, sample)| (Some(axis), Some(sample)));

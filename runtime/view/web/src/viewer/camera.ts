@@ -156,7 +156,7 @@ export class OrbitCamera {
   private animateTo(goal: CameraState): void {
     cancelAnimationFrame(this.#transition);
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-      // Whoever stores the state must know that it is fitted.
+      // A stored state must say that it is fitted.
       this.set({ ...goal, fitted: this.#wantsFit }, true);
       return;
     }
