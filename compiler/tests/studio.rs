@@ -211,7 +211,7 @@ fn a_form_is_checked_run_and_read() {
     assert_eq!((started.status, &started.json()["id"]), (201, &json!("run-0001")));
     let results = server.ended("run-0001");
     assert_eq!(results["status"], "finished", "{results}");
-    assert_eq!(results["params"]["torque"], json!({ "text": "200", "unit": "N*m", "at_default": false }));
+    assert_eq!(results["params"]["torque"], json!({ "text": "200", "unit": "N*m", "at_default": false, "entered": "200 N*m" }));
     let rows = results["steps"]["contact_pressure"].as_array().expect("a column").len();
     assert_eq!(json!(rows), results["run"]["positions"]);
     let file = server.get("/api/runs/run-0001/files/steps.csv");
@@ -479,7 +479,9 @@ fn two_studios_share_a_model() {
         for (offset, server) in servers.iter().enumerate() {
             scope.spawn(move || {
                 for number in 0..20 {
-                    assert_eq!(server.send("PUT", "/api/session", &session(2 * number + offset)).status, 204);
+                    // Refused if the other studio has stored another form in between.
+                    let status = server.send("PUT", "/api/session", &session(2 * number + offset)).status;
+                    assert!(matches!(status, 204 | 409), "{status}");
                     assert_eq!(server.get("/api/session").json()["version"], 1);
                 }
             });
@@ -487,7 +489,7 @@ fn two_studios_share_a_model() {
     });
     let text = fs::read(directory.path().join("pair.cx.studio/session.json")).expect("a session");
     let stored: Value = serde_json::from_slice(&text).expect("a complete file");
-    assert!(stored == session(38) || stored == session(39));
+    assert!((0..40).any(|number| stored == session(number)));
     let names = fs::read_dir(directory.path().join("pair.cx.studio")).expect("a folder").flatten();
     assert!(names.map(|entry| entry.file_name()).all(|name| !name.to_string_lossy().ends_with(".part")));
 }
