@@ -168,7 +168,9 @@ fn check_kills(text: &str, arguments: &[&str]) {
     assert!(kills > 2, "{kills} kills");
 }
 
+/// Long: part of `.ci/full`; `runner.rs` kills such a run once.
 #[test]
+#[ignore = "long; part of .ci/full"]
 fn statics_killed_at_random_moments_write_the_same_bytes() {
     check_kills(&format!("{PAIR}{STATICS}"), &["--fields", "--vtu"]);
 }

@@ -109,8 +109,7 @@ fn stepping_solving_and_the_run_directory_are_one() {
     assert_eq!(bits(few.finish().unwrap().steps()), expected);
 
     let directory = tempfile::tempdir().unwrap();
-    let given =
-        vec![ParamAssignment::text("steps", "2"), ParamAssignment::text("fidelity", "plane")];
+    let given = vec![ParamAssignment::text("steps", "2"), ParamAssignment::text("fidelity", "plane")];
     let options =
         RunOptions { directory: directory.path().into(), given, quiet: true, ..RunOptions::default() };
     run(PAIR.as_program(), &options).unwrap();

@@ -211,7 +211,10 @@ fn a_form_is_checked_run_and_read() {
     assert_eq!((started.status, &started.json()["id"]), (201, &json!("run-0001")));
     let results = server.ended("run-0001");
     assert_eq!(results["status"], "finished", "{results}");
-    assert_eq!(results["params"]["torque"], json!({ "text": "200", "unit": "N*m", "at_default": false, "entered": "200 N*m" }));
+    assert_eq!(
+        results["params"]["torque"],
+        json!({ "text": "200", "unit": "N*m", "at_default": false, "entered": "200 N*m" })
+    );
     let rows = results["steps"]["contact_pressure"].as_array().expect("a column").len();
     assert_eq!(json!(rows), results["run"]["positions"]);
     let file = server.get("/api/runs/run-0001/files/steps.csv");
