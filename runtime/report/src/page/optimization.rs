@@ -83,10 +83,10 @@ fn variable_table(all: &Optimization, variables: &[f64]) -> Markup {
                 th { "objective" br; "a step lower" } th { "objective" br; "a step higher" }
             } }
             tbody { @for (k, (variable, si)) in all.variables.iter().zip(variables).enumerate() { tr {
-                td { (variable.column.name) " " (unit(&variable.column)) }
+                td.word { (variable.column.name) " " (unit(&variable.column)) }
                 @for si in [variable.low, variable.high, variable.initial] { td { (variable.shown(si)) } }
                 td { strong { (shown(&variable.column, *si)) } }
-                td { @if let Some(bound) = all.bound_of(k, *si) { "at its " (bound) } }
+                td.word { @if let Some(bound) = all.bound_of(k, *si) { "at its " (bound) } }
                 @for side in 0..2 { td { (influence(all, k, side)) } }
             } } }
         }
@@ -104,24 +104,24 @@ fn value_table(all: &Optimization, optimum: &Values) -> Markup {
             thead { tr { th { "value" } th { "initial" } th { "optimum" } th { "" } } }
             tbody {
                 tr {
-                    td { strong { (name) } " " (unit(&all.column)) }
+                    td.word { strong { (name) } " " (unit(&all.column)) }
                     td { (of(initial, &|values| Some(values.objective), &all.column)) }
                     td { strong { (shown(&all.column, optimum.objective)) } }
-                    td { "objective" (improvement(all, optimum)) }
+                    td.word { "objective" (improvement(all, optimum)) }
                 }
                 @if all.cases.len() > 1 { @for (k, label) in all.cases.iter().enumerate() { tr {
-                    td { (label) }
+                    td.word { (label) }
                     td { (of(initial, &|values| values.cases.get(k).copied(), &all.column)) }
                     td { (shown(&all.column, optimum.cases[k])) }
-                    td { (share(all, k)) }
+                    td.word { (share(all, k)) }
                 } } }
                 @for (k, (constraint, column)) in all.constraints.iter().zip(&all.constraint_columns).enumerate() {
                     @let at = |values: &Values| all.governing(values, k).map(|(_, value)| value);
                     tr {
-                        td { (constraint.shown(column)) }
+                        td.word { (constraint.shown(column)) }
                         td { (of(initial, &at, column)) }
                         td { (of(Some(optimum), &at, column)) }
-                        td { (state(all, optimum, k)) }
+                        td.word { (state(all, optimum, k)) }
                     }
                 }
             }
@@ -240,13 +240,13 @@ fn search_table(all: &Optimization) -> Markup {
                         @for (variable, si) in all.variables.iter().zip(variables) { td { (shown(&variable.column, *si)) } }
                         td { (shown(&all.column, values.objective)) }
                         td { (search.designs) }
-                        td { (state(k, search)) }
+                        td.word { (state(k, search)) }
                     }
                     None => {
                         @for _ in &all.variables { td {} }
                         td {}
                         td { (search.designs) }
-                        td { "all designs failed" }
+                        td.word { "all designs failed" }
                     }
                 }
             } } }
