@@ -102,7 +102,8 @@ function ThemeMenu(): JSX.Element {
 
 function NoticeBar({ studio }: { studio: Studio }): JSX.Element | null {
   if (!studio.isConnected) return <ConnectionLost studio={studio} />;
-  if (!studio.notice && studio.model?.broken) return <ModelBroken studio={studio} />;
+  // Before other notices: a run that was requested at the same moment is refused for the same reason.
+  if (studio.model?.broken) return <ModelBroken studio={studio} />;
   if (!studio.notice) return null;
   return (
     <div class="notice" role="alert">
