@@ -88,8 +88,8 @@ fn long_examples_run_alone_at_their_own_fidelity() {
     examples_run_alone_and_write_the_same_bits(|_| Some(&[]));
 }
 
-/// Runs all examples with further options by name; `None` leaves one out. Two at a time: examples are
-/// mostly sequential.
+/// Runs all examples with further options by name; `None` leaves one out. Two at a time: examples
+/// are mostly sequential.
 fn examples_run_alone_and_write_the_same_bits(
     further: impl Fn(&str) -> Option<&'static [&'static str]> + Sync,
 ) {

@@ -1,5 +1,5 @@
 //! Tests of `calyx sweep --on slurm`: with programs in place of the commands of Slurm, which run
-//! the script of the job for each index at once; and, in `.ci/full`, on a Slurm cluster of this
+//! the script of the job for each index immediately; and, in `.ci/full`, on a Slurm cluster of this
 //! machine.
 
 use crate::support::pair;

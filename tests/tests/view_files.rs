@@ -372,7 +372,7 @@ fn largest_cells_agree_with_the_outputs_of_their_zones() {
 }
 
 #[test]
-#[ignore = "takes some seconds"]
+#[ignore = "long; part of .ci/full"]
 fn largest_cells_of_more_gears_agree_with_the_outputs_of_their_zones() {
     check_zones(&["spur_pair.cx", "helical_pair.cx", "spiral_bevel.cx"]);
 }

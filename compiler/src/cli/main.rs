@@ -21,6 +21,7 @@ mod optimize;
 mod repl;
 mod report;
 mod run;
+mod solving;
 mod studio;
 mod sweep;
 mod test;

@@ -3,6 +3,7 @@
 use crate::allow::AllowPath;
 use crate::compile::compile;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE, beside};
+use crate::solving::Solving;
 use crate::sweep::failed;
 use calyx::check_run_within;
 use calyx::rt::console::print;
@@ -10,19 +11,16 @@ use calyx::rt::interrupt;
 use calyx::rt::optimization::{
     self, DESIGNS, EVALUATIONS, OPTIMUM, Optimization, Optimizer, State, write_designs, write_optimum,
 };
-use calyx::rt::options::{RunArguments, given_of};
+use calyx::rt::options::given_of;
 use calyx::rt::page::optimization as page;
-use calyx::rt::progress::{Progress, ProgressFormat};
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::settings_override::OverrideArguments;
 use calyx::rt::sweep::StudyFile;
-use calyx::rt::{Engine, EngineConfig, InvalidParam, ParamAssignment};
+use calyx::rt::{InvalidParam, ParamAssignment};
 use calyx_abi::units::from_si;
 use clap::Args;
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::thread::available_parallelism;
 
 pub const EXAMPLES: &str = "\
 The study file has variables with their ranges, an objective, and usually constraints and load cases:
@@ -93,24 +91,14 @@ pub struct Optimize {
     /// Files with the names of results are replaced; all others are kept.
     #[arg(long)]
     force: bool,
-    /// Number of threads, and of load cases at a time [default: number of cores]
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
-    /// Do not use the structure cache on disk
-    #[arg(long)]
-    no_cache: bool,
-    /// Print only the table and errors
-    #[arg(long)]
-    quiet: bool,
-    /// Format of progress on standard error
-    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
-    progress: ProgressFormat,
+    #[command(flatten)]
+    solving: Solving,
 }
 
 impl Optimize {
     /// Returns the format of warnings; `None` if only errors are printed.
     pub fn warnings(&self) -> Option<MessageFormat> {
-        (!self.quiet).then_some(MessageFormat::Human)
+        (!self.solving.quiet).then_some(MessageFormat::Human)
     }
 
     pub fn run(self) -> ExitCode {
@@ -131,7 +119,7 @@ impl Optimize {
         }
         let overrides = self.overrides.to_override();
         let check = || check_run_within(&self.file, &self.allow.paths(), &given, overrides, None);
-        let (module, _) = match compile(&self.file, self.quiet, format, check) {
+        let (module, _) = match compile(&self.file, self.solving.quiet, format, check) {
             Ok(compiled) => compiled,
             Err(status) => return status,
         };
@@ -141,16 +129,14 @@ impl Optimize {
             Err(mistakes) => return refused(&mistakes),
         };
         let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".optimum"));
-        let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
-        let store = RunArguments::store_of(None, self.no_cache);
         let optimizer = Optimizer {
             program,
             given,
             overrides,
             problem,
             directory: directory.clone(),
-            engine: Engine::new(EngineConfig { threads, store, ..EngineConfig::default() }),
-            workers: threads,
+            engine: self.solving.engine(),
+            workers: self.solving.workers(),
             cancel: interrupt::flag(),
         };
         let locked = RunDirectory::lock(&directory, Kind::Optimization, self.force).and_then(|locked| {
@@ -161,7 +147,7 @@ impl Optimize {
             Ok(locked) => locked,
             Err(error) => return format.directory(&error),
         };
-        let progress = Progress::new(self.progress, self.quiet, true);
+        let progress = self.solving.progress();
         progress.stage("designs");
         let name = &optimizer.problem.objective.output;
         let output = optimizer.program.description().outputs.iter().find(|output| output.name == *name);
@@ -190,7 +176,7 @@ impl Optimize {
             return format.unwritable(path, &error.to_string());
         }
         print!("{}", optimization::text(outcome));
-        if !self.quiet {
+        if !self.solving.quiet {
             self.explain(path);
         }
         if outcome.interrupted {
@@ -206,8 +192,10 @@ impl Optimize {
                 ExitCode::from(MODEL_ERROR)
             }
             None => {
-                let help = "designs.csv has the reason of each";
-                format.failure("all designs failed", help);
+                let reason = outcome.designs.iter().find_map(|design| design.values.as_ref().err());
+                let first = reason.map(|reason| format!(", the first one because: {reason}"));
+                let message = format!("all designs failed{}", first.unwrap_or_default());
+                format.failure(&message, "designs.csv has the reason of each");
                 ExitCode::from(MODEL_ERROR)
             }
         }

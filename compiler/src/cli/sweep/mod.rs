@@ -8,24 +8,21 @@ use crate::allow::AllowPath;
 use crate::compile::compile;
 use crate::dry_run;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE, beside};
+use crate::solving::Solving;
 use calyx::check_run_within;
-use calyx::rt::options::{RunArguments, given_of};
-use calyx::rt::progress::{Progress, ProgressFormat};
+use calyx::rt::options::given_of;
 use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::settings_override::OverrideArguments;
 use calyx::rt::study::{Method, Objective, Sample};
 use calyx::rt::sweep::{
     Axis, CaseFile, Durations, JOURNAL, Sampling, StudyFile, Sweep as Cases, Tolerance, objective,
 };
-use calyx::rt::{
-    Engine, EngineConfig, Error, InvalidParam, ModelDescription, ParamAssignment, RunError, interrupt,
-};
+use calyx::rt::{Error, InvalidParam, ModelDescription, ParamAssignment, RunError, interrupt};
 use clap::{Args, ValueEnum};
 use report::Report;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::thread::available_parallelism;
 
 pub const EXAMPLES: &str = "\
 The values of an axis:
@@ -206,24 +203,14 @@ pub struct Sweep {
     /// Files with the names of results, such as sweep.csv, are replaced; all others are kept.
     #[arg(long)]
     force: bool,
-    /// Number of threads, and of cases at a time [default: number of cores]
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
-    /// Do not use the structure cache on disk
-    #[arg(long)]
-    no_cache: bool,
-    /// Print only the table and errors
-    #[arg(long)]
-    quiet: bool,
-    /// Format of progress on standard error
-    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
-    progress: ProgressFormat,
+    #[command(flatten)]
+    solving: Solving,
 }
 
 impl Sweep {
     /// Returns the format of warnings; `None` if only errors are printed.
     pub fn warnings(&self) -> Option<MessageFormat> {
-        (!self.quiet).then_some(MessageFormat::Human)
+        (!self.solving.quiet).then_some(MessageFormat::Human)
     }
 
     pub fn run(self) -> ExitCode {
@@ -256,7 +243,7 @@ impl Sweep {
         }
         let overrides = self.overrides.to_override();
         let check = || check_run_within(self.file(), &self.allow.paths(), &given, overrides, None);
-        let (module, _) = compile(self.file(), self.quiet, format, check)?;
+        let (module, _) = compile(self.file(), self.solving.quiet, format, check)?;
         let program = module.as_program();
         let content = self.content(file.as_ref(), program.description()).map_err(|mistakes| {
             mistakes.iter().for_each(|mistake| format.refused(mistake));
@@ -279,10 +266,8 @@ impl Sweep {
 
     /// Returns the sweep on an engine with the options of this command.
     fn on_engine(&self, sweep: Cases) -> Cases {
-        let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
-        let store = RunArguments::store_of(None, self.no_cache);
-        let engine = Engine::new(EngineConfig { threads, store, ..EngineConfig::default() });
-        Cases { engine, workers: threads, cancel: interrupt::flag(), ..sweep }
+        let (engine, workers) = (self.solving.engine(), self.solving.workers());
+        Cases { engine, workers, cancel: interrupt::flag(), ..sweep }
     }
 
     fn run_model(&self) -> ExitCode {
@@ -312,7 +297,7 @@ impl Sweep {
             Ok(locked) => locked,
             Err(error) => return format.directory(&error),
         };
-        let progress = Progress::new(self.progress, self.quiet, true);
+        let progress = self.solving.progress();
         progress.stage("cases");
         let outcome = sweep.run(|done, count| {
             if done > 0 {
@@ -321,7 +306,7 @@ impl Sweep {
         });
         progress.finish();
         let report = Report {
-            quiet: self.quiet,
+            quiet: self.solving.quiet,
             damage_slopes: &self.damage_slope,
             to_continue: Some("run the same command again to continue"),
         };
@@ -351,7 +336,7 @@ impl Sweep {
         }
         let mut content = Content { load_cases: study.cases.is_some(), ..Content::default() };
         if let Some(cases) = study.cases {
-            if cases.duration_is_param && !self.quiet {
+            if cases.duration_is_param && !self.solving.quiet {
                 MessageFormat::Human.note(
                     "`duration` is a param of the model, so that the column is its value, and the cases are no duty cycle\n",
                 );

@@ -6,7 +6,6 @@ use super::{Sweep, failed, failed_without_module};
 use crate::dry_run;
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::console::println;
-use calyx::rt::progress::Progress;
 use calyx::rt::run_directory::{Kind, RunDirectory};
 use calyx::rt::sweep::Sweep as Cases;
 use calyx::rt::sweep::plan::{Collected, Plan, Worked};
@@ -31,7 +30,7 @@ pub fn written(command: &Sweep, sweep: &Cases, directory: &RunDirectory) -> Resu
         None => dry_run::predicted_time(command.file(), sweep, &command.allow.paths()),
     };
     let size = command.cases_per_index.map(std::num::NonZeroUsize::get);
-    let progress = Progress::new(command.progress, command.quiet, true);
+    let progress = command.solving.progress();
     progress.stage("plan");
     let planned = Plan::of(sweep, &command.damage_slope, size, seconds);
     progress.finish();
@@ -81,7 +80,7 @@ pub fn write(command: &Sweep, sweep: &Cases) -> ExitCode {
         Ok(plan) => plan,
         Err(status) => return status,
     };
-    if !command.quiet {
+    if !command.solving.quiet {
         let shown = shell::path(directory.path());
         println!("{}", summary(&plan));
         println!("solve an index:       calyx sweep --work {shown} --index 1");
@@ -123,7 +122,7 @@ pub fn work(command: &Sweep, directory: &Path) -> ExitCode {
         Err(status) => return status,
     };
     let index = command.index.unwrap_or_default();
-    let progress = Progress::new(command.progress, command.quiet, true);
+    let progress = command.solving.progress();
     progress.stage("cases");
     let worked = plan.work(&sweep, index, |done, count| {
         if done > 0 {
@@ -143,7 +142,7 @@ pub fn work(command: &Sweep, directory: &Path) -> ExitCode {
         format.failure(&message, "run the same command again to continue");
         return ExitCode::from(MODEL_ERROR);
     }
-    if !command.quiet {
+    if !command.solving.quiet {
         let before = if earlier > 0 { format!(", {earlier} of them before") } else { String::new() };
         let cases = if count == 1 { "case" } else { "cases" };
         format
@@ -173,7 +172,7 @@ pub fn collect(command: &Sweep, directory: &Path) -> ExitCode {
         Err(error) => return MessageFormat::Human.directory(&error),
     };
     match plan.collect(&sweep) {
-        Ok(collected) => report(command.quiet, &plan, &collected, &locked),
+        Ok(collected) => report(command.solving.quiet, &plan, &collected, &locked),
         Err(error) => failed(MessageFormat::Human, &module, error),
     }
 }

@@ -8,7 +8,6 @@ use super::plan::{ranges, report, written};
 use super::{Sweep, failed};
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
 use calyx::rt::console::eprintln;
-use calyx::rt::progress::Progress;
 use calyx::rt::run_directory::{Kind, RunDirectory};
 use calyx::rt::shell;
 use calyx::rt::sweep::Sweep as Cases;
@@ -186,7 +185,7 @@ pub fn run(command: &Sweep, module: &calyx::Module, sweep: &Cases) -> ExitCode {
         Ok(job) => job,
         Err(status) => return status,
     };
-    let Some(job) = job else { return report(command.quiet, &plan, &earlier, &directory) };
+    let Some(job) = job else { return report(command.solving.quiet, &plan, &earlier, &directory) };
     if let Err(status) = follow(command, &job, &plan, sweep) {
         return status;
     }
@@ -230,7 +229,7 @@ fn job_of(
             Err(reason) => Err(unknown(&job, &reason)),
         };
     }
-    if !command.quiet && split(&command.slurm_options) != job.options {
+    if !command.solving.quiet && split(&command.slurm_options) != job.options {
         MessageFormat::Human.warning(&format!(
             "the job {} has the options with which it was submitted: {}",
             job.id,
@@ -259,7 +258,7 @@ fn submit(
     let calyx = std::env::current_exe().map_err(unwritable)?;
     fs::create_dir_all(whole.join(LOGS)).map_err(unwritable)?;
     let script = directory.claim(SCRIPT).map_err(unwritable)?;
-    let cache = if command.no_cache { " --no-cache" } else { "" };
+    let cache = if command.solving.no_cache { " --no-cache" } else { "" };
     let text = format!(
         "#!/bin/sh\n# Solves an index of the plan; written by `calyx sweep --on slurm`.\nexec {} sweep --work {} \
          --index \"$SLURM_ARRAY_TASK_ID\" --threads \"${{SLURM_CPUS_PER_TASK:-1}}\" --quiet{cache}\n",
@@ -295,7 +294,7 @@ fn submit(
         eprintln!("the job {} was submitted", job.id);
         unwritable(error)
     })?;
-    if !command.quiet {
+    if !command.solving.quiet {
         format.note(&format!("submitted the job {}, array {}\n", job.id, job.indices));
     }
     Ok(job)
@@ -311,7 +310,7 @@ fn unknown(job: &Job, reason: &str) -> ExitCode {
 
 /// Follows a job until all its tasks have ended. An interrupt leaves the job running.
 fn follow(command: &Sweep, job: &Job, plan: &Plan, sweep: &Cases) -> Result<(), ExitCode> {
-    let progress = Progress::new(command.progress, command.quiet, true);
+    let progress = command.solving.progress();
     progress.stage("cases");
     let (began, mut failures, mut before) = (Instant::now(), 0, Vec::new());
     let ended = loop {
@@ -376,7 +375,7 @@ fn finish(
     collected: &Collected,
     directory: &RunDirectory,
 ) -> ExitCode {
-    let status = report(command.quiet, plan, collected, directory);
+    let status = report(command.solving.quiet, plan, collected, directory);
     if collected.missing.is_empty() {
         return status;
     }

@@ -6,7 +6,7 @@ mod text;
 
 pub use files::{DESIGNS, OPTIMUM, write_designs, write_optimum};
 pub use text::text;
-pub(crate) use text::{agreement, influence};
+pub(crate) use text::{agreement, influence, missing};
 
 use crate::sample::{Objective, Statistic};
 use crate::sweep::Column;
@@ -111,7 +111,8 @@ pub struct Values {
 /// Design that was evaluated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// Number of the local search, from 1; 0 for the designs from which the starts are chosen.
+    /// Number of the local search, from 1; 0 for the designs from which the starts are chosen, and
+    /// for those near the optimum.
     pub search: usize,
     /// Values of the variables.
     pub variables: Vec<f64>,
@@ -257,8 +258,8 @@ impl Optimization {
     /// Returns whether a constraint is active at a design.
     pub fn is_active(&self, values: &Values, constraint: usize) -> bool {
         let Some((_, value)) = self.governing(values, constraint) else { return false };
-        let bound = self.constraints[constraint].bound;
-        (value - bound).abs() <= ACTIVE * bound.abs()
+        let own = &self.constraints[constraint];
+        (value - own.bound).abs() <= ACTIVE * own.magnitude(&self.constraint_columns[constraint])
     }
 
     /// Returns the bound at which a variable is, if any.
@@ -287,6 +288,12 @@ impl Optimization {
 }
 
 impl Constraint {
+    /// Returns the magnitude by which a violation is divided: that of the bound, or the unit of the
+    /// output if the bound is zero.
+    pub fn magnitude(&self, column: &Column) -> f64 {
+        if self.bound == 0.0 { column.factor.abs() } else { self.bound.abs() }
+    }
+
     /// Returns the constraint as text, with the bound in the unit of its output.
     pub fn shown(&self, column: &Column) -> String {
         let sign = if self.at_most { "<=" } else { ">=" };

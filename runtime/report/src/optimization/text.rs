@@ -6,7 +6,9 @@ use calyx_abi::units::from_si;
 
 /// Formats the optimum: variables, objective by load case, constraints, and the searches.
 pub fn text(all: &Optimization) -> String {
-    let Some((variables, optimum)) = all.best() else { return "all designs failed\n".to_owned() };
+    let Some((variables, optimum)) = all.best() else {
+        return if all.interrupted { String::new() } else { "all designs failed\n".to_owned() };
+    };
     let mut text = align(&variable_rows(all, variables));
     text.push('\n');
     text += &align(&value_rows(all));
@@ -47,6 +49,11 @@ fn variable_rows(all: &Optimization, variables: &[f64]) -> Vec<Vec<String>> {
     rows
 }
 
+/// Returns the text in place of a value of the initial design that is not known.
+pub(crate) fn missing(all: &Optimization) -> &'static str {
+    if all.interrupted { "not solved" } else { "failed" }
+}
+
 /// Describes the change of the objective after a step of a variable.
 pub(crate) fn influence(all: &Optimization, variable: usize, side: usize) -> String {
     let (Some((_, optimum)), Some(influence)) = (all.best(), all.influences.get(variable)) else {
@@ -65,7 +72,7 @@ fn value_rows(all: &Optimization) -> Vec<Vec<String>> {
     let mut rows = vec![["", "unit", "initial", "optimum", ""].map(str::to_owned).to_vec()];
     let initial = all.initial.as_ref().ok();
     let shown =
-        |si: Option<f64>, factor: f64| si.map_or("failed".to_owned(), |si| number(from_si(si, factor)));
+        |si: Option<f64>, factor: f64| si.map_or(missing(all).to_owned(), |si| number(from_si(si, factor)));
     let unit = |unit: &str| if unit == "1" { String::new() } else { unit.to_owned() };
     let name = format!("{}.{}", all.column.name, all.objective.statistic.name());
     let factor = all.column.factor;

@@ -3,7 +3,7 @@
 use super::chart::{Axis, COLOURS, Curve, WIDE, curves};
 use super::parallel::{self, Coordinate, Kind};
 use super::{document, figure};
-use crate::optimization::{FEASIBLE, Optimization, STEP, Search, Values, influence};
+use crate::optimization::{FEASIBLE, Measure, Optimization, STEP, Search, Values, influence};
 use crate::summary_table::number;
 use crate::sweep::Column;
 use calyx_abi::units::from_si;
@@ -52,7 +52,9 @@ fn page(all: &Optimization) -> Markup {
             }
             section id="designs" { h2 { "Designs" } (designs(all)) }
         } @else {
-            p.notice { "All designs failed; designs.csv has the reason of each." }
+            p.notice {
+                @if all.interrupted { "No design was evaluated." } @else { "All designs failed; designs.csv has the reason of each." }
+            }
         }
     };
     document(&format!("Optimization of {}", all.model), header, main)
@@ -97,7 +99,7 @@ fn value_table(all: &Optimization, optimum: &Values) -> Markup {
     let initial = all.initial.as_ref().ok();
     let name = format!("{}, {}", all.column.name, all.objective.statistic.described());
     let of = |values: Option<&Values>, value: &dyn Fn(&Values) -> Option<f64>, column: &Column| {
-        values.and_then(value).map_or("failed".to_owned(), |si| shown(column, si))
+        values.and_then(value).map_or(crate::optimization::missing(all).to_owned(), |si| shown(column, si))
     };
     html! {
         table.numbers {
@@ -137,7 +139,9 @@ fn improvement(all: &Optimization, optimum: &Values) -> String {
 
 /// States which share of the optimum a load case determines.
 fn share(all: &Optimization, case: usize) -> String {
-    let Some(optimality) = &all.optimality else { return String::new() };
+    let Some(optimality) = all.optimality.as_ref().filter(|_| all.over_cases == Measure::Worst) else {
+        return String::new();
+    };
     let own = optimality.multipliers.iter().filter(|one| one.constraint.is_none() && one.case == case);
     let share: f64 = own.map(|one| one.value).sum();
     if share > 0.005 { format!("determines {:.0} % of the optimum", 100.0 * share) } else { String::new() }
@@ -150,7 +154,7 @@ fn state(all: &Optimization, optimum: &Values, constraint: usize) -> String {
         && all.governing(optimum, constraint).is_some_and(|(_, value)| {
             let Some(own) = all.constraints.get(constraint) else { return false };
             let off = if own.at_most { value - own.bound } else { own.bound - value };
-            off > FEASIBLE * own.bound.abs()
+            off > FEASIBLE * own.magnitude(&all.constraint_columns[constraint])
         })
     {
         state += "violated";

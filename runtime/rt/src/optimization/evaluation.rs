@@ -11,10 +11,9 @@ use crate::sweep::journal::{self, Journal, fingerprint};
 use crate::sweep::{Sweep, Varied, fidelity_of};
 use calyx_abi::Status;
 use calyx_abi::description::ParamValue;
-use calyx_report::directory::head;
 use calyx_report::optimization::{Constraint, Design, FEASIBLE, Measure, Search, Values, compare};
 use calyx_report::study::Statistic;
-use calyx_report::sweep::{Case, Statistics};
+use calyx_report::sweep::{Case, Column, Statistics};
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::scene::Fidelity;
 use rayon::prelude::*;
@@ -115,28 +114,16 @@ impl<'o> Evaluator<'o> {
     ) -> Result<Evaluator<'o>, RunError> {
         let problem = &optimizer.problem;
         let sweep = Sweep {
-            program: optimizer.program.clone(),
             given: optimizer.given.clone(),
             overrides: optimizer.overrides,
             axes: problem.axes.clone(),
-            load_cases: false,
-            durations: None,
-            sample: None,
-            objectives: Vec::new(),
-            directory: optimizer.directory.clone(),
             engine: optimizer.engine.clone(),
-            workers: 1,
-            cancel: optimizer.cancel.clone(),
+            ..Sweep::new(optimizer.program.clone(), optimizer.directory.clone())
         };
         let (varied, cases) = sweep.cases().map_err(RunError::Run)?;
         sweep.planned().map_err(RunError::Run)?;
-        let base = sweep.instance().and_then(|instance| instance.params()).map_err(RunError::Run)?;
-        let description = optimizer.program.description();
-        let mut subject = head(description, &base, &optimizer.overrides);
-        if let Some(subject) = subject.as_object_mut() {
-            subject.remove("params");
-            subject.insert("journal".to_owned(), json!(FORMAT));
-        }
+        let mut subject = sweep.subject().map_err(RunError::Run)?;
+        subject["journal"] = json!({ "optimization": FORMAT });
         let mut outputs = vec![problem.objective.output.clone()];
         outputs.extend(problem.constraints.iter().map(|constraint| constraint.output.clone()));
         outputs.sort();
@@ -257,16 +244,11 @@ impl<'o> Evaluator<'o> {
         Functions { objective: own, constraints: bounds, cases }
     }
 
-    /// Returns the magnitude of a constraint: its bound, or the unit of its output if that is zero.
+    /// Returns the magnitude of a constraint.
     fn scale(&self, constraint: &Constraint) -> f64 {
-        if constraint.bound != 0.0 {
-            return constraint.bound.abs();
-        }
         let outputs = &self.optimizer.program.description().outputs;
-        outputs
-            .iter()
-            .find(|output| output.name == constraint.output)
-            .map_or(1.0, |output| output.unit.factor)
+        let output = outputs.iter().find(|output| output.name == constraint.output);
+        output.map_or(1.0, |output| constraint.magnitude(&Column::from(output)))
     }
 
     fn evaluate(&self, search: usize, at: &[f64]) -> Result<Arc<Result<Evaluated, String>>, Stop> {
@@ -302,6 +284,18 @@ impl<'o> Evaluator<'o> {
         designs.push(Design { search, variables, values });
         drop(designs);
         (self.done)(&state);
+    }
+
+    /// Returns the values of a design that was evaluated.
+    pub fn evaluated(&self, at: &[f64]) -> Option<Result<Values, String>> {
+        let variables = self.problem().values_at(at);
+        let designs = locked(&self.designs);
+        designs.iter().find(|design| design.variables == variables).map(|design| design.values.clone())
+    }
+
+    /// Returns the number of different designs of a search.
+    pub fn count(&self, search: usize) -> usize {
+        locked(&self.designs).iter().filter(|design| design.search == search).count()
     }
 
     /// Counts a search that has ended.

@@ -87,7 +87,7 @@ pub fn run(evaluator: &Evaluator<'_>, number: usize, start: &[f64], effort: Effo
     let problem = evaluator.problem();
     let found = search.borrow();
     let best = found.best.as_ref().map(|(at, values)| (problem.values_at(at), values.clone()));
-    Ok(Search { start: problem.values_at(start), best, designs: found.designs, converged })
+    Ok(Search { start: problem.values_at(start), best, designs: evaluator.count(number), converged })
 }
 
 /// Problem as the solver sees it: the coordinates of the variables, and the common bound of the

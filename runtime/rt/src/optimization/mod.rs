@@ -31,7 +31,7 @@ use crate::params::output_of;
 use crate::program::Program;
 use crate::run::RunError;
 use crate::sweep::sampling::coordinates;
-use calyx_abi::Cancel;
+use calyx_abi::{Cancel, stack};
 use calyx_report::optimization::{Influence, Optimality, STEP, Search, Values, compare};
 use calyx_report::study::Method;
 use calyx_report::sweep::Column;
@@ -78,7 +78,13 @@ impl Optimizer {
     /// A value is invalid, every design of the starts failed, or the journal cannot be written.
     pub fn run(&self, done: impl Fn(&State) + Sync) -> Result<Optimization, RunError> {
         let evaluator = Evaluator::new(self, &done)?;
-        let workers = rayon::ThreadPoolBuilder::new().num_threads(self.workers.max(1)).build();
+        // Each evaluation of a model needs a large stack, and would start a thread for it.
+        let on_large_stack = |worker: rayon::ThreadBuilder| {
+            let thread = stack::beside(move || worker.run());
+            thread.map(drop).map_err(|error| std::io::Error::other(error.message))
+        };
+        let workers = rayon::ThreadPoolBuilder::new().num_threads(self.workers.max(1));
+        let workers = workers.spawn_handler(on_large_stack).build();
         let workers = workers.map_err(|error| RunError::Io {
             path: self.directory.clone(),
             error: std::io::Error::other(error),
@@ -92,6 +98,9 @@ impl Optimizer {
             }
             Err(Stop::Cancelled) => {
                 all.interrupted = true;
+                if let Some(initial) = evaluator.evaluated(&self.initial()) {
+                    all.initial = initial;
+                }
                 all.searches = evaluator.searches(self.problem.effort.starts);
             }
             Err(Stop::Unwritable) => return Err(evaluator.failure(Stop::Unwritable)),

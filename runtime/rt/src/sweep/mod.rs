@@ -298,7 +298,7 @@ impl Sweep {
     }
 
     /// Returns the description of what the journals record: the model, and settings of all cases.
-    fn subject(&self) -> Result<Value, Error> {
+    pub(crate) fn subject(&self) -> Result<Value, Error> {
         let base = self.instance()?.params()?;
         let mut subject = head(self.program.description(), &base, &self.overrides);
         if let Some(subject) = subject.as_object_mut() {
