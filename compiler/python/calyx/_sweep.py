@@ -112,7 +112,10 @@ def _statistic(outcome: Outcome, output: str, statistic: str) -> float:
 
 
 def combinations(axes: Mapping[str, Iterable[Value]]) -> Iterator[dict[str, Value]]:
-    """Returns all combinations of values; the last name varies fastest."""
+    """Returns all combinations of values; the last name varies fastest. A text is one value."""
+    for name, axis in axes.items():
+        if isinstance(axis, str) or not isinstance(axis, Iterable):
+            raise TypeError(f"`{name}` is varied over {axis!r}: give a list of values, like [{axis!r}]")
     values = [list(axis) for axis in axes.values()]
     return (dict(zip(axes, combination)) for combination in itertools.product(*values))
 
@@ -123,6 +126,9 @@ def rows(cases: Any) -> list[dict[str, Value]]:
         if hasattr(cases, method) and not isinstance(cases, Mapping):
             cases = getattr(cases, method)(*arguments)
             break
+    cases = list(cases)
+    if wrong := next((case for case in cases if not isinstance(case, Mapping)), None):
+        raise TypeError(f"{wrong!r} is no case: give mappings of params, like [{{'torque': 100}}], or a table")
     return [{str(name): value for name, value in case.items()} for case in cases]
 
 

@@ -14,6 +14,14 @@ def test_cases_are_equal_to_single_runs(spur):
         assert all(alone[name].si.tobytes() == results[name].si.tobytes() for name in alone)
 
 
+@pytest.mark.parametrize("value", [500, "100 N*m"])
+def test_one_value_is_no_axis(spur, value):
+    with pytest.raises(TypeError, match="give a list of values"):
+        spur.sweep({"torque": value})
+    with pytest.raises(TypeError, match="is no case"):
+        spur.run_many([value])
+
+
 @pytest.mark.parametrize("engine", ["pandas", "polars", "pyarrow"])
 def test_tables_have_a_row_for_each_case(spur, engine):
     optional(engine)

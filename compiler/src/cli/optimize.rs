@@ -9,7 +9,8 @@ use calyx::check_run_within;
 use calyx::rt::console::print;
 use calyx::rt::interrupt;
 use calyx::rt::optimization::{
-    self, DESIGNS, EVALUATIONS, OPTIMUM, Optimization, Optimizer, State, write_designs, write_optimum,
+    self, DESIGNS, EVALUATIONS, OPTIMUM, OPTIMUM_HEADER, Optimization, Optimizer, State, write_designs,
+    write_optimum,
 };
 use calyx::rt::options::given_of;
 use calyx::rt::page::optimization as page;
@@ -19,6 +20,7 @@ use calyx::rt::sweep::StudyFile;
 use calyx::rt::{InvalidParam, ParamAssignment};
 use calyx_abi::units::from_si;
 use clap::Args;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -124,8 +126,8 @@ impl Optimize {
             Err(status) => return status,
         };
         let program = module.as_program();
-        let problem = match optimization::read(&study, self.cases.as_deref(), program.description()) {
-            Ok((problem, _)) => problem,
+        let problem = match optimization::read(&study, self.cases.as_deref(), &given, program.description()) {
+            Ok(problem) => problem,
             Err(mistakes) => return refused(&mistakes),
         };
         let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".optimum"));
@@ -169,6 +171,16 @@ impl Optimize {
     fn report(&self, outcome: &Optimization, directory: &RunDirectory) -> ExitCode {
         let format = MessageFormat::Human;
         let path = directory.path();
+        if outcome.interrupted && (outcome.best().is_none() || is_complete(&path.join(OPTIMUM))) {
+            let message = format!("interrupted after {} designs", outcome.designs.len());
+            let files = if outcome.best().is_none() {
+                ""
+            } else {
+                "; the files of the earlier optimization are kept"
+            };
+            format.failure(&(message + files), "run the same command again to continue");
+            return ExitCode::from(MODEL_ERROR);
+        }
         let written = write_designs(&path.join(DESIGNS), outcome)
             .and_then(|()| write_optimum(&path.join(OPTIMUM), outcome))
             .and_then(|()| page::write(&path.join(page::NAME), outcome));
@@ -176,7 +188,7 @@ impl Optimize {
             return format.unwritable(path, &error.to_string());
         }
         print!("{}", optimization::text(outcome));
-        if !self.solving.quiet {
+        if !self.solving.quiet && outcome.best().is_some() {
             self.explain(path);
         }
         if outcome.interrupted {
@@ -210,6 +222,11 @@ impl Optimize {
             directory.display()
         ));
     }
+}
+
+/// Returns whether a params file is the optimum of an optimization that was not interrupted.
+fn is_complete(optimum: &Path) -> bool {
+    fs::read_to_string(optimum).is_ok_and(|text| text.starts_with(OPTIMUM_HEADER))
 }
 
 /// Describes the state of an optimization in a line.

@@ -1,6 +1,6 @@
 //! Files of an optimization: the optimum as a params file, and all designs as a table.
 
-use super::Optimization;
+use super::{FEASIBLE, Optimization};
 use crate::sweep::exact;
 use calyx_abi::units::from_si;
 use std::fs;
@@ -9,6 +9,8 @@ use std::path::Path;
 
 /// File name of the params of the optimum, for `calyx run --params`.
 pub const OPTIMUM: &str = "optimum.toml";
+/// Beginning of the params of an optimum; those of an interrupted optimization have another one.
+pub const OPTIMUM_HEADER: &str = "# Optimum of ";
 /// File name of the table of all designs.
 pub const DESIGNS: &str = "designs.csv";
 
@@ -17,8 +19,14 @@ pub const DESIGNS: &str = "designs.csv";
 /// # Errors
 /// The file cannot be written.
 pub fn write_optimum(path: &Path, all: &Optimization) -> io::Result<()> {
-    let mut text = format!("# Optimum of {}: {}.\n", all.model, all.goal());
-    let Some((values, _)) = all.best() else { return fs::write(path, text + "# All designs failed.\n") };
+    let header = if all.interrupted { "# Best design until an interruption of " } else { OPTIMUM_HEADER };
+    let mut text = format!("{header}{}: {}.\n", all.model, all.goal());
+    let Some((values, optimum)) = all.best() else {
+        return fs::write(path, "# All designs failed.\n");
+    };
+    if optimum.violation > FEASIBLE {
+        text += "# It does not meet all constraints.\n";
+    }
     for (variable, si) in all.variables.iter().zip(values) {
         let (name, number) = (&variable.column.name, exact(variable.column.reversible(*si)));
         // Names of params of components have dots.

@@ -4,7 +4,7 @@
 mod files;
 mod text;
 
-pub use files::{DESIGNS, OPTIMUM, write_designs, write_optimum};
+pub use files::{DESIGNS, OPTIMUM, OPTIMUM_HEADER, write_designs, write_optimum};
 pub use text::text;
 pub(crate) use text::{agreement, influence, missing};
 
@@ -123,6 +123,8 @@ pub struct Design {
 /// Local search from a start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Search {
+    /// Number from 1.
+    pub number: usize,
     /// Variables of the start.
     pub start: Vec<f64>,
     /// Best design found: its variables and values; `None` if all designs failed.
@@ -136,8 +138,9 @@ pub struct Search {
 /// Change of the values when one variable of the optimum moves by [`STEP`] of its range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Influence {
-    /// Values after a step downwards and upwards; `None` at a bound, or if the design failed.
-    pub steps: [Option<Values>; 2],
+    /// Values after a step downwards and upwards, or the reason of a failure; `None` outside of the
+    /// range.
+    pub steps: [Option<Result<Values, String>>; 2],
 }
 
 /// Step of a variable near the optimum, relative to its range.
@@ -163,8 +166,8 @@ pub struct Multiplier {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Optimality {
     pub multipliers: Vec<Multiplier>,
-    /// Length of the unbalanced gradient, as a share of that of the largest gradient; zero at an
-    /// optimum of a smooth problem.
+    /// Length of the unbalanced gradient: the change of the objective, relative to its magnitude, per
+    /// range of the variables; zero at an optimum of a smooth problem.
     pub residual: f64,
 }
 
@@ -199,6 +202,8 @@ pub struct Optimization {
 
 /// Relative difference of objectives below which two searches have the same optimum.
 pub const SAME_OBJECTIVE: f64 = 1e-3;
+/// Part of the improvement below which an objective counts as zero.
+const SMALL: f64 = 1e-3;
 /// Difference of variables, relative to their ranges, below which they agree.
 pub const SAME_VARIABLE: f64 = 0.01;
 
@@ -239,12 +244,34 @@ impl Optimization {
     pub fn agreement(&self, k: usize) -> [bool; 2] {
         let (Some(best), Some(own)) = (self.best(), &self.searches[k].best) else { return [false; 2] };
         let off = (own.1.objective - best.1.objective).abs();
-        let same = off <= SAME_OBJECTIVE * best.1.objective.abs()
-            && own.1.violation <= FEASIBLE.max(best.1.violation);
+        let same = off <= SAME_OBJECTIVE * self.scale() && own.1.violation <= FEASIBLE.max(best.1.violation);
         let near = |(variable, (one, other)): (&Variable, (&f64, &f64))| {
             (one - other).abs() <= SAME_VARIABLE * (variable.high - variable.low)
         };
         [same, same && self.variables.iter().zip(own.0.iter().zip(&best.0)).all(near)]
+    }
+
+    /// Returns the magnitude of the objective: that of the best design, but not less than a small part
+    /// of the improvement, for an objective that becomes zero.
+    pub fn scale(&self) -> f64 {
+        let Some((_, best)) = self.best() else { return 0.0 };
+        let initial = self.initial.as_ref().ok().map(|values| values.objective);
+        let searches = self.searches.iter().filter_map(|search| Some(search.best.as_ref()?.1.objective));
+        let others = initial.into_iter().chain(searches.filter(|_| initial.is_none()));
+        let improvement = others.map(|other| (other - best.objective).abs()).fold(0.0, f64::max);
+        best.objective.abs().max(SMALL * improvement)
+    }
+
+    /// Returns whether a constraint of a design is violated or active, as a word.
+    pub fn state_of(&self, values: &Values, constraint: usize) -> &'static str {
+        let Some((_, value)) = self.governing(values, constraint) else { return "" };
+        let own = &self.constraints[constraint];
+        let off = if own.at_most { value - own.bound } else { own.bound - value };
+        match () {
+            () if off > FEASIBLE * own.magnitude(&self.constraint_columns[constraint]) => "violated",
+            () if self.is_active(values, constraint) => "active",
+            () => "",
+        }
     }
 
     /// Returns the load case in which a constraint of a design is nearest to its bound, with the

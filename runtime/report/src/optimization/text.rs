@@ -59,10 +59,19 @@ pub(crate) fn influence(all: &Optimization, variable: usize, side: usize) -> Str
     let (Some((_, optimum)), Some(influence)) = (all.best(), all.influences.get(variable)) else {
         return String::new();
     };
-    let Some(values) = &influence.steps[side] else { return String::new() };
-    let change = (values.objective - optimum.objective) / optimum.objective.abs();
-    let change =
-        if change.is_finite() { format!("{:+.2} %", 100.0 * change) } else { number(values.objective) };
+    let values = match &influence.steps[side] {
+        None => return String::new(),
+        Some(Err(_)) => return "failed".to_owned(),
+        Some(Ok(values)) => values,
+    };
+    let change = values.objective - optimum.objective;
+    let change = if optimum.objective.abs() < all.scale() {
+        let unit = if all.column.unit == "1" { "" } else { all.column.unit.as_str() };
+        let sign = if change < 0.0 { "" } else { "+" };
+        format!("{sign}{} {unit}", number(from_si(change, all.column.factor))).trim_end().to_owned()
+    } else {
+        format!("{:+.2} %", 100.0 * change / optimum.objective.abs())
+    };
     let violates = values.violation > FEASIBLE.max(optimum.violation);
     if violates { format!("{change}, violates") } else { change }
 }
@@ -97,7 +106,7 @@ fn value_rows(all: &Optimization) -> Vec<Vec<String>> {
     for (k, (constraint, column)) in all.constraints.iter().zip(&all.constraint_columns).enumerate() {
         let at = |values| all.governing(values, k).map(|(_, value)| value);
         let case = all.governing(optimum, k).map(|(case, _)| case).filter(|_| all.cases.len() > 1);
-        let mut state = if all.is_active(optimum, k) { "active" } else { "" }.to_owned();
+        let mut state = all.state_of(optimum, k).to_owned();
         if let Some(case) = case {
             state = format!("{state} {}", all.cases[case]).trim().to_owned();
         }
@@ -112,20 +121,34 @@ fn value_rows(all: &Optimization) -> Vec<Vec<String>> {
     rows
 }
 
-/// States how many searches have the same optimum.
+/// States how many searches have the same optimum, and what limits the result.
 pub(crate) fn agreement(all: &Optimization) -> String {
     let count = all.searches.len();
     let alike = |k: usize| (0..count).filter(|&search| all.agreement(search)[k]).count();
     let designs = all.designs.len();
-    if count == 1 {
-        return format!("1 search with {designs} designs\n");
-    }
-    let [objective, variables] = [alike(0), alike(1)];
-    let mut text = format!("{objective} of {count} searches have this objective within 0.1 %");
-    text += &match variables {
-        all if all == objective => ", with the same variables within 1 % of their ranges".to_owned(),
-        1 => ", but other variables: the optimum is not unique, or flat".to_owned(),
-        some => format!(", {some} of them with the same variables within 1 % of their ranges"),
+    let mut text = if count == 1 {
+        format!("1 search with {designs} designs")
+    } else {
+        let [objective, variables] = [alike(0), alike(1)];
+        let own = match variables {
+            all if all == objective => ", with the same variables within 1 % of their ranges".to_owned(),
+            1 => ", but other variables: the optimum is not unique, or flat".to_owned(),
+            some => format!(", {some} of them with the same variables within 1 % of their ranges"),
+        };
+        format!("{objective} of {count} searches have this objective within 0.1 %{own}; {designs} designs")
     };
-    text + &format!("; {designs} designs\n")
+    let failed = all.designs.iter().filter(|design| design.values.is_err()).count();
+    if failed > 0 {
+        text += &format!(", of which {failed} failed");
+    }
+    text.push('\n');
+    if let (Err(reason), false) = (&all.initial, all.interrupted) {
+        text += &format!("the initial design failed: {reason}\n");
+    }
+    let unfinished = all.searches.iter().filter(|search| !search.converged).count();
+    if unfinished > 0 && !all.interrupted {
+        let searches = if unfinished == 1 { "1 search" } else { &format!("{unfinished} searches") };
+        text += &format!("{searches} did not converge: a larger limit `designs` may give a better design\n");
+    }
+    text
 }

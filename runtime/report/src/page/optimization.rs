@@ -1,6 +1,6 @@
 //! `optimization.html`: the result of an optimization as one self-contained page.
 
-use super::chart::{Axis, COLOURS, Curve, WIDE, curves};
+use super::chart::{Axis, COLOURS, Curve, TALL, curves};
 use super::parallel::{self, Coordinate, Kind};
 use super::{document, figure};
 use crate::optimization::{FEASIBLE, Measure, Optimization, STEP, Search, Values, influence};
@@ -15,8 +15,9 @@ use std::path::Path;
 /// File name of the page.
 pub const NAME: &str = "optimization.html";
 
-/// Residual of the gradients above which an optimum is questioned.
-const UNBALANCED: f64 = 0.05;
+/// Residual of the gradients above which an optimum is questioned: 0.1 % of the objective for 1 % of
+/// the ranges.
+const UNBALANCED: f64 = 0.1;
 
 /// Writes the page.
 ///
@@ -41,7 +42,7 @@ fn page(all: &Optimization) -> Markup {
                     p.notice { "No design meets all constraints. This one exceeds a bound by " (percent(optimum.violation)) "." }
                 }
                 (variable_table(all, variables))
-                p.note { "The last columns are the change of the objective when the variable alone moves by " (percent(STEP)) " of its range; \"violates\" if a constraint is no longer met." }
+                p.note { "The last columns are the change of the objective when the variable alone moves by " (percent(STEP)) " of its range; \"violates\" if a constraint is no longer met; empty outside of the range." }
                 (value_table(all, optimum))
                 (certificate(all))
             }
@@ -149,37 +150,34 @@ fn share(all: &Optimization, case: usize) -> String {
 
 /// States whether a constraint is active, in which load case, and what it costs.
 fn state(all: &Optimization, optimum: &Values, constraint: usize) -> String {
-    let mut state = String::new();
-    if optimum.violation > FEASIBLE
-        && all.governing(optimum, constraint).is_some_and(|(_, value)| {
-            let Some(own) = all.constraints.get(constraint) else { return false };
-            let off = if own.at_most { value - own.bound } else { own.bound - value };
-            off > FEASIBLE * own.magnitude(&all.constraint_columns[constraint])
-        })
-    {
-        state += "violated";
-    } else if all.is_active(optimum, constraint) {
-        state += "active";
-    }
+    let own = &all.constraints[constraint];
+    let column = &all.constraint_columns[constraint];
+    let mut parts = vec![all.state_of(optimum, constraint).to_owned()];
     if let Some((case, _)) = all.governing(optimum, constraint).filter(|_| all.cases.len() > 1) {
-        state += &format!("{}largest at {}", if state.is_empty() { "" } else { ", " }, all.cases[case]);
+        let extreme = if own.at_most { "largest" } else { "least" };
+        parts.push(format!("{extreme} at {}", all.cases[case]));
     }
     let multipliers = all.optimality.iter().flat_map(|optimality| &optimality.multipliers);
     let cost: f64 = multipliers.filter(|one| one.constraint == Some(constraint)).map(|one| one.value).sum();
     if cost > 1e-4 {
-        state += &format!("; a bound weaker by 1 % improves the objective by about {} %", number(cost));
+        let weaker = match own.bound {
+            0.0 => format!("0.01 {}", unit(column)).trim_end().to_owned(),
+            _ => "1 %".to_owned(),
+        };
+        parts.push(format!("a bound weaker by {weaker} improves the objective by about {} %", number(cost)));
     }
-    state
+    parts.retain(|part| !part.is_empty());
+    parts.join(", ")
 }
 
 fn certificate(all: &Optimization) -> Markup {
     let Some(optimality) = &all.optimality else { return PreEscaped(String::new()) };
     html! {
         p.note {
-            "The weighted gradients of the active functions balance except for " (percent(optimality.residual))
-            " of the largest one; at an optimum of a smooth problem, they balance. "
+            "By the gradients of the active functions, moving the variables by 1 % of their ranges would improve the objective by at most "
+            (percent(0.01 * optimality.residual)) "; at the optimum of a smooth problem, by nothing. "
             @if optimality.residual > UNBALANCED {
-                "Here they do not: a smaller `tolerance` or more `designs` may find a better design, or a function has a kink here."
+                "Here a smaller `tolerance` or more `designs` may find a better design, or a function has a kink that the gradients do not show."
             }
         }
     }
@@ -189,7 +187,8 @@ fn certificate(all: &Optimization) -> Markup {
 fn convergence(all: &Optimization) -> Markup {
     let name =
         |search: usize| if search == 0 { "sample of starts".to_owned() } else { format!("search {search}") };
-    let curve = |(k, search): (usize, usize)| {
+    let curve = |(k, search): (usize, &Search)| {
+        let search = search.number;
         let mut best: Option<&Values> = None;
         let mut points = Vec::new();
         let own = all.designs.iter().filter(|design| design.search == search);
@@ -205,8 +204,7 @@ fn convergence(all: &Optimization) -> Markup {
         }
         Curve { name: name(search), colour: k, points, off: None }
     };
-    let shown: Vec<usize> = (1..=all.searches.len()).take(COLOURS.len()).collect();
-    let all_curves: Vec<Curve> = shown.into_iter().enumerate().map(curve).collect();
+    let all_curves: Vec<Curve> = all.searches.iter().take(COLOURS.len()).enumerate().map(curve).collect();
     if all_curves.iter().all(|curve| curve.points.len() < 2) {
         return PreEscaped(String::new());
     }
@@ -214,19 +212,19 @@ fn convergence(all: &Optimization) -> Markup {
     let x = Axis { what: "design of the search", unit: "" };
     let y = Axis { what: &name, unit: &all.column.unit };
     let caption = "Best objective of each search over the number of its designs, from the first design that meets all constraints.";
-    figure(&curves(WIDE, &x, &y, &all_curves, &[]), caption)
+    figure(&curves(TALL, &x, &y, &all_curves, &[]), caption)
 }
 
 fn search_table(all: &Optimization) -> Markup {
     let state = |k: usize, search: &Search| {
         let [objective, variables] = all.agreement(k);
         let mut state = match (objective, variables) {
-            (_, true) => "the optimum".to_owned(),
+            (_, true) => "best".to_owned(),
             (true, false) => "same objective, other variables".to_owned(),
-            _ => "a worse optimum".to_owned(),
+            _ => "worse".to_owned(),
         };
         if !search.converged {
-            state += ", not converged";
+            state += if all.interrupted { ", interrupted" } else { ", not converged" };
         }
         state
     };
@@ -238,7 +236,7 @@ fn search_table(all: &Optimization) -> Markup {
                 th { "objective" br; (unit(&all.column)) } th { "designs" } th { "result" }
             } }
             tbody { @for (k, search) in all.searches.iter().enumerate() { tr {
-                td { (k + 1) }
+                td { (search.number) }
                 @match &search.best {
                     Some((variables, values)) => {
                         @for (variable, si) in all.variables.iter().zip(variables) { td { (shown(&variable.column, *si)) } }
@@ -270,8 +268,8 @@ fn designs(all: &Optimization) -> Markup {
         let values = solved.iter().map(|(variables, _)| from_si(variables[k], column.factor)).collect();
         Coordinate { name: column.name.clone(), unit: unit(column).to_owned(), kind: Kind::Numbers(values) }
     };
-    let mut coordinates: Vec<Coordinate> =
-        (0..all.variables.len().min(parallel::AXES - 2)).map(of_variable).collect();
+    let drawn = all.variables.len().min(parallel::AXES - 2);
+    let mut coordinates: Vec<Coordinate> = (0..drawn).map(of_variable).collect();
     let values = |value: &dyn Fn(&Values) -> f64| {
         Kind::Numbers(solved.iter().map(|(_, values)| value(values)).collect())
     };
@@ -288,9 +286,13 @@ fn designs(all: &Optimization) -> Markup {
         kind: values(&|values| from_si(values.objective, all.column.factor)),
     });
     let by = coordinates.len() - 1;
+    let left_out = match all.variables.len() - drawn {
+        0 => String::new(),
+        left => format!(" Without the last {left} variables."),
+    };
     let caption = "Parallel coordinates: a line is a design. Lines are coloured by the objective, from blue (low) to red (high). designs.csv has all of them.";
     html! {
         @if failed > 0 { p.note { (failed) " designs failed; designs.csv has the reasons." } }
-        (figure(&parallel::plot(&coordinates, by), caption))
+        (figure(&parallel::plot(&coordinates, by), &format!("{caption}{left_out}")))
     }
 }

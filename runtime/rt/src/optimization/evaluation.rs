@@ -11,6 +11,7 @@ use crate::sweep::journal::{self, Journal, fingerprint};
 use crate::sweep::{Sweep, Varied, fidelity_of};
 use calyx_abi::Status;
 use calyx_abi::description::ParamValue;
+use calyx_report::directory::text_hash;
 use calyx_report::optimization::{Constraint, Design, FEASIBLE, Measure, Search, Values, compare};
 use calyx_report::study::Statistic;
 use calyx_report::sweep::{Case, Column, Statistics};
@@ -54,6 +55,9 @@ impl CaseValues {
 /// Line of the journal.
 #[derive(Clone, Serialize, Deserialize)]
 struct Line {
+    /// Hash of the model and the settings: a journal keeps the lines of others, so that a return to
+    /// them solves nothing again.
+    subject: String,
     /// Values of all params, SI.
     params: Value,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -91,6 +95,7 @@ pub struct Evaluator<'o> {
     /// Outputs of objective and constraints.
     outputs: Vec<String>,
     journal: Journal,
+    subject: String,
     known: Mutex<HashMap<String, CaseValues>>,
     memo: Mutex<Memo>,
     designs: Mutex<Vec<Design>>,
@@ -122,18 +127,18 @@ impl<'o> Evaluator<'o> {
         };
         let (varied, cases) = sweep.cases().map_err(RunError::Run)?;
         sweep.planned().map_err(RunError::Run)?;
-        let mut subject = sweep.subject().map_err(RunError::Run)?;
-        subject["journal"] = json!({ "optimization": FORMAT });
+        let subject = text_hash(&sweep.subject().map_err(RunError::Run)?.to_string());
         let mut outputs = vec![problem.objective.output.clone()];
         outputs.extend(problem.constraints.iter().map(|constraint| constraint.output.clone()));
         outputs.sort();
         outputs.dedup();
         let path = optimizer.directory.join(EVALUATIONS);
-        let opened = Journal::open(&path, &subject);
+        let opened = Journal::open(&path, &json!({ "optimization": FORMAT }));
         let (journal, lines) = opened.map_err(|error| RunError::Io { path, error })?;
         let directory = optimizer.program.directory();
         let current = |line: &Line| {
-            line.tables.iter().all(|(table, known)| fingerprint(directory.as_deref(), table) == *known)
+            line.subject == subject
+                && line.tables.iter().all(|(table, known)| fingerprint(directory.as_deref(), table) == *known)
                 && outputs.iter().all(|output| line.values.positions.contains_key(output))
         };
         let lines = lines.into_iter().filter(current);
@@ -146,6 +151,7 @@ impl<'o> Evaluator<'o> {
             cases,
             outputs,
             journal,
+            subject,
             known,
             memo: Mutex::default(),
             designs: Mutex::default(),
@@ -206,8 +212,10 @@ impl<'o> Evaluator<'o> {
         let Problem { objective, over_cases, over_samples, constraints, .. } = self.problem();
         let upper = !objective.maximize;
         let sign = if upper { 1.0 } else { -1.0 };
+        let solutions = design.cases.iter().map(Vec::len).sum();
         let of_case = |cases: &[CaseValues], statistic, upper: bool, output: &str| -> Vec<f64> {
-            let all = cases.iter().map(|case| functions::of(statistic, upper, case, output, shape));
+            let all =
+                cases.iter().map(|case| functions::of(statistic, upper, (case, solutions), output, shape));
             match over_samples {
                 Measure::Worst => all.flatten().collect(),
                 measure => {
@@ -249,6 +257,13 @@ impl<'o> Evaluator<'o> {
         let outputs = &self.optimizer.program.description().outputs;
         let output = outputs.iter().find(|output| output.name == constraint.output);
         output.map_or(1.0, |output| constraint.magnitude(&Column::from(output)))
+    }
+
+    /// Returns the unit of the objective, SI.
+    pub fn unit(&self) -> f64 {
+        let outputs = &self.optimizer.program.description().outputs;
+        let output = outputs.iter().find(|output| output.name == self.problem().objective.output);
+        output.map_or(1.0, |output| output.unit.factor.abs())
     }
 
     fn evaluate(&self, search: usize, at: &[f64]) -> Result<Arc<Result<Evaluated, String>>, Stop> {
@@ -332,6 +347,7 @@ impl<'o> Evaluator<'o> {
                 own.iter().filter_map(|design| Some((&design.variables, design.values.as_ref().ok()?)));
             let best = known.min_by(|one, other| compare(&self.problem().objective, one.1, other.1));
             Search {
+                number,
                 start: own.first().map(|design| design.variables.clone()).unwrap_or_default(),
                 best: best.map(|(variables, values)| (variables.clone(), values.clone())),
                 designs: own.len(),
@@ -441,7 +457,7 @@ impl<'o> Evaluator<'o> {
         let directory = self.optimizer.program.directory();
         let table = |name: &String| (name.clone(), fingerprint(directory.as_deref(), name));
         let tables = results.tables().iter().map(table).collect();
-        let line = Line { params, fidelity, tables, values: values.clone() };
+        let line = Line { subject: self.subject.clone(), params, fidelity, tables, values: values.clone() };
         if let Err(error) = self.journal.write(&line) {
             let path = self.optimizer.directory.join(EVALUATIONS);
             locked(&self.error).get_or_insert(RunError::Io { path, error });

@@ -6,7 +6,7 @@
 use super::evaluation::CaseValues;
 use calyx_report::study::Statistic;
 
-/// Largest number of functions of a design; beyond it, a statistic is one function.
+/// Largest number of functions of an output; beyond it, a statistic is one function.
 const MOST: usize = 20_000;
 
 /// How the statistics of a design become functions.
@@ -19,14 +19,21 @@ pub enum Shape {
 }
 
 /// Returns functions whose largest value is that of a statistic, or of its negative if it has a
-/// lower bound or is maximized.
-pub fn of(statistic: Statistic, upper: bool, case: &CaseValues, output: &str, shape: Shape) -> Vec<f64> {
-    let positions = case.positions.get(output).filter(|all| shape == Shape::Positions && !all.is_empty());
+/// lower bound or is maximized. `solutions` is the number of load cases and samples of the design.
+pub fn of(
+    statistic: Statistic,
+    upper: bool,
+    (case, solutions): (&CaseValues, usize),
+    output: &str,
+    shape: Shape,
+) -> Vec<f64> {
+    // A peak-to-peak value needs two positions.
+    let positions = case.positions.get(output).filter(|all| shape == Shape::Positions && all.len() > 1);
     if let Some(all) = positions {
         match (statistic, upper) {
             (Statistic::Max, true) => return all.clone(),
             (Statistic::Min, false) => return all.iter().map(|value| -value).collect(),
-            (Statistic::PeakToPeak, true) if all.len() * all.len() <= MOST => {
+            (Statistic::PeakToPeak, true) if all.len() * all.len() * solutions <= MOST => {
                 let pair = |(k, high): (usize, &f64)| {
                     let others = all.iter().enumerate().filter(move |(other, _)| *other != k);
                     let high = *high;

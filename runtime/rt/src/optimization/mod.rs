@@ -1,7 +1,7 @@
 //! Optimization of a model: the values of some params at which a statistic of an output is best,
 //! within bounds of others, over load cases and samples of toleranced params.
 //!
-//! Several local searches begin at different designs. Each is COBYLA of Powell: linear models of
+//! Several local searches begin at different designs. Each begins with COBYLA of Powell: linear models of
 //! all functions, interpolated at the corners of a simplex, minimized within a trust region. It
 //! needs no derivatives, and a maximum over positions or load cases is a set of functions below a
 //! common bound, whose kinks are therefore exact. Every evaluated load case is a line of a journal,
@@ -13,13 +13,14 @@
 mod evaluation;
 mod functions;
 mod local_search;
+mod minimax;
 mod optimality;
 mod problem;
 mod study;
 
 pub use calyx_report::optimization::{
-    Constraint, DESIGNS, FEASIBLE, Measure, OPTIMUM, Optimization, Variable, text, write_designs,
-    write_optimum,
+    Constraint, DESIGNS, FEASIBLE, Measure, OPTIMUM, OPTIMUM_HEADER, Optimization, Variable, text,
+    write_designs, write_optimum,
 };
 pub use evaluation::EVALUATIONS;
 pub use problem::{Effort, Problem};
@@ -171,7 +172,7 @@ impl Optimizer {
         evaluator: &Evaluator<'_>,
         all: &Optimization,
     ) -> Result<(Vec<Influence>, Option<Optimality>), Stop> {
-        let Some((best, _)) = all.best() else { return Ok((Vec::new(), None)) };
+        let Some((best, values)) = all.best() else { return Ok((Vec::new(), None)) };
         let variables = &self.problem.variables;
         let unit = |(variable, si): (&Variable, &f64)| (si - variable.low) / (variable.high - variable.low);
         let at: Vec<f64> = variables.iter().zip(best).map(unit).collect();
@@ -182,12 +183,18 @@ impl Optimizer {
                 if !(0.0..=1.0).contains(&moved[k]) {
                     return Ok(None);
                 }
-                Ok(evaluator.values(0, &moved)?.ok())
+                evaluator.values(0, &moved).map(Some)
             };
             Ok(Influence { steps: [step(-1.0)?, step(1.0)?] })
         };
         let influences = (0..at.len()).into_par_iter().map(beside).collect::<Result<Vec<_>, Stop>>()?;
-        Ok((influences, optimality::certificate(evaluator, &at)?))
+        // The gradients of a design that violates a constraint do not balance those of the objective.
+        let scale = Some(all.scale()).filter(|scale| *scale > 0.0 && values.violation <= FEASIBLE);
+        let optimality = match scale {
+            Some(scale) => optimality::certificate(evaluator, &at, scale)?,
+            None => None,
+        };
+        Ok((influences, optimality))
     }
 
     /// Returns the description of the problem, without results.

@@ -7,7 +7,7 @@ use calyx_report::optimization::{Multiplier, Optimality};
 use std::collections::BTreeMap;
 
 /// Step of the gradients, relative to the ranges of the variables.
-const STEP: f64 = 1e-3;
+const STEP: f64 = 1e-4;
 /// Distance of a function from the largest one below which it is active, relative to the magnitude
 /// of the objective or bound.
 const NEAR: f64 = 2e-3;
@@ -24,47 +24,59 @@ struct Active {
 
 /// Returns the multipliers at a design; `None` if a design near it failed.
 ///
+/// `scale` is the magnitude of the objective.
+///
 /// # Errors
 /// The optimization is cancelled, or the journal cannot be written.
-pub fn certificate(evaluator: &Evaluator<'_>, at: &[f64]) -> Result<Option<Optimality>, Stop> {
-    let scale = match evaluator.values(0, at)? {
-        Ok(values) if values.objective != 0.0 => values.objective.abs(),
-        _ => return Ok(None),
-    };
+pub fn certificate(evaluator: &Evaluator<'_>, at: &[f64], scale: f64) -> Result<Option<Optimality>, Stop> {
     let functions = |at: &[f64]| evaluator.functions(0, at, Shape::Positions, scale);
     let Some(center) = functions(at)? else { return Ok(None) };
-    let mut steps: Vec<(Functions, f64)> = Vec::new();
+    let mut slopes: Vec<Differences> = Vec::new();
+    let is_alike = |found: &Functions| {
+        [found.objective.len(), found.constraints.len()] == [center.objective.len(), center.constraints.len()]
+    };
     for k in 0..at.len() {
-        let mut moved = at.to_vec();
-        // Into the cube.
-        let step = if at[k] + STEP <= 1.0 { STEP } else { -STEP };
-        moved[k] += step;
-        let Some(found) = functions(&moved)? else { return Ok(None) };
-        if found.objective.len() != center.objective.len()
-            || found.constraints.len() != center.constraints.len()
-        {
+        // Central differences, and one-sided ones at the ends of the ranges.
+        let ends = [-STEP, STEP].map(|step| (at[k] + step).clamp(0.0, 1.0));
+        let moved = |end: f64| {
+            let mut moved = at.to_vec();
+            moved[k] = end;
+            functions(&moved)
+        };
+        let (Some(below), Some(above)) = (moved(ends[0])?, moved(ends[1])?) else { return Ok(None) };
+        if !is_alike(&below) || !is_alike(&above) {
             return Ok(None);
         }
-        steps.push((found, step));
+        slopes.push(Differences { below, above, width: ends[1] - ends[0] });
     }
-    Ok(Some(balance(&active(at, &center, &steps))))
+    Ok(Some(balance(&active(at, &center, &slopes))))
 }
 
-fn active(at: &[f64], center: &Functions, steps: &[(Functions, f64)]) -> Vec<Active> {
+/// Functions on both sides of a design, by one variable.
+struct Differences {
+    below: Functions,
+    above: Functions,
+    width: f64,
+}
+
+fn active(at: &[f64], center: &Functions, slopes: &[Differences]) -> Vec<Active> {
     let largest = center.objective.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut all = Vec::new();
     for (index, value) in center.objective.iter().enumerate() {
         if largest - value <= NEAR {
-            let slope = |(moved, step): &(Functions, f64)| (moved.objective[index] - value) / step;
-            let gradient = steps.iter().map(slope).collect();
+            let slope =
+                |one: &Differences| (one.above.objective[index] - one.below.objective[index]) / one.width;
+            let gradient = slopes.iter().map(slope).collect();
             let case = center.cases.get(index).copied().unwrap_or_default();
             all.push(Active { constraint: None, case, is_bound: false, gradient });
         }
     }
     for (index, ((constraint, case), value)) in center.constraints.iter().enumerate() {
         if *value >= -NEAR {
-            let slope = |(moved, step): &(Functions, f64)| (moved.constraints[index].1 - value) / step;
-            let gradient = steps.iter().map(slope).collect();
+            let slope = |one: &Differences| {
+                (one.above.constraints[index].1 - one.below.constraints[index].1) / one.width
+            };
+            let gradient = slopes.iter().map(slope).collect();
             all.push(Active { constraint: Some(*constraint), case: *case, is_bound: false, gradient });
         }
     }
@@ -108,8 +120,7 @@ fn balance(all: &[Active]) -> Optimality {
         .into_iter()
         .map(|((constraint, case), value)| Multiplier { constraint, case, value })
         .collect();
-    let residual = if largest > 0.0 { norm(&sum) / largest } else { 0.0 };
-    Optimality { multipliers, residual }
+    Optimality { multipliers, residual: norm(&sum) }
 }
 
 fn norm(vector: &[f64]) -> f64 {

@@ -60,7 +60,9 @@ impl Problem {
     pub(super) fn values_at(&self, at: &[f64]) -> Vec<f64> {
         let value = |(variable, part): (&Variable, &f64)| {
             let si = variable.low + part.clamp(0.0, 1.0) * (variable.high - variable.low);
-            rounded(si, &variable.column).clamp(variable.low, variable.high)
+            let value = rounded(si, &variable.column).clamp(variable.low, variable.high);
+            // Rounding near zero.
+            if value.abs() < 1e-12 * (variable.high - variable.low) { 0.0 } else { value }
         };
         self.variables.iter().zip(at).map(value).collect()
     }
@@ -90,7 +92,7 @@ pub(crate) fn variable(name: &str, description: &ModelDescription) -> Result<usi
     };
     Err(refused(
         format!("`{name}` {why}, so it cannot be a variable"),
-        "compare its values with `calyx sweep`, and optimize the other params for each",
+        "compare its values with `calyx sweep`; a param whose default and range are whole numbers takes whole numbers, until one of them has a fraction",
     ))
 }
 

@@ -3,13 +3,13 @@
 
 use super::problem::{Effort, Problem, parse_constraint, parse_range, variable};
 use crate::error::Error;
-use crate::param_assignment::AssignedValue;
-use crate::params::InvalidParam;
+use crate::param_assignment::{AssignedValue, ParamAssignment};
+use crate::params::{InvalidParam, shown};
 use crate::sweep::study_file::{Reader, StudyFile, Table, Value, kind_of};
 use crate::sweep::{Axis, CaseFile, Study, Tolerance, Varied, objective};
-use calyx_abi::description::ModelDescription;
+use calyx_abi::description::{ModelDescription, ParamValue};
 use calyx_report::optimization::{Constraint, Measure, Variable};
-use calyx_report::study::{Objective, Sample};
+use calyx_report::study::Objective;
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -37,44 +37,46 @@ const RANGE_FORMS: &str = "write a text like \"0 um..20 um\", or a table like `{
 /// Remedy for a value that is no measure.
 const MEASURES: &str = "write \"worst\", \"mean\" or \"percentile 95\"";
 
-/// Reads the problem of a study file. `cases` is a file of load cases in place of the file's own.
+/// Reads the problem of a study file. `cases` is a file of load cases in place of the file's own;
+/// `given` are the values of params in all designs.
 ///
 /// # Errors
 /// All mistakes of the file, in its order.
 pub fn read(
     file: &StudyFile,
     cases: Option<&Path>,
+    given: &[ParamAssignment],
     description: &ModelDescription,
-) -> Result<(Problem, Option<Sample>), Vec<InvalidParam>> {
+) -> Result<Problem, Vec<InvalidParam>> {
     let mut parts = Parts::default();
     let mut study =
         file.read_with(description, &KEYS, "the study file of an optimization", |reader, root, _| {
             parts.read(reader, root);
         })?;
-    parts.check(file, &study, description)?;
-    let given = |error: Error| match error {
+    parts.check(file, &study, given, description)?;
+    let refused = |error: Error| match error {
         Error::Given(refused) => vec![refused],
         Error::Model(error) => vec![InvalidParam::new(error.message, error.help)],
     };
     if let Some(path) = cases {
-        study.cases = Some(CaseFile::read(path, description).map_err(given)?);
+        study.cases = Some(CaseFile::read(path, description).map_err(refused)?);
     }
     let mut axes: Vec<Axis> = study.cases.take().map(|file| file.axis).into_iter().collect();
     axes.append(&mut study.axes);
     let variables = parts.variables.iter().map(|(_, _, variable)| variable.clone()).collect();
     let params: Vec<usize> = parts.variables.iter().map(|(_, index, _)| *index).collect();
-    let toleranced = study.tolerances.into_iter().chain(parts.deviations).collect();
+    let toleranced = study.tolerances.into_iter().chain(parts.deviations.clone()).collect();
     // The sampled values of variables are deviations, which may be outside of the ranges of the
     // params.
     let unbounded = without_ranges(description, &params);
-    let sample = study.sampling.axis(toleranced, &unbounded).map_err(given)?;
-    let (sample, about) = sample.map_or((None, None), |(axis, sample)| (Some(axis), Some(sample)));
+    let sample = study.sampling.axis(toleranced, &unbounded).map_err(refused)?.map(|(axis, _)| axis);
+    parts.check_deviations(file, sample.as_ref(), description)?;
     let Some(objective) = parts.objective else {
         let help = "add one, like `objective = \"min transmission_error.peak_to_peak\"`";
         return Err(vec![InvalidParam::new("the study file has no objective", help)]);
     };
     let (over_cases, over_samples) = (parts.over_cases, parts.over_samples);
-    let problem = Problem {
+    Ok(Problem {
         variables,
         params,
         objective,
@@ -84,8 +86,7 @@ pub fn read(
         axes,
         sample,
         effort: parts.effort,
-    };
-    Ok((problem, about))
+    })
 }
 
 /// Returns the description with params that have no range.
@@ -211,6 +212,7 @@ impl Parts {
         &self,
         file: &StudyFile,
         study: &Study,
+        given: &[ParamAssignment],
         description: &ModelDescription,
     ) -> Result<(), Vec<InvalidParam>> {
         let mut mistakes = Vec::new();
@@ -230,8 +232,10 @@ impl Parts {
             if varied.contains(&Varied::Param(*index)) {
                 twice("differs between the load cases", "remove one of them");
             }
-            if file.params.iter().any(|given| given.name == *name) {
-                twice("has one value in [params]", "remove one of them, or give `initial` to the variable");
+            if given.iter().any(|given| given.name == *name) {
+                let help =
+                    "remove it from [params], `--set` and `--params`, or give `initial` to the variable";
+                twice("is also set to one value", help);
             }
             if study.tolerances.iter().any(|tolerance| tolerance.param == *index) {
                 let help = "give its deviation from the variable in [deviations], like `normal(0 um, 2 um)`";
@@ -247,6 +251,45 @@ impl Parts {
                     origin: deviation.origin.clone(),
                     ..InvalidParam::new(message, help)
                 });
+            }
+        }
+        if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }
+    }
+}
+
+impl Parts {
+    /// Checks that the variables with their deviations are in the ranges of their params, as far as
+    /// these do not depend on other params.
+    fn check_deviations(
+        &self,
+        file: &StudyFile,
+        sample: Option<&Axis>,
+        description: &ModelDescription,
+    ) -> Result<(), Vec<InvalidParam>> {
+        let Some(sample) = sample else { return Ok(()) };
+        let mut mistakes = Vec::new();
+        for (at, index, variable) in &self.variables {
+            let own = sample.params.iter().position(|varied| *varied == Varied::Param(*index));
+            let Some(column) = own else { continue };
+            let deviations = sample.points.iter().filter_map(|point| match point.get(column) {
+                Some(ParamValue::Number(deviation)) => Some(*deviation),
+                _ => None,
+            });
+            let (least, largest) = deviations.fold((0.0_f64, 0.0_f64), |(least, largest), deviation| {
+                (least.min(deviation), largest.max(deviation))
+            });
+            let param = &description.params[*index];
+            let low = param.low.map_or(variable.low, |low| variable.low.max(low - least));
+            let high = param.high.map_or(variable.high, |high| variable.high.min(high - largest));
+            if (low, high) != (variable.low, variable.high) {
+                let origin = file.origin(*at..at + param.name.len());
+                let message = format!("`{}` with its deviations leaves the range of the param", param.name);
+                let help = format!(
+                    "give the variable a range within {} .. {}, or widen that of the model",
+                    shown(param, low),
+                    shown(param, high)
+                );
+                mistakes.push(InvalidParam { origin, ..InvalidParam::new(message, help) });
             }
         }
         if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }

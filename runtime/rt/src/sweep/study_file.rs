@@ -68,7 +68,7 @@ impl StudyFile {
     pub fn read(path: &Path) -> Result<StudyFile, InvalidParam> {
         let unreadable = |why: &str| {
             let message = format!("cannot read {}: {why}", path.display());
-            InvalidParam::new(message, "give the path of a study file, like `--study study.toml`")
+            InvalidParam::new(message, "give the path of a study file in TOML, like `study.toml`")
         };
         let bytes = std::fs::read(path).map_err(|error| unreadable(&error.to_string()))?;
         let text = String::from_utf8(bytes).map_err(|_| unreadable("it is not UTF-8 text"))?;
