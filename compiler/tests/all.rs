@@ -22,6 +22,7 @@ mod planetary;
 mod remedies;
 mod results;
 mod runner;
+mod sensitivities;
 mod settings_override;
 mod signals;
 mod studio;

@@ -138,6 +138,11 @@ fn optimizations_find_designs_within_constraints() {
 }
 
 #[test]
+fn sensitivities_are_ranked_by_their_effect() {
+    hold(include_str!("cli/sensitivities.md"));
+}
+
+#[test]
 fn plans_of_sweeps_are_solved_by_workers() {
     hold(include_str!("cli/sweep-plan.md"));
 }

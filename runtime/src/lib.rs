@@ -85,6 +85,7 @@
 //! | [`signal`] | outputs in the frequency domain: spectra, orders, transfer functions |
 //! | [`analysis`], [`dynamics`], [`options`], [`position`], [`rows`], [`results`], [`summary`] | analyses from options to results: [`analysis::Steps`] iterates over a list of positions, [`analysis::quasi_static`] reports to an observer |
 //! | [`settings_override`] | settings of an analysis from outside the model |
+//! | [`sensitivity`] | derivatives of outputs with respect to params |
 //! | [`estimate`] | estimated errors of the statistics of outputs |
 //! | [`tolerance`] | search for the cheapest setting whose estimated error meets a tolerance |
 //! | [`cost`] | predicted time and memory of an analysis |
@@ -122,7 +123,8 @@ mod former_names;
 
 pub use calyx_analysis::{
     analyses, analysis, component_loads, cost, dynamic_options, dynamics, estimate, forced_response, method,
-    observables, options, results, rows, scene, settings_override, signal, summary, tolerance, validate,
+    observables, options, results, rows, scene, sensitivity, settings_override, signal, summary, tolerance,
+    validate,
 };
 pub use calyx_contact as contact;
 pub use calyx_elastic as elastic;

@@ -210,6 +210,9 @@ calyx_abi::externs! {
                 return Err(engine(without_tolerance()));
             }
         }
+        if options.sensitivities.is_some() {
+            check_differentiable(in_time, searched.is_some()).map_err(engine)?;
+        }
         if host.checking {
             host.requested = Some(analysis);
             return Ok(());
@@ -220,6 +223,22 @@ calyx_abi::externs! {
 
 /// Maximum number of positions in a list; the results of more would not fit.
 const MOST_TIMES: f64 = 1e6;
+
+/// Rejects derivatives of an analysis that has none.
+fn check_differentiable(in_time: bool, is_search: bool) -> Result<(), EngineError> {
+    let refuse = |message: &str, help: &str| Err(EngineError::new("E0792", message, help));
+    match (in_time, is_search) {
+        (true, _) => refuse(
+            "the outputs of a motion in time have no derivatives",
+            "analyse quasi-statically; to vary a param of a motion in time use `calyx sweep`",
+        ),
+        (_, true) => refuse(
+            "the outputs of a tolerance search have no derivatives, because its settings may differ beside the values of the params",
+            "choose a fidelity level with `--fidelity`",
+        ),
+        _ => Ok(()),
+    }
+}
 
 /// Plans and runs an analysis of the scene, and stores its result.
 fn analyze(

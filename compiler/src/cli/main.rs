@@ -21,6 +21,7 @@ mod optimize;
 mod repl;
 mod report;
 mod run;
+mod sensitivities;
 mod solving;
 mod studio;
 mod sweep;
@@ -87,6 +88,13 @@ enum Command {
     /// variable.
     #[command(after_help = optimize::EXAMPLES)]
     Optimize(optimize::Optimize),
+    /// Differentiate the outputs of a model with respect to its params
+    ///
+    /// Computes how outputs change by small changes of params, in the state of contact of the
+    /// analysis, with estimated errors. Prints the params ranked by their effect, and writes tables
+    /// and a page with plots.
+    #[command(after_help = sensitivities::EXAMPLES)]
+    Sensitivities(sensitivities::Sensitivities),
     /// Set params, run a model and compare its results in the browser
     ///
     /// Starts a server on this computer, prints its address and opens it in the browser: a form of
@@ -169,6 +177,7 @@ impl Command {
             Command::Tradeoff(command) => command.warnings(),
             Command::Sweep(command) => command.warnings(),
             Command::Optimize(command) => command.warnings(),
+            Command::Sensitivities(command) => command.warnings(),
             _ => Some(MessageFormat::Human),
         }
     }
@@ -197,6 +206,7 @@ fn main() -> ExitCode {
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Optimize(command) => command.run(),
+        Command::Sensitivities(command) => command.run(),
         Command::Studio(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::View(command) => command.run(),

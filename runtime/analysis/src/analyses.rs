@@ -13,6 +13,7 @@ use crate::results::AnalysisResult;
 use crate::scene::Scene;
 use crate::tolerance::quasi_static_within;
 use calyx_model::observed::OutputRequest;
+use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 
 /// Analysis of a scene, from planning to results.
@@ -23,6 +24,11 @@ pub trait Analysis: Method {
     /// Returns up to about `count` times of the analysis, s, from its start to its end. Loads are
     /// checked at these times.
     fn sample_times(&self, count: usize) -> Vec<f64>;
+
+    /// Returns the list of positions of a quasi-static analysis; `None` of a motion in time.
+    fn positions(&self) -> Option<&[Position]> {
+        None
+    }
 
     /// Runs the analysis and reports its events to an observer.
     ///
@@ -78,6 +84,10 @@ impl Analysis for QuasiStatic<'_> {
         let step = self.positions.len().div_ceil(count.max(1)).max(1);
         let last = self.positions.last();
         self.positions.iter().step_by(step).chain(last).map(|position| position.time).collect()
+    }
+
+    fn positions(&self) -> Option<&[Position]> {
+        Some(&self.positions)
     }
 
     fn run(

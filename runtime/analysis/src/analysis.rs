@@ -14,6 +14,7 @@ use crate::results::SearchProgress;
 use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
 use crate::scene::Scene;
+use crate::sensitivity::{Base, Sensitivity, SensitivityRequest};
 use crate::summary::summarize;
 use crate::validate::Request;
 use calyx_contact::problem::Certificate;
@@ -22,9 +23,10 @@ use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::plan::Plan;
 pub use calyx_model::position::{Position, mesh_cycle};
 use calyx_model::resources::Resources;
+use calyx_model::structure_building::structure_keys;
 use calyx_model::target::Examined;
 use calyx_numerics::error::{EngineError, Subject};
-use calyx_solve::step::StepResult;
+use calyx_solve::step::{ContactState, StepResult};
 use calyx_solve::system::System;
 use calyx_solve::vibration::check_vibrations;
 
@@ -46,6 +48,7 @@ pub struct PlannedAnalysis<'s> {
     structure: StructureOptions,
     error_estimates: Estimates,
     component_loads: bool,
+    sensitivities: Option<SensitivityRequest>,
     plan: Plan,
     timing: Timing,
 }
@@ -79,6 +82,7 @@ impl<'s> PlannedAnalysis<'s> {
             structure: options.structure,
             error_estimates: options.error_estimates,
             component_loads: options.component_loads,
+            sensitivities: options.sensitivities.clone(),
             plan,
             timing,
         })
@@ -97,7 +101,7 @@ impl<'s> PlannedAnalysis<'s> {
         let PlannedAnalysis { scene, positions, outputs, resources, solved, highest_frequency, plan, .. } =
             self;
         let (structure, error_estimates, mut timing) = (self.structure, self.error_estimates, self.timing);
-        let component_loads = self.component_loads;
+        let (component_loads, sensitivities) = (self.component_loads, self.sensitivities);
         let system = timing.stage("structures", || System::with(scene, &plan, &resources))?;
         timing.structures = system.structure_counts();
         let system = match highest_frequency {
@@ -115,6 +119,8 @@ impl<'s> PlannedAnalysis<'s> {
             highest_frequency,
             structure,
             error_estimates,
+            sensitivities,
+            states: Vec::new(),
             plan,
             timing,
             system,
@@ -148,6 +154,9 @@ pub struct Steps<'s> {
     highest_frequency: f64,
     structure: StructureOptions,
     error_estimates: Estimates,
+    sensitivities: Option<SensitivityRequest>,
+    /// States of contact of the solved positions, if sensitivities are requested.
+    states: Vec<Option<ContactState>>,
     plan: Plan,
     timing: Timing,
     system: System<'s>,
@@ -209,13 +218,19 @@ impl<'s> Steps<'s> {
     ///
     /// # Errors
     /// The first error of a position, or those of the interrupt.
-    pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
+    pub fn finish(self) -> Result<AnalysisResult, EngineError> {
+        self.finish_observed(&mut ())
+    }
+
+    /// Does the same as [`Steps::finish`] and reports the stages to an observer.
+    fn finish_observed(mut self, observer: &mut dyn Observer) -> Result<AnalysisResult, EngineError> {
         for step in self.by_ref() {
             step?;
         }
         if let Some(error) = self.failed {
             return Err(error);
         }
+        let sensitivities = self.differentiate(observer)?;
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
         let (modes, campbell) = self.first_modes()?;
@@ -251,9 +266,84 @@ impl<'s> Steps<'s> {
             modes,
             campbell,
             forced_response,
+            sensitivities,
             timing: self.timing,
             tolerance_search: None,
         })
+    }
+
+    /// Computes the derivatives that the options request.
+    fn differentiate(&mut self, observer: &mut dyn Observer) -> Result<Vec<Sensitivity>, EngineError> {
+        let Some(request) = self.sensitivities.take() else { return Ok(Vec::new()) };
+        let started = Instant::now();
+        // An earlier run has solved the first positions without their states.
+        let missing = self.solved.len() - self.states.len();
+        let resolved = self.positions[..missing].iter().map(|position| {
+            let step = self.system.solve(position.time)?;
+            Ok(state_of(&step))
+        });
+        let mut states = resolved.collect::<Result<Vec<_>, EngineError>>()?;
+        states.append(&mut self.states);
+        let rows = self.solved.iter().map(|solved| solved.row.clone()).collect();
+        let base = Base { steps: self, rows, states };
+        let count = request.params.len();
+        let begin = |index| observer.observe(Event::Differentiated { index, count });
+        let found = base.sensitivities(&request, begin)?;
+        self.timing.add(SENSITIVITIES, started.elapsed());
+        Ok(found)
+    }
+
+    /// Returns the options of the analysis itself, without those of its results.
+    pub(crate) fn options(&self) -> AnalysisOptions {
+        AnalysisOptions {
+            fidelity: self.plan.fidelity,
+            structure: self.structure,
+            highest_frequency: self.highest_frequency,
+            resources: self.resources.clone(),
+            ..AnalysisOptions::default()
+        }
+    }
+
+    /// Returns the scene.
+    pub(crate) fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// Returns the requested outputs.
+    pub(crate) fn outputs(&self) -> &'s [OutputRequest] {
+        self.outputs
+    }
+
+    /// Returns whether all structures of the plan equal those of another analysis.
+    pub(crate) fn has_structures_of(&self, other: &Steps<'_>) -> bool {
+        let stiffness = |steps: &Steps<'_>| {
+            let connections = steps.system.elastic_connections.iter();
+            connections.map(|connection| connection.stiffness.clone()).collect::<Vec<_>>()
+        };
+        let [own, others] = [self, other].map(|steps| structure_keys(steps.scene, &steps.plan));
+        own.is_some() && own == others && stiffness(self) == stiffness(other)
+    }
+
+    /// Solves a position in a state of contact, or finds the state without a given one. Returns the
+    /// outputs; `None` if the state cannot be kept.
+    pub(crate) fn outputs_in_state(
+        &self,
+        position: usize,
+        state: Option<&ContactState>,
+    ) -> Result<Option<Vec<Observed>>, EngineError> {
+        self.resources.interrupt.check()?;
+        let time = self.positions[position].time;
+        let step = match state {
+            Some(state) => self.system.solve_in_state(time, state)?,
+            None => self.system.solve(time)?,
+        };
+        // Rigid bodies touch without cells.
+        if !self.system.rigid && state.is_some_and(|state| step.contact_state() != *state) {
+            return Ok(None);
+        }
+        let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
+        self.resources.interrupt.check()?;
+        Ok(Some(self.outputs.iter().map(|output| output.evaluate(time, &observed)).collect()))
     }
 
     /// Computes the forced response that the scene requests.
@@ -295,6 +385,9 @@ impl<'s> Steps<'s> {
             recorder.push(loads);
         }
         let certificate = step.certificate;
+        if self.sensitivities.is_some() {
+            self.states.push(state_of(&step));
+        }
         self.current = Some(step);
         Ok(Solved { row, certificate, state: Vec::new() })
     }
@@ -318,6 +411,11 @@ impl<'s> Steps<'s> {
         self.resources.interrupt.check()?;
         Ok(Found { step, observed, loads })
     }
+}
+
+/// Returns the state of contact of a position; `None` at a change of the state.
+fn state_of(step: &StepResult) -> Option<ContactState> {
+    (!step.is_at_change_of_state()).then(|| step.contact_state())
 }
 
 impl Iterator for Steps<'_> {
@@ -349,6 +447,8 @@ impl FusedIterator for Steps<'_> {}
 
 /// Name of the stage in which the forced response is computed.
 const FORCED_RESPONSE: &str = "forced response";
+/// Name of the stage in which outputs are differentiated.
+const SENSITIVITIES: &str = "sensitivities";
 /// Name of the stage in which errors are estimated.
 pub(crate) const ERRORS: &str = "errors";
 
@@ -372,6 +472,13 @@ pub enum Event<'a> {
         solved: &'a Solved,
         /// Fields, if [`AnalysisOptions::fields`] requests them.
         fields: Option<&'a Fields>,
+    },
+    /// The outputs are differentiated with respect to the next param.
+    Differentiated {
+        /// Index of the param.
+        index: usize,
+        /// Number of params.
+        count: usize,
     },
 }
 
@@ -423,7 +530,7 @@ pub fn quasi_static(
     if options.error_estimates != Estimates::None {
         observer.observe(Event::Stage(ERRORS))?;
     }
-    steps.finish()
+    steps.finish_observed(observer)
 }
 
 impl Timing {

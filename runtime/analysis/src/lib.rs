@@ -17,6 +17,7 @@ pub mod options;
 pub mod results;
 pub mod rows;
 pub mod scene;
+pub mod sensitivity;
 pub mod settings_override;
 pub mod signal;
 pub mod summary;

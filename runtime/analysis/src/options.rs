@@ -2,6 +2,7 @@
 
 use crate::estimate::Estimates;
 use crate::rows::Solved;
+use crate::sensitivity::SensitivityRequest;
 use calyx_model::fidelity::{Fidelity, StructureOptions};
 use calyx_model::resources::Resources;
 
@@ -35,6 +36,9 @@ pub struct AnalysisOptions {
     pub component_loads: bool,
     /// Error estimates that are computed after all positions are solved.
     pub error_estimates: Estimates,
+    /// Derivatives of all outputs, computed after all positions are solved; only of quasi-static
+    /// analyses.
+    pub sensitivities: Option<SensitivityRequest>,
 }
 
 impl Default for AnalysisOptions {
@@ -50,6 +54,7 @@ impl Default for AnalysisOptions {
             parts: false,
             component_loads: false,
             error_estimates: Estimates::None,
+            sensitivities: None,
         }
     }
 }

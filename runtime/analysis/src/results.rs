@@ -14,6 +14,7 @@ pub(crate) use tolerance_outcome::{EXHAUSTED, LARGER, percent};
 use crate::component_loads::ComponentLoads;
 use crate::forced_response::ForcedResponse;
 use crate::observables::{CampbellDiagram, ModesTable};
+use crate::sensitivity::Sensitivity;
 use calyx_contact::problem::Certificate;
 use calyx_model::plan::Plan;
 use std::time::{Duration, Instant};
@@ -90,6 +91,8 @@ pub struct AnalysisResult {
     pub campbell: Option<CampbellDiagram>,
     /// Forced response over the speed, if the scene requests it.
     pub forced_response: Option<ForcedResponse>,
+    /// Derivatives of the outputs, if the options request them.
+    pub sensitivities: Vec<Sensitivity>,
     /// Timings.
     pub timing: Timing,
     /// Outcome of the tolerance search, if a tolerance was given.

@@ -60,6 +60,13 @@ pub(crate) fn is_closed(rows: &[StepRow], request: &OutputRequest, scene: &Scene
     Cycle::of(rows).is_some_and(|cycle| repeats(request, scene, [0.0, cycle.period]))
 }
 
+/// Returns the mean of values of an output at the positions, as in its summary.
+pub(crate) fn mean_of(rows: &[StepRow], request: &OutputRequest, scene: &Scene, values: &[f64]) -> f64 {
+    let cycle = Cycle::of(rows);
+    let closed = cycle.as_ref().filter(|cycle| repeats(request, scene, [0.0, cycle.period]));
+    closed.map_or_else(|| mean_over_time(rows, values), |cycle| cycle.mean(values))
+}
+
 /// Returns the mean over time of a quantity that repeats in every mesh cycle: over the closed cycle
 /// if the rows cover one.
 pub(crate) fn mean_of_repeating(rows: &[StepRow], scene: &Scene, values: &[f64]) -> f64 {

@@ -57,6 +57,34 @@ pub fn solve_until(
     if finite { Ok(solution) } else { Err(ContactError::NotConverged) }
 }
 
+/// Computes the forces and the motion that close the gaps of the given cells, ascending; all other
+/// cells carry no force. Forces may be negative and other gaps too: with the active set of a
+/// solution, this is its smooth continuation to neighbouring problems.
+///
+/// Returns `None` if these cells and the springs do not determine the forces and the motion.
+///
+/// # Errors
+/// [`ContactError::Invalid`], [`ContactError::Interrupted`].
+pub fn solve_with_active_set(
+    problem: &ContactProblem,
+    active: &[usize],
+    interrupt: &Interrupt,
+) -> Result<Option<Solution>, ContactError> {
+    problem.validate()?;
+    if active.last().is_some_and(|&last| last >= problem.cells()) {
+        return Err(ContactError::Invalid("an active cell does not exist"));
+    }
+    let scaled = Scaled::new(problem);
+    match scaled.close(active, interrupt) {
+        Ok((forces, motion)) => {
+            let found = Found { active: active.to_vec(), forces, motion };
+            Ok(Some(scaled.solution(problem, found, Method::BlockPivoting, 1)))
+        }
+        Err(Singular::Interrupted(error)) => Err(ContactError::Interrupted(error)),
+        Err(_) => Ok(None),
+    }
+}
+
 /// Solves a valid problem by pivoting.
 fn pivot(
     problem: &ContactProblem,

@@ -9,7 +9,7 @@
 //!
 //! See `docs/theory/contact.md`.
 
-use super::active_set::solve_until;
+use super::active_set::{solve_until, solve_with_active_set};
 use super::problem::{ContactError, ContactProblem, Solution};
 use calyx_numerics::interrupt::Interrupt;
 
@@ -18,6 +18,15 @@ use calyx_numerics::interrupt::Interrupt;
 const ROUNDS: usize = 60;
 /// Change of the friction loads, relative to the loads, that counts as rounding.
 const SETTLED: f64 = 1e-15;
+
+/// What is known about the active set of a contact problem.
+#[derive(Clone, Copy, Debug)]
+pub enum ActiveSet<'a> {
+    /// An estimate, from which the search starts.
+    Estimate(&'a [usize]),
+    /// The active set is given: forces may become negative, see [`solve_with_active_set`].
+    Given(&'a [usize]),
+}
 
 /// Solves a contact problem with friction. `friction` (cells by DOFs, row-major) is the generalized
 /// force on a DOF due to the friction of a unit normal force on a cell: mu times the work of the
@@ -28,19 +37,25 @@ const SETTLED: f64 = 1e-15;
 ///
 /// # Errors
 /// Those of [`solve_until`]; [`ContactError::NotConverged`] if friction grows without bound
-/// (self-locking).
+/// (self-locking), or a given active set does not determine the solution.
 pub fn solve_with_friction(
     problem: ContactProblem,
     friction: &[f64],
-    warm_start: Option<&[usize]>,
+    active: ActiveSet<'_>,
     interrupt: &Interrupt,
 ) -> Result<(ContactProblem, Solution), ContactError> {
+    let solve = |problem: &ContactProblem, former: Option<&[usize]>| match active {
+        ActiveSet::Estimate(estimate) => solve_until(problem, Some(former.unwrap_or(estimate)), interrupt),
+        ActiveSet::Given(given) => {
+            solve_with_active_set(problem, given, interrupt)?.ok_or(ContactError::NotConverged)
+        }
+    };
     let m = problem.dofs();
     if friction.len() != problem.cells() * m {
         return Err(ContactError::Invalid("sizes of the arrays do not match"));
     }
     let mut loaded = problem;
-    let mut solution = solve_until(&loaded, warm_start, interrupt)?;
+    let mut solution = solve(&loaded, None)?;
     if m == 0 || friction.iter().all(|&work| work == 0.0) {
         return Ok((loaded, solution));
     }
@@ -64,7 +79,7 @@ pub fn solve_with_friction(
         }
         previous = size;
         loaded.load = load;
-        solution = solve_until(&loaded, Some(&solution.active), interrupt)?;
+        solution = solve(&loaded, Some(&solution.active))?;
     }
     Err(ContactError::NotConverged)
 }

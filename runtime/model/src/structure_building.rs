@@ -109,6 +109,18 @@ pub fn build_structures(
     Ok((bodies.map(of_body).collect::<Result<_, _>>()?, counts))
 }
 
+/// Returns the keys of the structures that the plan requires, by body; `None` for bodies without a
+/// structure. Returns `None` if a structure has no key.
+pub fn structure_keys(scene: &Mechanism, plan: &Plan) -> Option<Vec<Option<Key>>> {
+    let modelled = plan.structures(scene);
+    let key = |((number, body), planned): ((Option<usize>, &Body), &BodyPlan)| {
+        let (prototype, solid) = (body.prototype.as_ref(), plan.three_dimensional);
+        let requested = RequestedStructure { prototype, options: planned.options, solid };
+        number.map_or(Some(None), |_| requested.key().map(Some))
+    };
+    modelled.into_iter().zip(&scene.bodies).zip(&plan.bodies).map(key).collect()
+}
+
 /// Structure to build in this thread, with the obligation to publish it if it has a key.
 type Build<'c> = (usize, Option<Claim<'c>>);
 /// Number of the required structure, the structure, and whether it was built rather than restored.

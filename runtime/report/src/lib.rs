@@ -26,6 +26,7 @@ pub mod page;
 pub mod parquet_table;
 pub mod sample;
 #[cfg(feature = "pages")]
+pub mod sensitivity;
 pub mod signals;
 pub mod stress_range;
 pub mod study;

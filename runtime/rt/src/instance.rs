@@ -1,5 +1,9 @@
 //! A model instance: a program with values of its params, which can be run repeatedly.
 
+mod neighbours;
+
+pub use neighbours::is_continuous;
+
 use crate::adapted::AdaptedProgram;
 use crate::engine::Engine;
 use crate::error::Error;
@@ -78,6 +82,8 @@ struct Setup {
     bodies: bool,
     parts: bool,
     component_loads: bool,
+    /// Indices of the params with respect to which outputs are differentiated.
+    sensitivities: Vec<usize>,
     overrides: Override,
 }
 
@@ -101,6 +107,7 @@ impl Instance {
             bodies: false,
             parts: false,
             component_loads: false,
+            sensitivities: Vec::new(),
             overrides: Override::default(),
         };
         Instance { setup, time_limit: None, memory_limit: None, cancel: Cancel::default() }
@@ -421,6 +428,11 @@ impl Job {
         (context, built)
     }
 
+    /// Returns another run with the same values and limits.
+    fn again(&self) -> Job {
+        Job { setup: self.setup.clone(), limits: self.limits, cancel: self.cancel.clone() }
+    }
+
     /// Returns the files that the model reads, and the error that ends it, if any.
     #[cfg(feature = "command")]
     fn build(&self) -> (Vec<FileDescription>, Option<Error>) {
@@ -455,7 +467,10 @@ impl Job {
         context.kernels = seen.watched(self.setup.program.kernels());
         params::resolve(self.setup.program.as_ref(), &self.setup.settings, &mut context)?;
         let params = params::values(self.setup.program.description(), &context);
+        let sensitivities = self.sensitivities(&mut context)?;
+        let differentiated = sensitivities.as_ref().map(|request| (self.again(), request.params.clone()));
         if let Some(host) = context.host::<ModelHost>() {
+            host.analysis.sensitivities = sensitivities;
             host.observer = Some(Box::new(Watcher {
                 program: self.setup.program.clone(),
                 shape: self.setup.shape,
@@ -485,7 +500,12 @@ impl Job {
             }
         }
         let calculated = calculate(&mut context)?;
+        let derivatives = match (&calculated, differentiated) {
+            (Some(solved), Some((job, params))) => job.differentiated(&params, solved)?,
+            _ => Vec::new(),
+        };
         let time = started.elapsed();
+        let calculated = calculated.map(|solved| (solved, derivatives));
         Ok(Results::of(self.setup.program, self.setup.shape, params, &mut context, (calculated, time)))
     }
 }

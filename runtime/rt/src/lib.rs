@@ -58,6 +58,8 @@ pub mod run_directory;
 #[cfg(feature = "command")]
 pub mod schema;
 #[cfg(feature = "command")]
+mod sensitivity_table;
+#[cfg(feature = "command")]
 pub mod settings_override;
 pub mod stepping;
 #[cfg(feature = "command")]
@@ -69,6 +71,8 @@ pub use calyx_abi::description::{ModelDescription, ParamValue};
 pub use calyx_abi::shell;
 #[cfg(feature = "command")]
 pub use calyx_report::parquet_table;
+#[cfg(feature = "command")]
+pub use calyx_report::sensitivity;
 #[cfg(feature = "command")]
 pub use calyx_report::study;
 #[cfg(feature = "command")]
@@ -83,7 +87,7 @@ pub use former_names::overriding;
 #[expect(deprecated, reason = "former names work for one version")]
 pub use former_names::{Given, GivenValue, Refused, Seen, given, seen};
 pub use host::Host;
-pub use instance::{Instance, Progress};
+pub use instance::{Instance, Progress, is_continuous};
 pub use names::{Output, OutputName, Param, ParamName};
 pub use nan_log::NanLog;
 pub use param_assignment::{AssignedValue, ParamAssignment};

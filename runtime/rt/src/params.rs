@@ -269,7 +269,11 @@ fn near<'n>(name: &str, names: impl Iterator<Item = &'n str> + Clone) -> Vec<&'n
 /// Bounds of a numeric range, in SI.
 type Ends = (Option<f64>, Option<f64>);
 
-fn range(
+/// Returns the range of a param at the values of a context.
+///
+/// # Errors
+/// An expression of the model failed.
+pub(crate) fn range(
     program: &dyn Program,
     index: usize,
     param: &ParamDescription,

@@ -16,6 +16,7 @@ use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::forced_response::ForcedResponse;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::results::{AnalysisResult, Observed, OutputSummary, Solved, StepRow, Timing};
+use calyx_runtime::sensitivity::Sensitivity;
 use calyx_runtime::signal::Signal;
 use calyx_runtime::summary::Harmonic;
 use std::sync::Arc;
@@ -43,10 +44,11 @@ struct Calculated {
     /// The only row, at time zero.
     row: StepRow,
     summaries: Vec<OutputSummary>,
+    sensitivities: Vec<Sensitivity>,
 }
 
 impl Calculated {
-    fn new(row: StepRow) -> Calculated {
+    fn new(row: StepRow, sensitivities: Vec<Sensitivity>) -> Calculated {
         let constant = |output: &Observed| OutputSummary {
             min: output.value,
             max: output.value,
@@ -55,7 +57,7 @@ impl Calculated {
             ..OutputSummary::none()
         };
         let summaries = row.outputs.iter().map(constant).collect();
-        Calculated { row, summaries }
+        Calculated { row, summaries, sensitivities }
     }
 }
 
@@ -67,7 +69,7 @@ impl Results {
         shape: u64,
         params: Vec<ParamValue>,
         context: &mut Context,
-        (calculated, time): (Option<Solved>, Duration),
+        (calculated, time): (Option<(Solved, Vec<Sensitivity>)>, Duration),
     ) -> Results {
         let (mut analysis, mut findings, mut signals) = (None, Vec::new(), Vec::new());
         let (mut gear_data, mut flanks, mut tables) = (DataBlock::default(), None, Vec::new());
@@ -81,7 +83,7 @@ impl Results {
             findings = std::mem::take(&mut host.findings);
             signals = std::mem::take(&mut host.signals);
         }
-        let calculated = calculated.map(|solved| Calculated::new(solved.row));
+        let calculated = calculated.map(|(solved, derivatives)| Calculated::new(solved.row, derivatives));
         Results {
             program,
             shape,
@@ -208,6 +210,16 @@ impl Results {
     /// Returns the power flow of the gear trains that the model reports.
     pub fn power_flows(&self) -> &[PowerFlow] {
         &self.power_flows
+    }
+
+    /// Returns the derivatives of the outputs that [`crate::Instance::request_sensitivities`]
+    /// requested, by param, in SI.
+    pub fn sensitivities(&self) -> &[Sensitivity] {
+        match (&self.analysis, &self.calculated) {
+            (Some(result), _) => &result.sensitivities,
+            (None, Some(calculated)) => &calculated.sensitivities,
+            (None, None) => &[],
+        }
     }
 
     /// Returns the largest residuals over all positions; `None` for a model without an analysis.

@@ -25,7 +25,7 @@ mod owner;
 
 pub use error::DirectoryError;
 pub use file_names::FILES_OF_A_SWEEP;
-use file_names::{FILES_OF_A_RUN, FILES_OF_AN_OPTIMIZATION};
+use file_names::{FILES_OF_A_RUN, FILES_OF_AN_OPTIMIZATION, FILES_OF_SENSITIVITIES};
 pub use owner::utc;
 
 /// File name of the marker.
@@ -48,6 +48,8 @@ pub enum Kind {
     Sweep,
     /// Written by `calyx optimize`.
     Optimization,
+    /// Written by `calyx sensitivities`.
+    Sensitivities,
 }
 
 impl Kind {
@@ -64,6 +66,9 @@ impl Kind {
             Kind::Optimization => {
                 "Calyx optimization directory, format 1. `calyx optimize` replaces only the files listed here.\n"
             }
+            Kind::Sensitivities => {
+                "Calyx sensitivities directory, format 1. `calyx sensitivities` replaces only the files listed here.\n"
+            }
         }
     }
 
@@ -75,6 +80,7 @@ impl Kind {
             Kind::Tradeoff => &["tradeoff.csv", "tradeoff.json", "tradeoff.svg", "runs", "structures"],
             Kind::Sweep => &FILES_OF_A_SWEEP,
             Kind::Optimization => &FILES_OF_AN_OPTIMIZATION,
+            Kind::Sensitivities => &FILES_OF_SENSITIVITIES,
         }
     }
 
@@ -82,7 +88,7 @@ impl Kind {
     fn folders(self) -> &'static [&'static str] {
         match self {
             Kind::Run => &[SIGNALS, vtu::FOLDER, body_pictures::FOLDER, view::FOLDER],
-            Kind::Tradeoff | Kind::Sweep | Kind::Optimization => &[],
+            Kind::Tradeoff | Kind::Sweep | Kind::Optimization | Kind::Sensitivities => &[],
         }
     }
 
@@ -116,8 +122,8 @@ impl Kind {
             Kind::Tradeoff => {
                 read("tradeoff.json").filter(|all| has(all, &["model", "settings", "reference"]))?;
             }
-            // All sweeps and optimizations have a marker.
-            Kind::Sweep | Kind::Optimization => return None,
+            // All directories of these kinds have a marker.
+            Kind::Sweep | Kind::Optimization | Kind::Sensitivities => return None,
         }
         names.retain(|name| self.allows(name));
         Some(names)

@@ -112,6 +112,9 @@ impl Observer for Watcher {
                 }
             }
             Event::Stage(stage) => self.tell(Progress { stage, done: 0, total: None }),
+            Event::Differentiated { index, count } => {
+                self.tell(Progress { stage: "sensitivities", done: index, total: Some(count) });
+            }
             Event::Step { index, count, solved, fields } => {
                 if let Some(record) = &self.record {
                     record.lock().unwrap_or_else(PoisonError::into_inner)(index, solved, fields)?;

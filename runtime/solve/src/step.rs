@@ -11,6 +11,7 @@
 mod contact_geometry;
 mod contact_layout;
 mod contact_solution;
+mod contact_state;
 mod friction;
 mod grid_warnings;
 mod linearized_bearings;
@@ -21,6 +22,7 @@ mod plane;
 mod relinearization;
 mod solid;
 
+pub use contact_state::{ContactState, PatchCells};
 pub use participation::Participating;
 pub use patch::{ContactGrid, ContactPatch};
 
@@ -87,6 +89,20 @@ impl System<'_> {
         self.solve_under(time, &load, &load, None)
     }
 
+    /// Solves the equilibrium at a time (s) in a given state of contact: with the cells that carry
+    /// force there, as a smooth continuation of a neighbouring scene. If the patches differ, the
+    /// state is found as usual; compare it with [`StepResult::contact_state`].
+    ///
+    /// # Errors
+    /// Those of [`System::solve`].
+    pub fn solve_in_state(&self, time: f64, state: &ContactState) -> Result<StepResult, EngineError> {
+        if self.rigid {
+            return self.touch(time);
+        }
+        let load = self.load_at(time)?;
+        self.equilibrium(time, &load, &load, None, (None, Some(state)))
+    }
+
     /// Computes the rigid-body limit at a time (s): surfaces touch as the load vanishes.
     ///
     /// # Errors
@@ -105,7 +121,7 @@ impl System<'_> {
         direction: &[f64],
         elastic: Option<&ModalElimination<'_>>,
     ) -> Result<StepResult, EngineError> {
-        self.equilibrium(time, load, direction, elastic, None)
+        self.equilibrium(time, load, direction, elastic, (None, None))
     }
 
     /// Solves the initial equilibrium of a transient analysis. `sizing` is the load for the sizes
@@ -117,7 +133,7 @@ impl System<'_> {
         elastic: Option<&ModalElimination<'_>>,
         sizing: &[f64],
     ) -> Result<StepResult, EngineError> {
-        self.equilibrium(time, load, load, elastic, Some(sizing))
+        self.equilibrium(time, load, load, elastic, (Some(sizing), None))
     }
 
     fn equilibrium(
@@ -126,13 +142,21 @@ impl System<'_> {
         load: &[f64],
         direction: &[f64],
         elastic: Option<&ModalElimination<'_>>,
-        sizing: Option<&[f64]>,
+        (sizing, state): (Option<&[f64]>, Option<&ContactState>),
     ) -> Result<StepResult, EngineError> {
         let solve = |tangents: &[Option<Tangent>], nonlinear: Option<&NonlinearBearings<'_>>| {
             let springs = &self.springs_with(time, tangents)?;
             let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
-            let under =
-                Conditions { direction, springs, nonlinear, start: &[], elastic, sizing, in_time: false };
+            let under = Conditions {
+                direction,
+                springs,
+                nonlinear,
+                start: &[],
+                elastic,
+                sizing,
+                in_time: false,
+                state,
+            };
             match &self.bodies {
                 Bodies::Plane(bodies) => {
                     Solver { system: self, space: &Plane { system: self, bodies }, under }.solve(time, &load)
@@ -176,7 +200,9 @@ impl System<'_> {
             false => None,
         };
         let nonlinear = bearings.as_ref();
-        let under = Conditions { direction, springs, nonlinear, start, elastic, sizing, in_time: true };
+        let state = None;
+        let under =
+            Conditions { direction, springs, nonlinear, start, elastic, sizing, in_time: true, state };
         let mut step = match &self.bodies {
             Bodies::Plane(bodies) => {
                 Solver { system: self, space: &Plane { system: self, bodies }, under }.take(time, load)

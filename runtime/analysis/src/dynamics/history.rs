@@ -446,6 +446,7 @@ impl<'s> History<'s> {
             modes,
             campbell,
             forced_response: None,
+            sensitivities: Vec::new(),
             timing: self.timing,
             tolerance_search: None,
         })

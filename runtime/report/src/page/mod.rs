@@ -25,6 +25,7 @@ mod pareto;
 mod power_flow;
 mod projection;
 mod read;
+pub mod sensitivity;
 pub mod sweep;
 mod tolerances;
 mod units;

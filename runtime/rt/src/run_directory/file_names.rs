@@ -2,6 +2,7 @@
 
 use calyx_report::directory::REPORT;
 use calyx_report::optimization::{DESIGNS, OPTIMUM};
+use calyx_report::sensitivity::{SENSITIVITIES, SENSITIVITIES_BY_POSITION};
 use calyx_report::study::{EXPLAINED_VARIATION, SAMPLE_STATISTICS};
 use calyx_report::sweep::PRINTED_TEXT;
 use calyx_report::{component_table, duty_cycle, page, view};
@@ -29,6 +30,10 @@ pub const FILES_OF_A_SWEEP: [&str; 16] = [
 /// Files of an optimization.
 pub(super) const FILES_OF_AN_OPTIMIZATION: [&str; 4] =
     [OPTIMUM, DESIGNS, "evaluations.jsonl", page::optimization::NAME];
+
+/// Files of sensitivities.
+pub(super) const FILES_OF_SENSITIVITIES: [&str; 3] =
+    [SENSITIVITIES, SENSITIVITIES_BY_POSITION, page::sensitivity::NAME];
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.

@@ -6,6 +6,7 @@
 
 use super::StepResult;
 use super::contact_geometry::{Approach, Candidate, ContactGeometry};
+use super::contact_state::ContactState;
 use super::nonlinear_bearings::NonlinearBearings;
 use super::relinearization::{ContactReference, farthest};
 use crate::modal::ModalElimination;
@@ -57,6 +58,8 @@ pub(super) struct Conditions<'a> {
     pub(super) sizing: Option<&'a [f64]>,
     /// True for a time step, in which teeth may separate.
     pub(super) in_time: bool,
+    /// State of contact that is kept, if its patches have the same cells.
+    pub(super) state: Option<&'a ContactState>,
 }
 
 /// Solver of a position.

@@ -3,13 +3,14 @@
 
 use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells};
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
+use super::contact_state::PatchCells;
 use super::nonlinear_bearings::{NonlinearBearings, NonlinearIteration};
 use super::relinearization::ContactReference;
 use super::{ContactPatch, StepResult};
 use crate::restraint_check::{self, spins_freely};
 use crate::system::System;
 use calyx_contact::assembly::FormerCompliance;
-use calyx_contact::friction::solve_with_friction;
+use calyx_contact::friction::{ActiveSet, solve_with_friction};
 use calyx_contact::problem::{ContactError, ContactProblem, Solution};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
 use calyx_model::dof::Dof;
@@ -91,11 +92,22 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let deflected = active.is_some();
-            let guess = active.take().unwrap_or_else(|| self.guess(load, candidates, &problem, &grids));
             // Corrected grids start with the bearings of the former grids.
             let laid = (candidates, &grids[..]);
+            // With a given state of contact, its active set replaces that of the last grids.
+            let given = self.given_active_set(candidates, &grids);
+            let repeated = given.map(|given| (given, problem.clone()));
+            let guess = given.map(<[usize]>::to_vec).or_else(|| active.take());
+            let guess = guess.unwrap_or_else(|| self.guess(load, candidates, &problem, &grids));
             let (problem, solution) = self.solve_problem(problem, &works, guess, laid, &mut iteration)?;
+            let in_given_state = |solved: (ContactProblem, Solution), iteration: &mut _| match repeated {
+                Some((given, problem)) if solved.1.active != given => {
+                    self.solve_in_state(problem, &works, given, laid, iteration)
+                }
+                _ => Ok(solved),
+            };
             if deflected {
+                let (problem, solution) = in_given_state((problem, solution), &mut iteration)?;
                 break (drags, problem, modal, solution);
             }
             // Sizes that are not prescribed follow the forces of the patches.
@@ -108,6 +120,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             if converged {
                 let laid: Vec<_> = candidates.iter().copied().zip(&grids).collect();
                 let Some(rotated) = self.space.with_deflected_normals(&laid, &solution.forces)? else {
+                    let (problem, solution) = in_given_state((problem, solution), &mut iteration)?;
                     break (drags, problem, modal, solution);
                 };
                 (grids, active) = (rotated, Some(solution.active));
@@ -178,7 +191,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         iteration: &mut Option<NonlinearIteration>,
     ) -> Result<(ContactProblem, Solution), EngineError> {
         let solve = |problem, guess: &[usize]| {
-            let solved = solve_with_friction(problem, works, Some(guess), &self.system.interrupt);
+            let estimate = ActiveSet::Estimate(guess);
+            let solved = solve_with_friction(problem, works, estimate, &self.system.interrupt);
             solved.map_err(|error| self.explain_on(candidates, grids, &error))
         };
         match (self.under.nonlinear, iteration) {
@@ -186,6 +200,39 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 bearings.equilibrium(iteration, problem, self.under.start, guess, solve)
             }
             _ => solve(problem, &guess),
+        }
+    }
+
+    /// Returns the active set of the given state of contact, if there is one and the grids are its
+    /// own.
+    fn given_active_set(&self, candidates: &[&Candidate<S::Site>], grids: &[S::Grid]) -> Option<&[usize]> {
+        let state = self.under.state?;
+        let cells = |(candidate, grid): (&&Candidate<S::Site>, &S::Grid)| PatchCells {
+            pair: candidate.teeth.0,
+            teeth: candidate.teeth.1,
+            cells: self.space.count(grid),
+        };
+        candidates.iter().zip(grids).map(cells).eq(state.patches.iter().copied()).then_some(&state.active)
+    }
+
+    /// Solves a contact problem with a given active set, with nonlinear bearings in equilibrium.
+    fn solve_in_state(
+        &self,
+        problem: ContactProblem,
+        works: &[f64],
+        given: &[usize],
+        (candidates, grids): (&[&Candidate<S::Site>], &[S::Grid]),
+        iteration: &mut Option<NonlinearIteration>,
+    ) -> Result<(ContactProblem, Solution), EngineError> {
+        let solve = |problem, _: &[usize]| {
+            let solved = solve_with_friction(problem, works, ActiveSet::Given(given), &self.system.interrupt);
+            solved.map_err(|error| self.explain_on(candidates, grids, &error))
+        };
+        match (self.under.nonlinear, iteration) {
+            (Some(bearings), Some(iteration)) => {
+                bearings.equilibrium(iteration, problem, self.under.start, given.to_vec(), solve)
+            }
+            _ => solve(problem, given),
         }
     }
 

@@ -1,0 +1,342 @@
+//! Sensitivities: derivatives of outputs and of their statistics with respect to params.
+//!
+//! A program that knows the model at other values of its params ([`Neighbours`]) provides the
+//! scenes. Their positions are solved in the state of contact of the analysis: the same cells carry
+//! force, and so the values are a smooth function of the param, which central differences of two
+//! widths differentiate to many digits. Structures that do not depend on the param are shared.
+//!
+//! See `docs/theory/sensitivities.md`.
+
+mod differences;
+mod statistics;
+
+pub use differences::{Derivative, Side};
+pub use statistics::StatisticDerivatives;
+
+use crate::analysis::{AnalysisOptions, Steps};
+use crate::rows::StepRow;
+use crate::scene::Scene;
+use calyx_model::observed::{Observed, OutputRequest};
+use calyx_model::position::Position;
+use calyx_numerics::error::EngineError;
+use calyx_solve::step::ContactState;
+use differences::Stencil;
+use rayon::prelude::*;
+use std::fmt::{self, Debug, Formatter};
+use std::sync::Arc;
+
+/// Widths of differences, relative to the scale of the param, in the order in which they are tried.
+const WIDTHS: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-7];
+/// The same where noise of the values prevails, as of meshes that are generated anew.
+const WIDE: f64 = 1e-3;
+/// Estimated error, relative to the largest derivative of an output, at which no narrower width is
+/// tried.
+const ACCURATE: f64 = 1e-6;
+
+/// Ratio of the errors of two widths above which a narrower one is not worth its time.
+const WORTHWHILE: f64 = 0.5;
+
+/// Model at other values of its params.
+pub struct Neighbour {
+    /// The scene.
+    pub scene: Scene,
+    /// Positions of the analysis.
+    pub positions: Vec<Position>,
+    /// Requested outputs.
+    pub outputs: Vec<OutputRequest>,
+}
+
+/// Source of a model at other values of its params.
+pub trait Neighbours: Send + Sync {
+    /// Builds the model with another value (SI) of the param of an index.
+    ///
+    /// # Errors
+    /// The model cannot be built with this value.
+    fn at(&self, param: usize, value: f64) -> Result<Neighbour, EngineError>;
+}
+
+/// Param with respect to which outputs are differentiated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VariedParam {
+    /// Index for [`Neighbours::at`].
+    pub index: usize,
+    /// Name.
+    pub name: String,
+    /// Value in the analysis, SI.
+    pub value: f64,
+    /// Smallest and largest permitted value, SI; infinite without limits.
+    pub range: [f64; 2],
+}
+
+impl VariedParam {
+    /// Returns the size of changes that are not small: the value or, if it is smaller, the range.
+    pub fn scale(&self) -> f64 {
+        let width = self.range[1] - self.range[0];
+        let sizes = [self.value.abs(), width];
+        let known = sizes.into_iter().filter(|size| size.is_finite() && *size > 0.0);
+        known.reduce(f64::min).unwrap_or(1e-3)
+    }
+}
+
+/// Request for the derivatives of all outputs with respect to some params.
+#[derive(Clone)]
+pub struct SensitivityRequest {
+    /// Source of the models.
+    pub neighbours: Arc<dyn Neighbours>,
+    /// The params.
+    pub params: Vec<VariedParam>,
+}
+
+impl Debug for SensitivityRequest {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("SensitivityRequest").field("params", &self.params).finish_non_exhaustive()
+    }
+}
+
+/// How derivatives with respect to a param were computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The param changes no structure: all stored structures and the state of contact are kept.
+    SameStructures,
+    /// The param changes structures, which are built anew at each value (semi-analytic).
+    ChangedStructures,
+}
+
+/// Derivatives of all outputs with respect to a param.
+#[derive(Clone, Debug)]
+pub struct Sensitivity {
+    /// The param.
+    pub param: VariedParam,
+    /// Half width of the differences, SI.
+    pub width: f64,
+    /// How the derivatives were computed.
+    pub kind: Kind,
+    /// By position and output.
+    pub positions: Vec<Vec<Derivative>>,
+    /// Derivatives of the statistics, by output.
+    pub statistics: Vec<StatisticDerivatives>,
+    /// Reason why there are no derivatives, E0792; `positions` and `statistics` are empty then.
+    pub failure: Option<EngineError>,
+}
+
+/// Solved positions whose outputs are differentiated.
+pub(crate) struct Base<'a, 's> {
+    /// The finished analysis.
+    pub steps: &'a Steps<'s>,
+    pub rows: Vec<StepRow>,
+    /// State of contact by position; `None` at a change of the state.
+    pub states: Vec<Option<ContactState>>,
+}
+
+impl Base<'_, '_> {
+    /// Differentiates all outputs with respect to each requested param. `begin` receives the index
+    /// of each param before its turn.
+    ///
+    /// # Errors
+    /// Those of the interrupt and of `begin`.
+    pub fn sensitivities(
+        &self,
+        request: &SensitivityRequest,
+        mut begin: impl FnMut(usize) -> Result<(), EngineError>,
+    ) -> Result<Vec<Sensitivity>, EngineError> {
+        let mut all = Vec::with_capacity(request.params.len());
+        for (index, param) in request.params.iter().enumerate() {
+            begin(index)?;
+            let neighbours = request.neighbours.as_ref();
+            let differences = |stencil: &Stencil| self.differences(neighbours, param, stencil);
+            let interrupt = || self.steps.options().resources.interrupt.check();
+            let mut found = narrowed(param, differences, interrupt)?;
+            if found.failure.is_none() {
+                found.statistics = statistics::of(self, &found.positions);
+            }
+            all.push(found);
+        }
+        Ok(all)
+    }
+
+    /// Differentiates with differences of one width.
+    fn differences(
+        &self,
+        neighbours: &dyn Neighbours,
+        param: &VariedParam,
+        stencil: &Stencil,
+    ) -> Result<Sensitivity, EngineError> {
+        let models = stencil.values().into_iter().map(|value| neighbours.at(param.index, value));
+        let models = models.collect::<Result<Vec<Neighbour>, EngineError>>()?;
+        let options = self.steps.options();
+        let count = self.rows.len();
+        let fits = |model: &Neighbour| {
+            model.positions.len() == count && model.outputs.len() == self.steps.outputs().len()
+        };
+        if !models.iter().all(fits) {
+            return Err(other_positions(param));
+        }
+        let build = |model| Steps::of_neighbour(model, &options);
+        let built = models.iter().map(build).collect::<Result<Vec<Steps<'_>>, EngineError>>()?;
+        let same = built.iter().all(|steps| steps.has_structures_of(self.steps));
+        let solve = |position: usize| {
+            let state = self.states[position].as_ref();
+            let values = built.iter().map(|steps| steps.outputs_in_state(position, state));
+            let values = values.collect::<Result<Vec<_>, EngineError>>()?;
+            Ok(stencil.derivatives(&self.rows[position].outputs, &values))
+        };
+        let all = || (0..count).into_par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
+        let positions = options.resources.install(all)?;
+        Ok(Sensitivity {
+            param: param.clone(),
+            width: stencil.width(),
+            kind: if same { Kind::SameStructures } else { Kind::ChangedStructures },
+            positions,
+            statistics: Vec::new(),
+            failure: None,
+        })
+    }
+}
+
+/// Differentiates the outputs of a model without an analysis with respect to each param. `at`
+/// computes the outputs with another value (SI) of the param of an index, `values` are the outputs.
+///
+/// # Errors
+/// Those of `interrupt`.
+pub fn of_calculation(
+    params: &[VariedParam],
+    values: &[Observed],
+    at: impl Fn(usize, f64) -> Result<Vec<Observed>, EngineError>,
+    interrupt: impl Fn() -> Result<(), EngineError>,
+) -> Result<Vec<Sensitivity>, EngineError> {
+    let of_param = |param: &VariedParam| {
+        let differences = |stencil: &Stencil| {
+            let beside = stencil.values().into_iter().map(|value| at(param.index, value).map(Some));
+            let beside = beside.collect::<Result<Vec<_>, EngineError>>()?;
+            let derivatives = stencil.derivatives(values, &beside);
+            Ok(Sensitivity {
+                param: param.clone(),
+                width: stencil.width(),
+                kind: Kind::SameStructures,
+                positions: vec![derivatives],
+                statistics: Vec::new(),
+                failure: None,
+            })
+        };
+        let found = narrowed(param, differences, &interrupt)?;
+        let statistics = found.positions.iter().flatten().map(StatisticDerivatives::of_constant).collect();
+        Ok(Sensitivity { statistics, ..found })
+    };
+    params.iter().map(of_param).collect()
+}
+
+/// Differentiates with narrowing differences until they are accurate.
+fn narrowed(
+    param: &VariedParam,
+    differences: impl Fn(&Stencil) -> Result<Sensitivity, EngineError>,
+    interrupt: impl Fn() -> Result<(), EngineError>,
+) -> Result<Sensitivity, EngineError> {
+    let mut best: Option<Sensitivity> = None;
+    let mut failed = None;
+    let mut widths = WIDTHS.into_iter();
+    let mut next = widths.next();
+    while let Some(relative) = next.take() {
+        next = widths.next();
+        let Some(stencil) = Stencil::new(param.value, relative * param.scale(), param.range) else {
+            continue;
+        };
+        let found = match differences(&stencil) {
+            Ok(found) => found,
+            Err(error) => {
+                interrupt()?;
+                failed = failed.or(Some(error));
+                continue;
+            }
+        };
+        let former = best.as_ref().map(Sensitivity::largest_relative_error);
+        let found = match best.take() {
+            Some(best) => best.with_better(found),
+            None => found,
+        };
+        let error = found.largest_relative_error();
+        best = Some(found);
+        if error <= ACCURATE || relative == WIDE {
+            break;
+        }
+        // A narrower width was hardly better: noise prevails.
+        if former.is_some_and(|former| error > WORTHWHILE * former && former.is_finite()) {
+            next = Some(WIDE);
+        }
+    }
+    let failure = || failed.map_or_else(|| fixed(param), |error| beside(param, error));
+    Ok(best.unwrap_or_else(|| Sensitivity {
+        param: param.clone(),
+        width: 0.0,
+        kind: Kind::SameStructures,
+        positions: Vec::new(),
+        statistics: Vec::new(),
+        failure: Some(failure()),
+    }))
+}
+
+impl Sensitivity {
+    /// Returns the largest estimated error of a derivative beyond rounding, relative to the largest
+    /// derivative of its output over all positions.
+    fn largest_relative_error(&self) -> f64 {
+        let outputs = self.positions.first().map_or(0, Vec::len);
+        let of_output = |output: usize| {
+            let all = || self.positions.iter().map(move |row| &row[output]);
+            let largest = all().map(Derivative::magnitude).fold(0.0, f64::max);
+            let beyond = |derivative: &Derivative| derivative.error > 2.0 * derivative.rounding;
+            let error = all().filter(|one| beyond(one)).map(|one| one.error).fold(0.0, f64::max);
+            // Where the state of contact is lost, the error is unknown.
+            if all().any(|one| one.error.is_nan()) {
+                return f64::INFINITY;
+            }
+            if error == 0.0 { 0.0 } else { error / largest }
+        };
+        (0..outputs).map(of_output).fold(0.0, f64::max)
+    }
+
+    /// Replaces derivatives by those of another width that have smaller estimated errors.
+    fn with_better(mut self, other: Sensitivity) -> Sensitivity {
+        for (own, other) in self.positions.iter_mut().flatten().zip(other.positions.into_iter().flatten()) {
+            if other.is_better_than(own) {
+                *own = other;
+            }
+        }
+        Sensitivity { width: other.width, ..self }
+    }
+}
+
+impl<'n> Steps<'n> {
+    fn of_neighbour(model: &'n Neighbour, options: &AnalysisOptions) -> Result<Steps<'n>, EngineError> {
+        let Neighbour { scene, positions, outputs } = model;
+        Steps::new(scene, positions, outputs, options)
+    }
+}
+
+/// Derivatives do not exist because the model fails beside the value of the param.
+fn beside(param: &VariedParam, error: EngineError) -> EngineError {
+    let name = &param.name;
+    if error.code == "E0792" {
+        return error;
+    }
+    EngineError::new(
+        "E0792",
+        format!("beside its value of `{name}` the model has no solution: {} ({})", error.message, error.code),
+        format!("leave out `{name}`, or choose a value in the interior of its valid range"),
+    )
+}
+
+fn fixed(param: &VariedParam) -> EngineError {
+    let name = &param.name;
+    EngineError::new(
+        "E0792",
+        format!("the range of `{name}` is a single value"),
+        format!("leave out `{name}`, or widen its range"),
+    )
+}
+
+fn other_positions(param: &VariedParam) -> EngineError {
+    EngineError::new(
+        "E0792",
+        format!("the number of positions or outputs depends on `{}`", param.name),
+        "leave out this param",
+    )
+}

@@ -1,0 +1,157 @@
+//! The model at other values of its params, for its derivatives.
+
+use super::{Instance, Job, Setup};
+use crate::error::Error;
+use crate::names::ParamName;
+use crate::param_assignment::AssignedValue;
+use crate::params::{self, Setting};
+use crate::watcher::interrupt;
+use calyx_abi::description::ParamDescription;
+use calyx_abi::error::codes;
+use calyx_abi::limits::Limits;
+use calyx_abi::{Cancel, Context, Repr, RuntimeError, Status, stack};
+use calyx_gears::calculation;
+use calyx_gears::host::ModelHost;
+use calyx_runtime::error::EngineError;
+use calyx_runtime::results::Solved;
+use calyx_runtime::sensitivity::{
+    Neighbour, Neighbours, Sensitivity, SensitivityRequest, VariedParam, of_calculation,
+};
+use std::sync::Arc;
+
+impl Instance {
+    /// Requests the derivatives of all outputs with respect to params as part of the results of a
+    /// quasi-static analysis.
+    ///
+    /// # Errors
+    /// There is no such param, or it takes no decimal numbers.
+    pub fn request_sensitivities<P: ParamName>(
+        &mut self,
+        params: impl IntoIterator<Item = P>,
+    ) -> Result<(), Error> {
+        let mut requested = Vec::new();
+        for param in params {
+            let index = param.index_in(self.names())?;
+            let param = &self.description().params[index];
+            if !is_continuous(param) {
+                return Err(Error::given(
+                    format!("`{}` takes no decimal numbers, so no derivatives exist", param.name),
+                    differentiable(&self.description().params),
+                ));
+            }
+            requested.push(index);
+        }
+        self.setup.sensitivities = requested;
+        Ok(())
+    }
+}
+
+/// Returns whether outputs can be differentiated with respect to a param.
+pub fn is_continuous(param: &ParamDescription) -> bool {
+    param.repr == Repr::Number && !param.integral
+}
+
+fn differentiable(params: &[ParamDescription]) -> String {
+    let names: Vec<&str> =
+        params.iter().filter(|param| is_continuous(param)).map(|param| param.name.as_str()).collect();
+    match names.as_slice() {
+        [] => "the model has no params with decimal numbers".to_owned(),
+        names => format!("choose among {}", names.join(", ")),
+    }
+}
+
+/// The model with the settings of a run, except for one param.
+struct ModelNeighbours {
+    setup: Setup,
+    limits: Limits,
+    cancel: Cancel,
+}
+
+impl Job {
+    /// Returns the request for the derivatives with respect to the requested params, whose values are
+    /// in a context; `None` without any.
+    pub(super) fn sensitivities(&self, context: &mut Context) -> Result<Option<SensitivityRequest>, Error> {
+        if self.setup.sensitivities.is_empty() {
+            return Ok(None);
+        }
+        let program = self.setup.program.clone();
+        let mut all = Vec::new();
+        for &index in &self.setup.sensitivities {
+            let param = &program.description().params[index];
+            let (low, high) = params::range(program.as_ref(), index, param, context)?;
+            let range = [low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY)];
+            all.push(VariedParam { index, name: param.name.clone(), value: context.params[index], range });
+        }
+        let (setup, limits, cancel) = (self.setup.clone(), self.limits, self.cancel.clone());
+        let neighbours = Arc::new(ModelNeighbours { setup, limits, cancel });
+        Ok(Some(SensitivityRequest { neighbours, params: all }))
+    }
+}
+
+impl Neighbours for ModelNeighbours {
+    fn at(&self, param: usize, value: f64) -> Result<Neighbour, EngineError> {
+        let job = self.job(param, value)?;
+        stack::with_stack(|| job.neighbour()).map_err(|error| converted(&error.into()))?
+    }
+}
+
+impl ModelNeighbours {
+    fn job(&self, param: usize, value: f64) -> Result<Job, EngineError> {
+        let mut setup = self.setup.clone();
+        let description = setup.program.description();
+        let setting = Setting::new(description, param, &AssignedValue::Si(value), None);
+        setup.settings[param] = Some(setting.map_err(|error| converted(&error))?);
+        Ok(Job { setup, limits: self.limits, cancel: self.cancel.clone() })
+    }
+}
+
+impl Job {
+    /// Differentiates the outputs of a model without an analysis.
+    pub(super) fn differentiated(
+        self,
+        params: &[VariedParam],
+        solved: &Solved,
+    ) -> Result<Vec<Sensitivity>, Error> {
+        let (limits, cancel) = (self.limits, self.cancel.clone());
+        let neighbours = ModelNeighbours { setup: self.setup, limits, cancel: cancel.clone() };
+        let at = |param: usize, value: f64| {
+            let job = neighbours.job(param, value)?;
+            let (mut context, built) = job.built();
+            built.map_err(|error| converted(&error))?;
+            let host = context.host::<ModelHost>().ok_or_else(no_analysis)?;
+            host.checking = false;
+            let calculated = calculation::calculate(host).map_err(|error| converted(&error.into()))?;
+            Ok(calculated.map(|solved| solved.row.outputs).unwrap_or_default())
+        };
+        let interrupt = interrupt(cancel, limits);
+        let found = of_calculation(params, &solved.row.outputs, at, || interrupt.check());
+        found.map_err(|error| RuntimeError::new(error.code, error.message, error.help).into())
+    }
+
+    fn neighbour(&self) -> Result<Neighbour, EngineError> {
+        let (mut context, built) = self.built();
+        built.map_err(|error| converted(&error))?;
+        let Some(host) = context.host::<ModelHost>() else { return Err(no_analysis()) };
+        let positions = host.requested.take().and_then(|analysis| analysis.positions().map(<[_]>::to_vec));
+        let Some(positions) = positions else { return Err(no_analysis()) };
+        let (scene, outputs) = (std::mem::take(&mut host.scene), std::mem::take(&mut host.outputs));
+        Ok(Neighbour { scene, positions, outputs })
+    }
+}
+
+fn no_analysis() -> EngineError {
+    EngineError::new("E0792", "the model requests no quasi-static analysis", "")
+}
+
+/// Converts an error of the program to one of the engine.
+fn converted(error: &Error) -> EngineError {
+    match error {
+        Error::Model(error) if error.status() == Status::Cancelled => {
+            EngineError::new(codes::CANCELLED, error.message.clone(), "")
+        }
+        Error::Model(RuntimeError { message, help, .. }) => {
+            EngineError::new("E0792", message.clone(), help.clone())
+        }
+        Error::Given(invalid) => EngineError::new("E0792", invalid.message.clone(), invalid.help.clone()),
+    }
+}
