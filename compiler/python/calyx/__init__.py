@@ -15,7 +15,17 @@ from __future__ import annotations
 from calyx._calyx import Cancel, __version__
 from calyx._fields import Contact, Fields, Fillet, Mesh
 from calyx._model import Model, Output, Param, Progress, load, loads
-from calyx._results import Errors, Finding, Harmonic, Location, OutputValues, Positions, Results, Summary
+from calyx._results import (
+    Errors,
+    Finding,
+    Harmonic,
+    Location,
+    OutputValues,
+    Positions,
+    Results,
+    Sensitivity,
+    Summary,
+)
 from calyx._settings import configure
 from calyx._sweep import Failure, Sweep
 from calyx.errors import (
@@ -55,6 +65,7 @@ __all__ = [
     "Progress",
     "Results",
     "RunError",
+    "Sensitivity",
     "Summary",
     "Sweep",
     "__version__",

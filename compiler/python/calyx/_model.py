@@ -175,6 +175,7 @@ class Model:
         print: Callable[[str], object] | None = None,
         cancel: Cancel | None = None,
         host: Mapping[str, Callable[..., Any]] | None = None,
+        sensitivities: Iterable[str] = (),
         **named: Value,
     ) -> Results:
         """Solves the model and returns its results.
@@ -200,6 +201,8 @@ class Model:
             cancel: Handle that cancels the run from another thread.
             host: Functions that replace host functions of the model, by name. Numbers are in SI units;
                 vectors and arrays are lists. Threads of the run call them one at a time.
+            sensitivities: Names of params with respect to which all outputs are differentiated, see
+                `Results.sensitivities`.
 
         Raises:
             ParamError: a param, unit or setting is wrong, or a value is out of range.
@@ -231,12 +234,42 @@ class Model:
             "print": keep,
             "cancel": cancel,
             "host": list((host or {}).items()),
+            "sensitivities": [str(name) for name in sensitivities],
         }
         try:
             raw = self._raw.run(self._assignments(params, named), options)
         finally:
             display.close()
         return Results(raw, printed)
+
+    def value_and_gradient(
+        self,
+        objective: str,
+        params: Mapping[str, Value],
+        /,
+        *,
+        by: Iterable[str] | None = None,
+        **options: Any,
+    ) -> tuple[float, dict[str, float]]:
+        """Returns a statistic of an output, and its derivatives with respect to params.
+
+        Args:
+            objective: Output with a statistic, such as "transmission_error.peak_to_peak"; without a
+                statistic, the largest value.
+            params: Values of params, as for `run`.
+            by: Names of the params of the gradient; by default those in `params`.
+            options: Those of `run`.
+
+        The value is in the unit of the output, and a derivative is per unit of the param's default. At
+        a kink it is the mean of both sides; `Results.sensitivities` has both, and estimated errors.
+
+        Raises:
+            ParamError: a param takes no decimal numbers, or there is no such output.
+            RunError: no derivative with respect to a param exists.
+        """
+        names = [str(name) for name in (params if by is None else by)]
+        results = self.run(params, sensitivities=names, **options)
+        return results.value(objective), results.gradient(objective)
 
     def run_many(
         self,

@@ -16,7 +16,7 @@ from calyx import _calyx
 from calyx._fields import Fields, Floats, as_array, fields
 from calyx._tables import arrow_stream, html_table, table
 from calyx._units import application_registry, pint_unit
-from calyx.errors import CalyxError, _unknown
+from calyx.errors import CalyxError, RunError, _unknown
 
 if TYPE_CHECKING:
     from calyx._calyx import Units
@@ -83,6 +83,31 @@ class Summary:
     """Causes of errors that were not estimated, with the reason."""
     relative_error: float | None
     """Estimated error of the value of largest magnitude relative to it."""
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Derivative of a statistic of an output with respect to a param."""
+
+    output: str
+    statistic: str
+    """"min", "mean", "max" or "peak_to_peak"."""
+    param: str
+    unit: str
+    """Unit of the derivative: that of the output per unit of the param's default."""
+    below: float
+    """Derivative towards smaller values of the param."""
+    above: float
+    """Derivative towards larger values; another one than `below` at a kink."""
+    error: float
+    """Estimated error."""
+    new_structures: bool
+    """True if the param changes the stiffness of a body, which was computed anew at each value."""
+
+    @property
+    def value(self) -> float:
+        """Derivative, at a kink the mean of both sides."""
+        return 0.5 * (self.below + self.above)
 
 
 @dataclass(frozen=True)
@@ -252,6 +277,8 @@ class Results(Mapping[str, OutputValues]):
             "units": raw.units(),
             "facts": facts,
             "printed": printed,
+            "sensitivities": raw.sensitivities(),
+            "failed_sensitivities": raw.failed_sensitivities(),
         }
         self._set_up(_FieldPositions(raw))
 
@@ -282,6 +309,12 @@ class Results(Mapping[str, OutputValues]):
         """Findings of the library, without those that `Model.diagnostics` has."""
         self.ignored_inputs: dict[str, str] = dict(facts["ignored"])
         """Inputs that the fidelity level does not represent, with the reason."""
+        self.sensitivities: list[Sensitivity] = [
+            Sensitivity(output, statistic, param, unit, below, above, error, new)
+            for output, statistic, param, unit, (below, above), error, new in data["sensitivities"]
+        ]
+        """Derivatives with respect to the params of `run(sensitivities=...)`; for each statistic, those
+        with the largest effect first."""
         self.printed: list[str] = data["printed"]
         """Lines that the model printed."""
         self.time: float = facts["seconds"]
@@ -307,6 +340,44 @@ class Results(Mapping[str, OutputValues]):
 
     def __contains__(self, output: object) -> bool:
         return output in self._outputs
+
+    def value(self, name: str) -> float:
+        """Returns a statistic of an output in its unit: "transmission_error.peak_to_peak"; without a
+        statistic, the largest value."""
+        output, statistic = self._statistic(name)
+        return float(getattr(self._outputs[output], statistic))
+
+    def gradient(self, name: str) -> dict[str, float]:
+        """Returns the derivatives of a statistic, as in `value`, with respect to all params of
+        `run(sensitivities=...)`, per unit of the param's default; at kinks the mean of both sides.
+
+        Raises RunError if a derivative does not exist.
+        """
+        output, statistic = self._statistic(name)
+        for param, message, help in self._data["failed_sensitivities"]:
+            text = f"no derivative with respect to `{param}`: {message}"
+            raise RunError(text, "E0792", help, f"{text}\n  help: {help}")
+        own = (one for one in self.sensitivities if (one.output, one.statistic) == (output, statistic))
+        return {one.param: one.value for one in own}
+
+    def _statistic(self, name: str) -> tuple[str, str]:
+        output, _, statistic = name.rpartition(".")
+        if name in self._outputs or statistic not in STATISTICS:
+            output, statistic = name, "max"
+        if output not in self._outputs:
+            raise _unknown("output", output, self._outputs)
+        return output, statistic
+
+    def sensitivity_frame(self, engine: str | None = None) -> Any:
+        """Returns a table with a row for each derivative."""
+        names = ("output", "statistic", "param", "unit")
+        columns: dict[str, Any] = {
+            name: [getattr(one, name) for one in self.sensitivities] for name in names
+        }
+        for name in ("value", "below", "above", "error"):
+            columns[name] = np.array([getattr(one, name) for one in self.sensitivities])
+        columns["new_structures"] = np.array([one.new_structures for one in self.sensitivities], dtype=bool)
+        return table(columns, {}, engine)
 
     def frame(self, engine: str | None = None, *, si: bool = False) -> Any:
         """Returns a table with a row for each position: "pandas", "polars" or "arrow"; by default the

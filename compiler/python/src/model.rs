@@ -49,6 +49,8 @@ struct Options<'py> {
     cancel: Option<Py<Cancel>>,
     /// Functions that replace host functions of the model.
     host: host::Functions<'py>,
+    /// Params with respect to which the outputs are differentiated.
+    sensitivities: Vec<String>,
 }
 
 #[pymethods]
@@ -157,6 +159,8 @@ impl Model {
             instance.request_parts(true);
             instance.request_bodies(details.vtu);
         }
+        let requested = instance.request_sensitivities(&options.sensitivities);
+        requested.map_err(|error| errors::of_run(py, &self.module, &error))?;
         let positions = keep_positions(&mut instance);
         let callbacks = Callbacks { progress: options.progress, print: options.print };
         let solved = solve(py, instance, &cancel, &callbacks)?;

@@ -7,9 +7,11 @@ use crate::fields;
 use crate::values;
 use calyx::rt::FinishedRun;
 use calyx::rt::directory::{Details, REPORT};
+use calyx::rt::sensitivity::{Entry, SensitivityTable, Statistic};
 use calyx::{Override, Step};
 use calyx_runtime::observables::Fields;
 use calyx_runtime::results::{ErrorEstimate, Location, OutputSummary, Solved, Statistics};
+use calyx_runtime::sensitivity::{Kind, Sensitivity};
 use pyo3::exceptions::{PyIndexError, PyOSError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -112,6 +114,36 @@ impl Results {
         Ok(facts)
     }
 
+    /// Returns the derivatives of all statistics in the units of the model: output, statistic,
+    /// param, unit, derivatives towards smaller and larger values, estimated error, and whether
+    /// structures were built anew.
+    fn sensitivities(&self) -> Vec<(String, String, String, String, [f64; 2], f64, bool)> {
+        let all = self.sensitivity_table();
+        let mut rows = Vec::new();
+        for &output in &all.shown {
+            for statistic in Statistic::ALL {
+                let row = |entry: Entry| {
+                    let is_new = all.sensitivities[entry.param].kind == Kind::ChangedStructures;
+                    let [name, param] = [&all.outputs[output].name, &all.params[entry.param].name];
+                    let unit = all.unit(output, entry.param);
+                    let statistic = statistic.name().to_owned();
+                    (name.clone(), statistic, param.clone(), unit, entry.sides, entry.error, is_new)
+                };
+                rows.extend(all.entries(output, statistic).into_iter().map(row));
+            }
+        }
+        rows
+    }
+
+    /// Returns the params without derivatives, with reason and remedy.
+    fn failed_sensitivities(&self) -> Vec<(String, String, String)> {
+        let failure = |own: &Sensitivity| {
+            let failure = own.failure.as_ref()?;
+            Some((own.param.name.clone(), failure.message.clone(), failure.help.clone()))
+        };
+        self.results.sensitivities().iter().filter_map(failure).collect()
+    }
+
     /// Returns the indices of the positions with fields.
     fn field_positions(&self) -> Vec<usize> {
         let positions = self.positions.iter().enumerate();
@@ -143,6 +175,10 @@ impl Results {
 }
 
 impl Results {
+    fn sensitivity_table(&self) -> SensitivityTable {
+        self.results.sensitivity_table((0..self.results.description().outputs.len()).collect())
+    }
+
     fn finished(&self, details: Details) -> FinishedRun<'_> {
         FinishedRun {
             results: &self.results,

@@ -241,7 +241,7 @@ fn narrowed(
             continue;
         };
         let found = match differences(&stencil) {
-            Ok(found) => found,
+            Ok(found) => found.with_pooled_errors(),
             Err(error) => {
                 interrupt()?;
                 failed = failed.or(Some(error));
@@ -275,6 +275,25 @@ fn narrowed(
 }
 
 impl Sensitivity {
+    /// Raises the estimated errors of each output to the root of their mean square over the
+    /// positions: noise may be equal in both differences of a position by chance.
+    fn with_pooled_errors(mut self) -> Sensitivity {
+        let outputs = self.positions.first().map_or(0, Vec::len);
+        for output in 0..outputs {
+            let known = self.positions.iter().map(|row| row[output]).filter(|one| one.error.is_finite());
+            // Errors at kinks are those of one-sided differences.
+            let errors: Vec<f64> = known.filter(|one| !one.is_kink()).map(|one| one.error).collect();
+            if errors.is_empty() {
+                continue;
+            }
+            let square = errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64;
+            for row in &mut self.positions {
+                row[output].error = row[output].error.max(square.sqrt());
+            }
+        }
+        self
+    }
+
     /// Returns the largest estimated error of a derivative beyond rounding, relative to the largest
     /// derivative of its output over all positions.
     fn largest_relative_error(&self) -> f64 {

@@ -57,7 +57,6 @@ pub mod run;
 pub mod run_directory;
 #[cfg(feature = "command")]
 pub mod schema;
-#[cfg(feature = "command")]
 mod sensitivity_table;
 #[cfg(feature = "command")]
 pub mod settings_override;
@@ -71,7 +70,6 @@ pub use calyx_abi::description::{ModelDescription, ParamValue};
 pub use calyx_abi::shell;
 #[cfg(feature = "command")]
 pub use calyx_report::parquet_table;
-#[cfg(feature = "command")]
 pub use calyx_report::sensitivity;
 #[cfg(feature = "command")]
 pub use calyx_report::study;

@@ -143,7 +143,7 @@ impl Stencil {
                 let from_below = (3.0 * at - 4.0 * below + far_below) / width;
                 let from_above = (4.0 * above - far_above - 3.0 * at) / width;
                 let apart = (from_above - from_below).abs();
-                let error = (narrow - wide).abs() / 3.0 + rounding;
+                let error = (narrow - wide).abs() + rounding;
                 // Central differences of any width are equal at a kink at the value itself. A kink
                 // beside it, or noise, shows in their difference.
                 let noise = rounding.max((narrow - wide).abs());
@@ -160,7 +160,7 @@ impl Stencil {
                 let slopes = [(far, 1.0), (middle, 0.5), (near, 0.25)];
                 let [far, middle, near] = slopes.map(|(value, part)| sign * (value - at) / (part * width));
                 let [wide, narrow] = [2.0 * middle - far, 2.0 * near - middle];
-                let error = (narrow - wide).abs() / 3.0 + 4.0 * rounding;
+                let error = (narrow - wide).abs() + 4.0 * rounding;
                 let value = (4.0 * narrow - wide) / 3.0;
                 Derivative { rounding: 4.0 * rounding, ..Derivative::smooth(value, error) }
             }

@@ -9,7 +9,8 @@ pub use text::text;
 #[cfg(feature = "pages")]
 pub(crate) use text::{derivative as shown_derivative, relative as shown_relative};
 
-use crate::sample::Statistic;
+pub use crate::sample::Statistic;
+
 use crate::sweep::{Column, Statistics};
 use calyx_abi::units::from_si;
 use calyx_runtime::position::Position;
@@ -113,6 +114,7 @@ impl SensitivityTable {
         let [of, by] = [&self.outputs[output].unit, &self.params[param].unit].map(String::as_str);
         let by = if by.contains(['*', '/', '^']) { format!("({by})") } else { by.to_owned() };
         match (of, by.as_str()) {
+            (of, by) if of == by => String::new(),
             (of, "" | "1") => if of == "1" { "" } else { of }.to_owned(),
             ("" | "1", by) => format!("1/{by}"),
             (of, by) => format!("{of}/{by}"),
