@@ -44,12 +44,12 @@ impl GearPrototype {
             let start = stations.iter().map(|at| [at.ends[0], at.radius]);
             let end = stations.iter().rev().map(|at| [at.ends[1], at.radius]);
             let polygon: Vec<[f64; 2]> = start.chain(end).collect();
-            surface.add(OuterSurface::revolved_sector(&polygon, teeth, 0.0));
+            surface.add_without_mesh(OuterSurface::revolved_sector(&polygon, teeth, 0.0));
         }
         if self.solid {
             let (half, radius) = (0.5 * self.face_width, self.rim.fixed_radius);
             let core = [[-half, 0.0], [half, 0.0], [half, radius], [-half, radius]];
-            surface.add(OuterSurface::revolved_sector(&core, teeth, 0.0));
+            surface.add_without_mesh(OuterSurface::revolved_sector(&core, teeth, 0.0));
         }
         Ok(surface)
     }

@@ -21,6 +21,7 @@
 
 use super::check::{Form, Outcome, check, scene_of};
 use super::error::RequestError;
+use super::events::Event;
 use super::page::{self, json_response};
 use super::runs::PREVIEW;
 use super::session::{self, Session};
@@ -149,7 +150,9 @@ async fn read_session(State(studio): Shared) -> Answer {
 
 async fn write_session(State(studio): Shared, headers: HeaderMap, body: Bytes) -> Answer {
     let session = requests::json(&headers, &body)?;
-    blocking(&studio, move |studio| session_of(studio)?.write(&session)).await?;
+    if blocking(&studio, move |studio| session_of(studio)?.write(session)).await? {
+        studio.events.send(Event::Session);
+    }
     Ok(StatusCode::NO_CONTENT.into_response())
 }
 

@@ -23,6 +23,8 @@ pub(crate) enum Event {
     Model,
     /// A run started, ended, appeared or disappeared.
     Runs,
+    /// The form of the session changed.
+    Session,
     /// Progress of a run: an object with its `id`.
     Progress(Value),
 }
@@ -32,6 +34,7 @@ impl Event {
         match self {
             Event::Model => SentEvent::default().event("model").data("{}"),
             Event::Runs => SentEvent::default().event("runs").data("{}"),
+            Event::Session => SentEvent::default().event("session").data("{}"),
             Event::Progress(progress) => SentEvent::default().event("progress").data(progress.to_string()),
         }
     }
@@ -55,7 +58,7 @@ impl Events {
 
     /// Returns a response that sends events until the page is closed.
     pub fn stream(&self) -> Response {
-        let first = stream::iter([Event::Model, Event::Runs]);
+        let first = stream::iter([Event::Model, Event::Runs, Event::Session]);
         let later = stream::unfold(self.0.subscribe(), |mut receiver| async move {
             match receiver.recv().await {
                 Ok(event) => Some((event, receiver)),

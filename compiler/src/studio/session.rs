@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 /// Version of the format of the file.
 const VERSION: u64 = 1;
@@ -17,8 +17,8 @@ pub(crate) const LONGEST: usize = 1 << 20;
 /// The session file of a model.
 pub(crate) struct Session {
     path: PathBuf,
-    /// Form in the file when this studio last read or wrote it; `None` before that.
-    known: Mutex<Option<StoredForm>>,
+    /// Held while a request compares and replaces the file.
+    writing: Mutex<()>,
 }
 
 /// Values and settings of a stored form. The view is not compared, because each movement of a
@@ -27,18 +27,12 @@ type StoredForm = [Value; 2];
 
 impl Session {
     pub fn of_model(model: &Path) -> Session {
-        Session { path: folder::of_model(model).join("session.json"), known: Mutex::default() }
-    }
-
-    fn known(&self) -> MutexGuard<'_, Option<StoredForm>> {
-        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+        Session { path: folder::of_model(model).join("session.json"), writing: Mutex::default() }
     }
 
     /// Returns the session; an empty one if there is no file, or a file with other contents.
     pub fn read(&self) -> Result<Value, RequestError> {
         let empty = json!({ "version": VERSION, "params": {}, "settings": {}, "view": null });
-        let mut known = self.known();
-        *known = Some(stored_form(&self.path).unwrap_or_else(|| form_of(&empty)));
         let length = fs::metadata(&self.path).map_or(0, |about| about.len());
         if length > LONGEST as u64 {
             return Ok(empty);
@@ -53,31 +47,32 @@ impl Session {
         }
     }
 
-    /// Stores the session.
+    /// Stores the session of a page, and returns whether its form differs from the stored one. Its
+    /// entry `before`, which is not stored, has the form that the page has last read or written.
     ///
     /// # Errors
-    /// It is invalid, the file cannot be written, or another studio has changed it since this one
-    /// last read or wrote it.
-    pub fn write(&self, session: &Value) -> Result<(), RequestError> {
-        validate(session)?;
-        let mut known = self.known();
-        let stored = stored_form(&self.path);
-        if let (Some(known), Some(stored)) = (&*known, stored)
-            && *known != stored
+    /// It is invalid, the file cannot be written, or the stored form is neither that of `before`
+    /// nor that of the session: another page has changed it, of this studio or of another one.
+    pub fn write(&self, mut session: Value) -> Result<bool, RequestError> {
+        let before = session.as_object_mut().and_then(|entries| entries.remove("before"));
+        validate(&session)?;
+        let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        let (stored, new) = (stored_form(&self.path), form_of(&session));
+        if let (Some(before), Some(stored)) = (before, &stored)
+            && ![form_of(&before), new.clone()].contains(stored)
         {
             return Err(RequestError::conflict(
-                "another studio of this model has stored its form: that of this page is not stored any more",
+                "another page or studio of this model has stored its form: that of this page is not stored any more",
                 "the page keeps its form, and its runs are stored; reload the page to take the stored form",
             ));
         }
         let unwritable =
             |error| RequestError::internal(format!("cannot write {}", self.path.display()), &error);
-        let mut text = serde_json::to_vec_pretty(session).map_err(|error| unwritable(error.into()))?;
+        let mut text = serde_json::to_vec_pretty(&session).map_err(|error| unwritable(error.into()))?;
         text.push(b'\n');
         let folder = self.path.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(folder).and_then(|()| folder::replace(&self.path, &text)).map_err(unwritable)?;
-        *known = Some(form_of(session));
-        Ok(())
+        Ok(stored.is_none_or(|stored| stored != new))
     }
 }
 
@@ -89,7 +84,11 @@ fn stored_form(path: &Path) -> Option<StoredForm> {
 }
 
 fn form_of(session: &Value) -> StoredForm {
-    ["params", "settings"].map(|key| session[key].clone())
+    // Sessions of older versions have no settings.
+    ["params", "settings"].map(|key| match &session[key] {
+        Value::Null => json!({}),
+        form => form.clone(),
+    })
 }
 
 /// Checks the form of a session. The page alone interprets `view`.
@@ -124,31 +123,34 @@ fn is_table_of_texts(value: &Value) -> bool {
 mod tests {
     use super::*;
 
+    /// Pages of one studio and of two studios are treated alike.
     #[test]
-    fn a_session_of_another_studio_is_not_overwritten() {
+    fn a_form_that_a_page_does_not_know_is_not_overwritten() {
         let directory = tempfile::tempdir().unwrap();
         let model = directory.path().join("pair.cx");
         let [one, other] = [(), ()].map(|()| Session::of_model(&model));
         let form = |torque: &str| json!({ "version": VERSION, "params": { "torque": torque }, "settings": {}, "view": null });
-        assert_eq!(
-            [&one, &other].map(|session| session.read().unwrap()["params"].clone()),
-            [json!({}), json!({})]
-        );
-        one.write(&form("1")).unwrap();
-        one.write(&form("2")).unwrap();
-        assert!(other.write(&form("3")).is_err());
+        let after = |torque: &str, before: &Value| {
+            let mut session = form(torque);
+            session["before"] = json!({ "params": before["params"], "settings": before["settings"] });
+            session
+        };
+        let empty = one.read().unwrap();
+        assert_eq!(empty["params"], json!({}));
+        assert!(one.write(after("1", &empty)).unwrap());
+        assert!(one.write(after("2", &form("1"))).unwrap());
+        for studio in [&one, &other] {
+            assert!(studio.write(after("3", &form("1"))).is_err());
+            assert_eq!(studio.read().unwrap(), form("2"), "the file does not contain `before`");
+        }
         // Cameras do not count.
-        let mut moved = form("2");
+        let mut moved = after("2", &form("2"));
         moved["view"] = json!({ "scene": null });
-        one.write(&moved).unwrap();
-        one.write(&form("2")).unwrap();
-        assert_eq!(one.read().unwrap(), form("2"));
-        // After it has read the file, the other studio may store its form, and the first one may
-        // not.
-        other.read().unwrap();
-        other.write(&form("4")).unwrap();
-        assert!(one.write(&form("5")).is_err());
-        // A studio that was restarted has not read the file of its page.
-        Session::of_model(&model).write(&form("6")).unwrap();
+        assert!(!one.write(moved).unwrap());
+        assert!(!other.write(after("2", &form("1"))).unwrap(), "the form that is stored already");
+        // A page that knows the stored form may replace it, in any studio.
+        assert!(other.write(after("4", &form("2"))).unwrap());
+        assert!(one.write(after("5", &form("2"))).is_err());
+        assert!(one.write(form("6")).unwrap(), "a program that does not compare");
     }
 }

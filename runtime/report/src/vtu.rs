@@ -186,7 +186,7 @@ mod tests {
             elements: vec![0],
         };
         let sectors = vec![sector(0, vec![3, 2, 1, 0]), sector(7, (0..8).collect())];
-        let body = BodyField { body: "gear".into(), number: 2, sectors };
+        let body = BodyField { body: "gear".into(), number: 2, sectors, displaced: Vec::new() };
         let grid = bodies(&Fields { bodies: vec![body], ..fields(1) });
         assert_eq!(grid.cells, [(QUADRILATERAL, vec![3, 2, 1, 0]), (HEXAHEDRON, (4..12).collect())]);
         let text = grid.text().unwrap();

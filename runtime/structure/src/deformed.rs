@@ -18,23 +18,24 @@ use super::{Chart, ModifiedSurface, RevolvedWeb, RingSource, StructureError, Sur
 use crate::mesh_cells::Outline;
 use calyx_fe::solid::{ABSENT, FaceSet, SolidModel};
 use calyx_fe::{EdgeChain, PlaneModel, SparseVector};
-use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use calyx_numerics::stress::{NodalStresses, Stress, rotated};
+use calyx_numerics::vec3::dot;
 use elements::Elements;
 use ring::{ConstrainedSector, SolvedRing};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Sectors up to this distance from a loaded one are output with all of their nodes, others with
-/// the corners of their elements: there only displacements matter.
-const NEAR: u32 = 2;
-/// Largest distance from a loaded sector for output in three dimensions: sectors further away would
-/// make up most of a file and hardly move.
+/// Largest distance from a loaded sector for output of stresses in three dimensions: sectors further
+/// away would make up most of a file.
 const SHOWN_SOLID: u32 = 6;
-/// A sector with more nodes than this is always output by corners: its elements are small enough,
-/// and all nodes would take megabytes a position.
-const MANY_NODES: usize = 4000;
+/// Largest number of nodes that the sectors with stresses of a body are output with. If they have
+/// more, the corners of their elements are output: all nodes would take megabytes a position. All
+/// sectors of a body have the same points, so that neighbours meet at every one of them.
+const MOST_NODES: usize = 50_000;
+/// Number of sectors without stresses that are computed at a time.
+const AT_A_TIME: usize = 16;
 
 /// Finite-element mesh of a body, or the reason why there is none.
 pub enum VisualizationMesh {
@@ -79,6 +80,16 @@ pub struct DeformedSector {
     pub stress_errors: Vec<f64>,
 }
 
+/// Sector of a loaded body that is too far from the loads for output of stresses, in the body's
+/// frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DisplacedSector {
+    /// Index of the tooth, counted counter-clockwise from 0.
+    pub tooth: u32,
+    /// Elastic displacements, m, of the same points as in a [`DeformedSector`].
+    pub displacements: Vec<[f64; 3]>,
+}
+
 /// Body with a mesh that can be evaluated. See the module documentation.
 pub struct MeshedBody {
     mesh: Arc<Mesh>,
@@ -90,7 +101,8 @@ struct Mesh {
     ring: SolvedRing,
     nodes: Vec<[f64; 3]>,
     elements: Elements,
-    outlines: [Outline; 2],
+    /// Points and cells that are output.
+    outline: Outline,
     loadable: Loadable,
 }
 
@@ -192,8 +204,13 @@ impl MeshedBody {
     }
 
     fn of(ring: SolvedRing, nodes: Vec<[f64; 3]>, elements: Elements, loadable: Loadable) -> Self {
-        let outlines = elements.outlines();
-        Self { mesh: Arc::new(Mesh { ring, nodes, elements, outlines, loadable }), modified_surfaces: None }
+        let sectors = match loadable {
+            Loadable::Plane(..) => ring.sectors,
+            Loadable::Solid(..) => ring.sectors.min(2 * SHOWN_SOLID + 1),
+        };
+        let [all, corners] = elements.outlines();
+        let outline = if all.nodes.len() * sectors as usize <= MOST_NODES { all } else { corners };
+        Self { mesh: Arc::new(Mesh { ring, nodes, elements, outline, loadable }), modified_surfaces: None }
     }
 
     /// Returns the same body with surfaces that differ slightly from its own, one for each;
@@ -203,8 +220,8 @@ impl MeshedBody {
         Self { mesh: self.mesh.clone(), modified_surfaces: Some(surfaces) }
     }
 
-    /// Returns the sectors of the body under loads, in order: all of them in a plane model, those
-    /// around loaded ones in three dimensions.
+    /// Returns the sectors of the body under loads with their stresses, in order: all of them in a
+    /// plane model, those around loaded ones in three dimensions.
     ///
     /// # Errors
     /// Memory is insufficient, or the computation is interrupted.
@@ -214,27 +231,65 @@ impl MeshedBody {
         interrupt: &Interrupt,
     ) -> Result<Vec<DeformedSector>, StructureError> {
         let (by_tooth, spline_teeth) = self.forces(loads);
-        let within = |tooth: u32, pitches: u32| {
-            let apart = |one: u32, other: u32| {
-                let ahead = (one + self.mesh.ring.sectors - other) % self.mesh.ring.sectors;
-                ahead.min(self.mesh.ring.sectors - ahead)
-            };
-            by_tooth.iter().any(|(loaded, _)| apart(tooth, *loaded) <= pitches)
-        };
-        let everywhere = matches!(self.mesh.loadable, Loadable::Plane(..)) || by_tooth.is_empty();
-        let shown = |&tooth: &u32| everywhere || within(tooth, SHOWN_SOLID);
-        let shown: Vec<u32> = (0..self.mesh.ring.sectors).filter(shown).collect();
-        let columns = 4 * shown.len() + 2 * by_tooth.len();
-        let bytes = columns * self.mesh.nodes.len() * 3 * size_of::<f64>();
-        let _room = interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted)?;
+        let shown: Vec<u32> = self.with_stresses(&by_tooth).0;
+        let _room = self.reserve(shown.len(), by_tooth.len(), interrupt)?;
         let moved = self.mesh.ring.displacements(&by_tooth, spline_teeth, &shown)?;
-        let few = self.mesh.outlines[0].nodes.len() <= MANY_NODES;
         let sector = |(&tooth, column): (&u32, faer::ColRef<'_, f64>)| {
             interrupt.check().map_err(StructureError::Interrupted)?;
             let moved: Vec<f64> = column.iter().copied().collect();
-            Ok(self.mesh.sector(tooth, &moved, usize::from(!(few && within(tooth, NEAR)))))
+            Ok(self.mesh.sector(tooth, &moved))
         };
         shown.iter().zip(moved.col_iter()).map(sector).collect()
+    }
+
+    /// Returns the other sectors of the body that move, in order.
+    ///
+    /// # Errors
+    /// As for [`Self::deformed`].
+    pub fn displaced(
+        &self,
+        loads: BodyLoads<'_>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<DisplacedSector>, StructureError> {
+        let (by_tooth, spline_teeth) = self.forces(loads);
+        let others = self.with_stresses(&by_tooth).1;
+        let _room = self.reserve(AT_A_TIME.min(others.len()), by_tooth.len(), interrupt)?;
+        let mut all = Vec::new();
+        for some in others.chunks(AT_A_TIME) {
+            interrupt.check().map_err(StructureError::Interrupted)?;
+            let moved = self.mesh.ring.displacements(&by_tooth, spline_teeth, some)?;
+            let moving = some.iter().zip(moved.col_iter());
+            let moving = moving.filter(|(_, column)| column.iter().any(|&moved| moved != 0.0));
+            all.extend(moving.map(|(&tooth, column)| {
+                let moved: Vec<f64> = column.iter().copied().collect();
+                DisplacedSector { tooth, displacements: self.mesh.displacements(tooth, &moved) }
+            }));
+        }
+        Ok(all)
+    }
+
+    /// Divides the sectors into those that are output with stresses, and the others.
+    fn with_stresses(&self, by_tooth: &[(u32, Vec<f64>)]) -> (Vec<u32>, Vec<u32>) {
+        let sectors = self.mesh.ring.sectors;
+        let apart = |one: u32, other: u32| {
+            let ahead = (one + sectors - other) % sectors;
+            ahead.min(sectors - ahead)
+        };
+        let near = |tooth: u32| by_tooth.iter().any(|(loaded, _)| apart(tooth, *loaded) <= SHOWN_SOLID);
+        let everywhere = matches!(self.mesh.loadable, Loadable::Plane(..)) || by_tooth.is_empty();
+        (0..sectors).partition(|&tooth| everywhere || near(tooth))
+    }
+
+    /// Reserves the memory for the displacements of sectors under loads.
+    fn reserve(
+        &self,
+        sectors: usize,
+        loads: usize,
+        interrupt: &Interrupt,
+    ) -> Result<MemoryReservation, StructureError> {
+        let columns = 4 * sectors + 2 * loads;
+        let bytes = columns * self.mesh.nodes.len() * 3 * size_of::<f64>();
+        interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted)
     }
 
     /// Returns full vectors of forces by tooth, ascending, and forces of spline teeth.
@@ -296,16 +351,29 @@ impl MeshedBody {
 }
 
 impl Mesh {
-    /// Returns a sector in the body's frame from displacements in its own frame.
-    fn sector(&self, tooth: u32, moved: &[f64], outline: usize) -> DeformedSector {
+    /// Returns the rotation from the frame of a sector to that of the body.
+    fn rotation(&self, tooth: u32) -> [[f64; 3]; 3] {
         let (sin, cos) = (TAU * f64::from(tooth) / f64::from(self.ring.sectors)).sin_cos();
-        let turn = |[x, y, z]: [f64; 3]| [cos * x - sin * y, sin * x + cos * y, z];
+        [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]]
+    }
+
+    /// Returns the displacements of the output points of a sector in the body's frame from those of
+    /// all degrees of freedom in its own frame.
+    fn displacements(&self, tooth: u32, moved: &[f64]) -> Vec<[f64; 3]> {
+        let rotation = self.rotation(tooth);
         let axes = moved.len() / self.nodes.len().max(1);
-        let displacement = |node: usize| {
+        let displacement = |&node: &usize| {
             let at = |axis: usize| if axis < axes { moved[axes * node + axis] } else { 0.0 };
-            turn([at(0), at(1), at(2)])
+            let own = [at(0), at(1), at(2)];
+            rotation.map(|row| dot(row, own))
         };
-        let outline = &self.outlines[outline];
+        self.outline.nodes.iter().map(displacement).collect()
+    }
+
+    /// Returns a sector in the body's frame from displacements in its own frame.
+    fn sector(&self, tooth: u32, moved: &[f64]) -> DeformedSector {
+        let rotation = self.rotation(tooth);
+        let outline = &self.outline;
         let nodes = || outline.nodes.iter().copied();
         let NodalStresses { stresses, errors } = if moved.iter().any(|&moved| moved != 0.0) {
             self.elements.stresses(moved)
@@ -313,13 +381,12 @@ impl Mesh {
             let count = self.nodes.len();
             NodalStresses { stresses: vec![[0.0; 6]; count], errors: vec![0.0; count] }
         };
-        let rotation = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
         DeformedSector {
             tooth,
-            points: nodes().map(|node| turn(self.nodes[node])).collect(),
+            points: nodes().map(|node| rotation.map(|row| dot(row, self.nodes[node]))).collect(),
             cells: outline.cells.clone(),
             elements: outline.elements.clone(),
-            displacements: nodes().map(displacement).collect(),
+            displacements: self.displacements(tooth, moved),
             stresses: nodes().map(|node| rotated(&rotation, stresses[node])).collect(),
             stress_errors: nodes().map(|node| errors[node]).collect(),
         }

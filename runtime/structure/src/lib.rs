@@ -40,7 +40,7 @@ pub mod surface;
 pub use any::AnyStructure;
 pub use attachment_matrices::{AttachmentMatrices, ComponentModes};
 pub use bore::BoreSupport;
-pub use deformed::{BodyLoads, DeformedSector, MeshedBody, VisualizationMesh};
+pub use deformed::{BodyLoads, DeformedSector, DisplacedSector, MeshedBody, VisualizationMesh};
 pub use elastic::{ElasticStructure, MeshSupport, RingSource, SurfaceSource};
 pub use error::StructureError;
 pub use interface::{Chart, ModifiedSurface, StressPoint, Structure, SurfaceLoad};

@@ -23,6 +23,9 @@ pub struct OuterSurface {
     pub edges: Vec<[u32; 2]>,
     /// True if the surface contains shells, whose both sides are visible: it encloses no volume.
     pub open: bool,
+    /// Number of triangles at the end of the list that belong to no finite-element mesh of the body,
+    /// such as those of a web. Their points and edges are at the end of the other lists.
+    pub without_mesh: usize,
 }
 
 /// Shape of a cell. The corners of solids are in VTK order.
@@ -144,7 +147,14 @@ impl Skin {
     /// Returns the surface at the points of the mesh, m.
     pub fn at(self, points: &[[f64; 3]]) -> OuterSurface {
         let points = self.nodes.iter().map(|&node| points[node]).collect();
-        OuterSurface { copies: 1, points, triangles: self.triangles, edges: self.edges, open: self.open }
+        OuterSurface {
+            copies: 1,
+            points,
+            triangles: self.triangles,
+            edges: self.edges,
+            open: self.open,
+            without_mesh: 0,
+        }
     }
 }
 
@@ -233,6 +243,12 @@ impl OuterSurface {
         self.edges.extend(other.edges.into_iter().map(|ends| ends.map(|k| first + k)));
         self.open |= other.open;
     }
+
+    /// Adds a surface that belongs to no finite-element mesh of the body.
+    pub fn add_without_mesh(&mut self, other: OuterSurface) {
+        self.without_mesh += other.triangles.len();
+        self.add(other);
+    }
 }
 
 /// Returns a surface of revolution from the angle `start` (rad), with this number of copies and of
@@ -265,7 +281,7 @@ fn revolved(polygon: &[[f64; 2]], (copies, sections): (u32, usize), start: f64) 
             }
         }
     }
-    OuterSurface { copies, points, triangles, edges, open: false }
+    OuterSurface { copies, points, triangles, edges, open: false, without_mesh: 0 }
 }
 
 #[cfg(test)]

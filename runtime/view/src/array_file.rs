@@ -9,7 +9,7 @@ use std::{error, fmt, fs};
 /// First bytes of an array file.
 pub const MAGIC: &[u8; 8] = b"CALYXARR";
 /// Version of the format.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 /// Alignment of the header and of arrays, bytes.
 const ALIGNMENT: usize = 8;
 /// Number of bytes before the header.

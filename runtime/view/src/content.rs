@@ -30,6 +30,7 @@ pub fn parts(parts: &[Part], (model, units): (&str, &str)) -> Vec<u8> {
             "kind": kind,
             "copies": surface.copies,
             "open": surface.open,
+            "without_mesh": surface.without_mesh,
             "points": arrays.single(surface.points.iter().copied()),
             "triangles": arrays.indices(surface.triangles.iter().copied()),
             "edges": arrays.indices(surface.edges.iter().copied()),

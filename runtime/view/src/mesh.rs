@@ -7,13 +7,13 @@
 
 use crate::array_file::{Arrays, VERSION};
 use calyx_runtime::contact::solid::Pose;
-use calyx_runtime::observables::{ElasticBodyField, Fields, Part, PartOf, SectorField};
+use calyx_runtime::observables::{DisplacedSector, ElasticBodyField, Fields, Part, PartOf, SectorField};
 use calyx_runtime::stress::rotated;
 use calyx_runtime::structure::outer_surface::{Cell, CellKind, OuterSurface, Skin};
 use calyx_runtime::vec3::{Vector, dot, minus};
 use serde_json::{Value, json};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::collections::hash_map::DefaultHasher;
 use std::f64::consts::TAU;
 use std::hash::{Hash, Hasher};
@@ -27,6 +27,9 @@ pub const BYTES_PER_PLANE_POINT: usize = (2 + 4 + 1) * size_of::<f32>();
 
 /// Coordinates below this fraction of the size of a mesh are zero but for rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Points that differ by this fraction of the size of a mesh are the same.
+const SAME_POINT: f64 = 1e-6;
 
 /// Beginning and end of the names of meshes.
 const NAME: [&str; 2] = ["mesh-", ".bin"];
@@ -80,8 +83,10 @@ struct Deformed<'a> {
     shape: &'a OuterSurface,
     /// Copy of the shape of the part that this mesh replaces.
     copy: u32,
-    /// Angle of this copy about the z axis of the part, rad.
+    /// Angle of the points of `field` about the z axis of the part from those of copy 0, rad.
     angle: f64,
+    /// Displacements of a copy without stresses, in place of those of `field`.
+    displaced: Option<&'a DisplacedSector>,
     /// True for a plane mesh extruded over the face width. Positions have the values of its first
     /// end, because plane strain is the same in all sections.
     extruded: bool,
@@ -115,10 +120,23 @@ fn deformed(fields: &Fields) -> Vec<Deformed<'_>> {
                 shape: &shape.surface,
                 copy: sector.tooth,
                 angle,
+                displaced: None,
                 extruded: is_plane,
                 pose,
                 field: Field::Sector(shown),
             }
+        }));
+        // Sectors without stresses have the mesh of the others.
+        let Some(first) = body.sectors.first() else { continue };
+        all.extend(body.displaced.iter().map(|sector| Deformed {
+            part,
+            shape: &shape.surface,
+            copy: sector.tooth,
+            angle: f64::from(first.tooth) * pitch,
+            displaced: Some(sector),
+            extruded: false,
+            pose,
+            field: Field::Sector(Cow::Borrowed(first)),
         }));
     }
     for body in &fields.elastic_bodies {
@@ -126,7 +144,16 @@ fn deformed(fields: &Fields) -> Vec<Deformed<'_>> {
         let Some((part, pose)) = placed(&is_own) else { continue };
         let shape = &fields.parts[part].surface;
         let field = Field::Body(body);
-        all.push(Deformed { part, shape, copy: 0, angle: 0.0, extruded: false, pose, field });
+        all.push(Deformed {
+            part,
+            shape,
+            copy: 0,
+            angle: 0.0,
+            displaced: None,
+            extruded: false,
+            pose,
+            field,
+        });
     }
     all
 }
@@ -171,12 +198,10 @@ impl Deformed<'_> {
     /// Returns the nodes of the points of the mesh, and its file.
     fn file(&self) -> (Vec<usize>, Vec<u8>) {
         let cells = self.cells();
-        let skin = Skin::new(cells.iter().copied(), |_| false);
         let mut nodes: Vec<usize> = cells.iter().flat_map(|cell| cell.corners).copied().collect();
         nodes.sort_unstable();
         nodes.dedup();
         let place = |node: usize| nodes.partition_point(|&other| other < node) as u32;
-        let of_skin = |point: u32| place(skin.nodes[point as usize]);
         let (sine, cosine) = self.angle.sin_cos();
         let to_part = self.to_part();
         let in_copy = |node: usize| {
@@ -190,6 +215,16 @@ impl Deformed<'_> {
                 *part = 0.0;
             }
         }
+        // Faces between neighbouring copies are inside the body.
+        let cuts = match self.shape.copies {
+            0 | 1 => Vec::new(),
+            copies => cuts(&points, TAU / f64::from(copies), SAME_POINT * size).to_vec(),
+        };
+        let on_cut = |corners: &[usize]| {
+            cuts.iter().any(|on_cut| corners.iter().all(|&node| on_cut[place(node) as usize]))
+        };
+        let skin = Skin::new(cells.iter().copied(), on_cut);
+        let of_skin = |point: u32| place(skin.nodes[point as usize]);
         let mut arrays = Arrays::default();
         let header = json!({
             "open": skin.open,
@@ -210,27 +245,64 @@ impl Deformed<'_> {
             Field::Sector(sector) => (&sector.displacements, &sector.stresses, &sector.stress_errors),
             Field::Body(body) => (&body.displacements, &body.stresses, &body.stress_errors),
         };
+        let displacements = self.displaced.map_or(displacements, |sector| &sector.displacements);
         // The points of the second end of an extruded mesh follow those of the first end.
         let nodes = if self.extruded { &nodes[..nodes.len() / 2] } else { nodes };
         let (to_part, nodes) = (self.to_part(), || nodes.iter());
         let displacements = nodes().map(|&node| product(&to_part, displacements[node]));
-        let stresses = nodes().map(|&node| rotated(&to_part, stresses[node]));
-        let [displacements, stresses] = match self.extruded {
-            true => [
-                arrays.single(displacements.map(|[x, y, _]| [x, y])),
-                arrays.single(stresses.map(|[xx, yy, zz, _, _, xy]| [xx, yy, zz, xy])),
-            ],
-            false => [arrays.single(displacements), arrays.single(stresses)],
+        let displacements = match self.extruded {
+            true => arrays.single(displacements.map(|[x, y, _]| [x, y])),
+            false => arrays.single(displacements),
         };
-        json!({
+        let mut header = json!({
             "mesh": name,
             "part": self.part,
             "copy": self.copy,
             "displacements": displacements,
-            "stresses": stresses,
-            "stress_errors": arrays.single(nodes().map(|&node| [errors[node]])),
-        })
+        });
+        if self.displaced.is_none() {
+            let stresses = nodes().map(|&node| rotated(&to_part, stresses[node]));
+            header["stresses"] = match self.extruded {
+                true => arrays.single(stresses.map(|[xx, yy, zz, _, _, xy]| [xx, yy, zz, xy])),
+                false => arrays.single(stresses),
+            };
+            header["stress_errors"] = arrays.single(nodes().map(|&node| [errors[node]]));
+        }
+        header
     }
+}
+
+/// Returns for each point whether it is on the cut between a sector and the previous one, and on
+/// the cut between the sector and the next one: the rotation by the pitch (rad) takes one cut to
+/// the other.
+fn cuts(points: &[Vector], pitch: f64, tolerance: f64) -> [Vec<bool>; 2] {
+    let (sine, cosine) = pitch.sin_cos();
+    // Cells are four times as wide as the tolerance: points that are the same are in the cells of
+    // their coordinates more or less a quarter of a cell.
+    let cell = |at: Vector, shift: Vector| -> [i64; 3] {
+        std::array::from_fn(|axis| (0.25 * at[axis] / tolerance + shift[axis]).round() as i64)
+    };
+    let shifts: [Vector; 8] =
+        std::array::from_fn(|bits| [0, 1, 2].map(|axis| if bits & (1 << axis) == 0 { 0.25 } else { -0.25 }));
+    let mut grid: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+    for (index, &point) in points.iter().enumerate() {
+        grid.entry(cell(point, [0.0; 3])).or_default().push(index);
+    }
+    let mut on = [vec![false; points.len()], vec![false; points.len()]];
+    for (index, &[x, y, z]) in points.iter().enumerate() {
+        let at = [cosine * x - sine * y, sine * x + cosine * y, z];
+        let mut near = shifts.iter().filter_map(|&shift| grid.get(&cell(at, shift))).flatten();
+        let same = |&&other: &&usize| {
+            let [x, y, z] = minus(points[other], at);
+            x.abs().max(y.abs()).max(z.abs()) <= tolerance
+        };
+        // A point on the axis is its own image.
+        if let Some(&other) = near.find(same).filter(|other| **other != index) {
+            on[0][index] = true;
+            on[1][other] = true;
+        }
+    }
+    on
 }
 
 /// Returns the corners of all cells of a kind, as indices of points.
@@ -268,5 +340,30 @@ fn extruded(sector: &SectorField, ends: [f64; 2]) -> SectorField {
         displacements: sector.displacements.clone(),
         stresses: sector.stresses.clone(),
         stress_errors: sector.stress_errors.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points on both cuts of a sector of a twisted ring, of which neither is at a fixed angle.
+    #[test]
+    fn points_on_cuts_are_those_that_a_rotation_by_the_pitch_takes_to_each_other() {
+        let pitch = TAU / 7.0;
+        let mut points = Vec::new();
+        for step in 0..=4 {
+            for (radius, z) in [(1.0, 0.0), (2.0, 0.0), (1.0, 0.5), (2.0, 0.5)] {
+                let (sine, cosine) = (pitch * f64::from(step) / 4.0 + 0.3 * z + 0.1 * radius).sin_cos();
+                points.push([radius * cosine, radius * sine, z]);
+            }
+        }
+        // A point on the axis is on no cut.
+        points.push([0.0, 0.0, 0.5]);
+        let found = cuts(&points, pitch, SAME_POINT);
+        for (side, own) in found.iter().zip([0..4, 16..20]) {
+            let marked: Vec<usize> = (0..points.len()).filter(|&index| side[index]).collect();
+            assert_eq!(marked, own.collect::<Vec<_>>());
+        }
     }
 }

@@ -19,7 +19,7 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::stress::{Stress, rotated};
 use calyx_numerics::vec3::plus;
 use calyx_solve::system::Bodies;
-use calyx_structure::{BodyLoads, DeformedSector, MeshedBody, VisualizationMesh};
+use calyx_structure::{BodyLoads, DeformedSector, DisplacedSector, MeshedBody, VisualizationMesh};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -32,6 +32,9 @@ pub struct BodyField {
     pub number: usize,
     /// Sectors: all of them in a plane model, those around the loaded teeth in three dimensions.
     pub sectors: Vec<SectorField>,
+    /// The other sectors that move, without stresses. Their points and cells are those of
+    /// `sectors`, rotated about the axis of the body.
+    pub displaced: Vec<DisplacedSector>,
 }
 
 /// Mesh of a tooth and its sector of the rim, in ground coordinates.
@@ -240,7 +243,11 @@ impl Equilibrium<'_> {
                 stress_errors: sector.stress_errors,
             };
             let sectors = mesh.deformed(loads, &meshed.interrupt)?.into_iter().map(placed).collect();
-            fields.push(BodyField { body: body.name.clone(), number: index, sectors });
+            let mut displaced = mesh.displaced(loads, &meshed.interrupt)?;
+            for by in displaced.iter_mut().flat_map(|sector| &mut sector.displacements) {
+                *by = pose.direction(*by);
+            }
+            fields.push(BodyField { body: body.name.clone(), number: index, sectors, displaced });
         }
         Ok(fields)
     }

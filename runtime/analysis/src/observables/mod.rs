@@ -40,6 +40,7 @@ pub use bodies::{
 pub use calyx_contact::zone::Zone;
 pub use calyx_model::fidelity::Needs;
 pub use calyx_solve::vibrations::Vibrations;
+pub use calyx_structure::DisplacedSector;
 pub(crate) use deformed::MeshedBodies;
 pub use deformed::{BodyField, ElasticBodyField, SectorField};
 pub use equilibrium::{Contact, Equilibrium, Slice};

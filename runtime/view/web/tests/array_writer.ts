@@ -3,7 +3,7 @@
 import { createHash } from "node:crypto";
 
 /** Version of the format. */
-const VERSION = 4;
+const VERSION = 5;
 
 interface Block {
   bytes: Uint8Array;

@@ -3,7 +3,10 @@
 import { expect, test } from "@playwright/test";
 import type { Viewer } from "../src/viewer/index.ts";
 import { readMeshShape, readPosition, type Part } from "../src/viewer/run_data.ts";
-import { edgesBySide } from "../src/viewer/seams.ts";
+import { coarsen } from "../src/viewer/lod.ts";
+import { placesOf, seamOf } from "../src/viewer/seams.ts";
+import { Section } from "../src/viewer/section.ts";
+import { buildSurface } from "../src/viewer/surface.ts";
 import { displacement, embeddedData, createFixture, WHEEL, writePage } from "./fixture.ts";
 import { ArrayWriter } from "./array_writer.ts";
 import { gearSector } from "./gear_shapes.ts";
@@ -82,19 +85,130 @@ test("each mesh is read once, for all positions and viewers of a run", { tag: "@
   expect(problems).toEqual([]);
 });
 
-test("open edges of a twisted sector are those of their neighbours", () => {
-  // Four edges around each seam of a ring of 12 copies that is twisted by more than a pitch.
+/** A sector of a twisted ring of 12 copies, by two hexahedra along the angle, two radially and three axially. */
+function twistedSector() {
   const points: number[] = [];
-  for (const side of [0, 1]) {
-    for (const [radius, z] of [[0.03, -0.01], [0.04, -0.01], [0.04, 0.01], [0.03, 0.01]] as const) {
-      const angle = (side * 2 * Math.PI) / 12 + 40 * z;
-      points.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
+  const hexahedra: number[] = [];
+  const node = (i: number, j: number, k: number) => (k * 3 + j) * 3 + i;
+  for (let k = 0; k <= 3; k++) {
+    for (let j = 0; j <= 2; j++) {
+      for (let i = 0; i <= 2; i++) {
+        // The twist exceeds a pitch, and the cuts are curved.
+        const [radius, z] = [0.03 + 0.005 * j, 0.007 * k - 0.01];
+        const angle = (2 * Math.PI * i) / 2 / 12 + 40 * z + 0.02 * j * j;
+        points.push(radius * Math.cos(angle), radius * Math.sin(angle), z);
+        if (i < 2 && j < 2 && k < 3) {
+          const corners = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]] as const;
+          hexahedra.push(...corners.map(([a, b, c]) => node(i + a, j + b, k + c)));
+        }
+      }
     }
   }
-  const loop = (first: number) => [0, 1, 2, 3].flatMap((k) => [first + k, first + ((k + 1) % 4)]);
-  const found = edgesBySide(Uint32Array.from([...loop(4), ...loop(0)]), Float32Array.from(points), 12);
-  expect(found[1]).toEqual(loop(4));
-  expect(found[-1]).toEqual(loop(0));
+  const triangles: number[] = [];
+  const quad = (...[a, b, c, d]: [number, number, number, number]) => triangles.push(a, c, b, a, d, c);
+  for (let a = 0; a < 2; a++) {
+    for (let b = 0; b < 2; b++) {
+      quad(node(a, b, 0), node(a, b + 1, 0), node(a + 1, b + 1, 0), node(a + 1, b, 0));
+      quad(node(a, b, 3), node(a + 1, b, 3), node(a + 1, b + 1, 3), node(a, b + 1, 3));
+    }
+    for (let k = 0; k < 3; k++) {
+      quad(node(a, 0, k), node(a + 1, 0, k), node(a + 1, 0, k + 1), node(a, 0, k + 1));
+      quad(node(a, 2, k), node(a, 2, k + 1), node(a + 1, 2, k + 1), node(a + 1, 2, k));
+    }
+  }
+  return { points: Float32Array.from(points), triangles: Uint32Array.from(triangles), hexahedra: Uint32Array.from(hexahedra) };
+}
+
+test("neighbouring copies have the same nodes at their seam, to the last bit", () => {
+  const { points } = twistedSector();
+  const seam = seamOf(points, 12);
+  const last = Array.from(seam.keys()).filter((n) => n % 3 === 2);
+  expect(Array.from(seam.keys()).filter((n) => seam[n]! >= 0)).toEqual(last);
+  for (const copy of [0, 4, 11]) {
+    const [own, next] = [copy, (copy + 1) % 12].map((k) => placesOf(points, seam, k, 12)) as [Float64Array, Float64Array];
+    for (const n of last) expect([...own.subarray(3 * n, 3 * n + 3)]).toEqual([...next.subarray(3 * n - 6, 3 * n - 3)]);
+  }
+});
+
+/** A position of a ring of 12 copies, of which the first one moves. */
+async function partlyMoving() {
+  const { points, triangles, hexahedra } = twistedSector();
+  const none = new Uint32Array();
+  const shape = { name: "mesh-a.bin", open: false, extruded: false, points, triangles, hexahedra, edges: none, tetrahedra: none, wedges: none };
+  const writer = new ArrayWriter();
+  const mesh = { mesh: "mesh-a.bin", part: 0, copy: 0, displacements: writer.add("f32", 3, Array.from(points, (x) => 0.1 * x)) };
+  const file = writer.finish({ poses: writer.add("f64", 12, Array(12).fill(0)), meshes: [mesh] });
+  return readPosition("position-0000.bin", file.buffer as ArrayBuffer, [{ index: 0, name: "gear", copies: 12 } as Part], async () => shape);
+}
+
+test("copies without values complete a part, and its section has a closed outline", async () => {
+  const { meshes } = await partlyMoving();
+  expect(meshes.map(({ copy }) => copy).sort((a, b) => a - b)).toEqual(Array.from({ length: 12 }, (_, k) => k));
+  expect(meshes.filter(({ stresses }) => stresses === null).length).toBe(12);
+  // Sides of the triangles of all sections: inner ones have two triangles, those of the outline one.
+  const sides = new Map<string, number>();
+  const section = new Section();
+  let area = 0;
+  for (const mesh of meshes) {
+    section.compute(mesh, null, [0.1, 0.2, 1, 0.0002], 1, false, 1e30);
+    for (let t = 0; t < section.count; t++) {
+      const corners = [0, 1, 2].map((k) => section.points.slice(9 * t + 3 * k, 9 * t + 3 * k + 3).join());
+      for (const k of [0, 1, 2]) {
+        if (corners[k] === corners[(k + 1) % 3]) continue;
+        const side = [corners[k], corners[(k + 1) % 3]].sort().join(" to ");
+        sides.set(side, (sides.get(side) ?? 0) + 1);
+      }
+      const [a, b, c] = [0, 3, 6].map((k) => [section.points[9 * t + k]!, section.points[9 * t + k + 1]!]) as [[number, number], [number, number], [number, number]];
+      area += 0.5 * Math.abs((b[0]! - a[0]!) * (c[1]! - a[1]!) - (b[1]! - a[1]!) * (c[0]! - a[0]!));
+    }
+  }
+  expect(area).toBeGreaterThan(0.9 * Math.PI * (0.04 ** 2 - 0.03 ** 2));
+  const outline = [...sides].filter(([, count]) => count === 1).map(([side]) => side);
+  // Each point of the outline has two sides, and there are two closed curves: the bore and the outer diameter.
+  const neighbours = new Map<string, string[]>();
+  for (const [a, b] of outline.map((side) => side.split(" to ") as [string, string])) {
+    neighbours.set(a, [...(neighbours.get(a) ?? []), b]);
+    neighbours.set(b, [...(neighbours.get(b) ?? []), a]);
+  }
+  expect([...neighbours.values()].filter(({ length }) => length !== 2)).toEqual([]);
+  let curves = 0;
+  for (const start of [...neighbours.keys()]) {
+    if (neighbours.has(start)) curves++;
+    for (let at: string | undefined = start; at !== undefined; ) {
+      const next: string[] = neighbours.get(at) ?? [];
+      neighbours.delete(at);
+      at = next.find((other) => neighbours.has(other));
+    }
+  }
+  expect(curves).toBe(2);
+});
+
+test("a surface of few triangles has plane end faces, no folds, and the same points at both cuts", () => {
+  for (const [shape, teeth] of [[gearSector(WHEEL, 4, 6, 4), WHEEL.teeth], [twistedSector(), 12]] as const) {
+    const points = Float32Array.from(shape.points);
+    const surface = buildSurface(points, Uint32Array.from(shape.triangles), teeth);
+    const top = Math.max(...points.filter((_, i) => i % 3 === 2));
+    for (const cell of [1e-3, 2e-3, 4e-3]) {
+      const coarse = coarsen(points, surface, teeth, cell);
+      const [cos, sin] = [Math.cos((2 * Math.PI) / teeth), Math.sin((2 * Math.PI) / teeth)];
+      const at = (v: number): [number, number, number] => {
+        const [x, y, z] = coarse.points.subarray(3 * v, 3 * v + 3) as unknown as [number, number, number];
+        return coarse.seam[v] ? [cos * x - sin * y, sin * x + cos * y, z] : [x, y, z];
+      };
+      expect(coarse.triangles.length).toBeGreaterThan(0);
+      for (let t = 0; t < coarse.triangles.length; t += 3) {
+        const corners = [...coarse.triangles.subarray(t, t + 3)];
+        const [a, b, c] = corners.map(at) as [[number, number, number], [number, number, number], [number, number, number]];
+        const normals = corners.map((v) => coarse.normals.subarray(3 * v, 3 * v + 3));
+        const z = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        // The end face lies in its plane and faces upward.
+        if (normals.every((n) => n[2]! > 0.99)) {
+          expect(z).toBeGreaterThanOrEqual(0);
+          for (const corner of [a, b, c]) expect(corner[2]).toBeCloseTo(top, 8);
+        }
+      }
+    }
+  }
 });
 
 test("an extruded mesh has the values of its section at both ends", async () => {
@@ -115,7 +229,7 @@ test("an extruded mesh has the values of its section at both ends", async () => 
   const position = await readPosition("position-0000.bin", buffer(file), [{ index: 0, name: "gear", copies: 1 } as Part], async () => shape);
   const mesh = position.meshes[0]!;
   expect([...mesh.displacements]).toEqual([1, 2, 0, 3, 4, 0, 1, 2, 0, 3, 4, 0]);
-  expect([...mesh.stresses]).toEqual([1, 2, 3, 0, 0, 4, 5, 6, 7, 0, 0, 8, 1, 2, 3, 0, 0, 4, 5, 6, 7, 0, 0, 8]);
+  expect([...mesh.stresses!]).toEqual([1, 2, 3, 0, 0, 4, 5, 6, 7, 0, 0, 8, 1, 2, 3, 0, 0, 4, 5, 6, 7, 0, 0, 8]);
   expect([...mesh.stressErrors!]).toEqual([1, 2, 1, 2]);
   expect(() => shapeOf([0, 0, 0])).toThrow("an extruded mesh needs an even number of them");
 });

@@ -14,9 +14,8 @@ function meshOf(kind: CellKind, n: number, copy = 0, copies = 1, strain = 0): De
   const content = box(kind, n);
   const array = (values: ArrayLike<number> | undefined) => Uint32Array.from(values ?? []);
   const points = Float32Array.from(content.points);
-  const angle = (2 * Math.PI * copy) / copies;
   return {
-    part: 0, copy, cos: Math.cos(angle), sin: Math.sin(angle),
+    part: 0, copy, copies,
     shape: {
       name: kind, open: false, extruded: false, points, triangles: array(content.triangles), edges: array([]),
       tetrahedra: array(content.tetrahedra), wedges: array(content.wedges), hexahedra: array(content.hexahedra),
@@ -64,7 +63,7 @@ function largestError(section: Section, expected: (x: number, y: number, z: numb
 test("the division into tetrahedra fills each cell, and neighbours divide their faces alike", () => {
   for (const kind of KINDS) {
     const { shape } = meshOf(kind, 2);
-    const { nodes } = tetrahedraOf(shape);
+    const { nodes } = tetrahedraOf(shape, 1);
     let volume = 0;
     const faces = new Map<string, number>();
     for (let t = 0; t < nodes.length; t += 4) {
@@ -164,7 +163,7 @@ test("sections follow the rotation of the copy and the scaled displacement", () 
 
 test("200,000 tetrahedra follow the drag of the plane", () => {
   const mesh = meshOf("tetrahedra", 33);
-  expect(tetrahedraOf(mesh.shape).nodes.length / 4).toBeGreaterThan(200_000);
+  expect(tetrahedraOf(mesh.shape, 1).nodes.length / 4).toBeGreaterThan(200_000);
   const values = fieldOf(mesh);
   const section = new Section();
   const plane = (z: number): Plane => [0.1, 0.2, Math.sqrt(0.95), -z];

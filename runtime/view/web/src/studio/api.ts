@@ -232,6 +232,12 @@ export interface Session {
   view: Record<string, unknown> | null;
 }
 
+/** Form of a session as it is stored. */
+export interface StoredForm {
+  params: Record<string, string>;
+  settings: Record<string, string>;
+}
+
 /** Error of a request, with a remedy. */
 export class RequestError extends Error {
   constructor(
@@ -288,8 +294,11 @@ export async function modelScene(form: FormValues, signal?: AbortSignal): Promis
 /** Largest body of a request that outlives its page, bytes; browsers refuse more than 64 kB. */
 const LONGEST_KEPT = 60_000;
 
-/** Sends a session. The request outlives the page if the session is short enough. */
-export async function sendSession(session: Session): Promise<void> {
+/**
+ * Sends a session. `before` is the stored form that the page knows: another one is not overwritten. The request
+ * outlives the page if the session is short enough.
+ */
+export async function sendSession(session: Session & { before?: StoredForm }): Promise<void> {
   const text = JSON.stringify(session);
   await request("/api/session", {
     method: "PUT",

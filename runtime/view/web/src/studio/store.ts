@@ -13,6 +13,7 @@ import {
   type RunSummary,
   type Session,
   type Setting,
+  type StoredForm,
   get,
   modelScene,
   ofRun,
@@ -74,8 +75,13 @@ export class Studio {
   #checkTimer = 0;
   #sessionTimer = 0;
   #isUnsaved = false;
-  /** Another studio has stored its session. */
+  /** Another page has stored a form that this one does not take. */
   #isForeign = false;
+  /** The stored form that this page knows. */
+  #stored: StoredForm = { params: {}, settings: {} };
+  #isSaving = false;
+  /** Another form was stored while this page was saving. */
+  #isBehind = false;
   /** True until the values of the session are compared with the model. */
   #isRestored = false;
   #about: About | null = null;
@@ -111,10 +117,10 @@ export class Studio {
     this.#isLoaded = true;
     this.#changed();
     // A page that is closed or hidden may not run again.
-    window.addEventListener("pagehide", () => this.#saveNow());
+    window.addEventListener("pagehide", () => this.#saveNow(true));
     document.addEventListener("visibilitychange", () => {
       if (document.visibilityState === "hidden") {
-        this.#saveNow();
+        this.#saveNow(true);
         this.#connection?.pause();
       } else {
         this.#connection?.resume();
@@ -125,9 +131,7 @@ export class Studio {
 
   async #restoreSession(): Promise<void> {
     const session = await get<Session>("/api/session");
-    this.values = { ...session.params };
-    const known = new Set(this.analysisSettings.map((setting) => setting.name));
-    this.analysis = Object.fromEntries(Object.entries(session.settings ?? {}).filter(([name]) => known.has(name)));
+    this.#takeForm(session);
     this.#isRestored = true;
     const view = (session.view ?? {}) as Partial<ViewSettings>;
     if (typeof view.automatic === "boolean") this.settings.automatic = view.automatic;
@@ -137,6 +141,31 @@ export class Studio {
       this.settings.selected = view.selected.filter((id) => typeof id === "string" && id !== "preview");
     }
     this.settings.scene = view.scene ?? null;
+  }
+
+  #takeForm({ params, settings = {} }: Session): void {
+    this.#stored = { params, settings };
+    this.values = { ...params };
+    const known = new Set(this.analysisSettings.map((setting) => setting.name));
+    this.analysis = Object.fromEntries(Object.entries(settings).filter(([name]) => known.has(name)));
+  }
+
+  /** Takes the form that another page has stored, unless this page has changed its own. */
+  async #followForm(): Promise<void> {
+    if (this.#isForeign || !this.#isLoaded) return;
+    await this.#try(async () => {
+      const session = await get<Session>("/api/session");
+      const { params, settings = {} } = session;
+      if (this.#isSaving) {
+        // The stored form that this page knows is not certain until the response.
+        this.#isBehind = true;
+        return;
+      }
+      const isKnown = isSameForm({ params, settings }, this.#stored);
+      if (isKnown || !isSameForm(this.#storedForm(), this.#stored)) return;
+      this.#takeForm(session);
+      this.#checkSoon(0);
+    });
   }
 
   #follow(): void {
@@ -172,6 +201,7 @@ export class Studio {
   #listen(events: EventSource): void {
     events.addEventListener("model", () => void this.#loadModel());
     events.addEventListener("runs", () => void this.#loadRuns());
+    events.addEventListener("session", () => void this.#followForm());
     events.addEventListener("progress", (event) => {
       const { id, ...progress } = JSON.parse((event as MessageEvent<string>).data) as Progress & { id: string };
       this.progress[id] = progress;
@@ -505,28 +535,48 @@ export class Studio {
     this.#sessionTimer = window.setTimeout(() => this.#saveNow(), SESSION_DELAY);
   }
 
-  /** Saves the session if it has changed. A save that failed is repeated with the next change or connection. */
-  #saveNow(): void {
+  /**
+   * Saves the session if it has changed. A save that failed is repeated with the next change or connection.
+   * Saves follow each other, except for the last one of a page that is closed.
+   */
+  #saveNow(closing = false): void {
     window.clearTimeout(this.#sessionTimer);
     // Another studio may respond at the address.
-    if (!this.#isUnsaved || !this.isConnected) return;
+    if (!this.#isUnsaved || !this.isConnected || (this.#isSaving && !closing)) return;
     this.#isUnsaved = false;
-    const session: Session = {
-      version: 1,
-      params: this.#storedValues(),
-      settings: this.analysis,
-      view: { ...this.settings },
-    };
+    this.#isSaving = true;
+    const before = this.#stored;
+    const form = this.#storedForm();
+    this.#stored = form;
     void this.#try(async () => {
       try {
-        await sendSession(session);
+        await sendSession({ version: 1, ...form, view: { ...this.settings }, before });
       } catch (error) {
-        // The session of another studio is not overwritten; the form remains in this page.
-        if (error instanceof RequestError && error.status === 409) this.#isForeign = true;
+        this.#stored = before;
+        const isConflict = error instanceof RequestError && error.status === 409;
+        if (isConflict && isSameForm(form, before)) {
+          // Only the view of this page has changed: it takes the form of the other page.
+          this.#isUnsaved = true;
+          this.#isBehind = true;
+          return;
+        }
+        // The form of another page is not overwritten; that of this page remains in it.
+        if (isConflict) this.#isForeign = true;
         else this.#isUnsaved = true;
         throw error;
+      } finally {
+        this.#isSaving = false;
+        if (this.#isBehind) {
+          this.#isBehind = false;
+          await this.#followForm();
+        }
       }
+      this.#saveNow();
     });
+  }
+
+  #storedForm(): StoredForm {
+    return { params: this.#storedValues(), settings: { ...this.analysis } };
   }
 
   /** Values that a session keeps: an empty field has none, unless its param is a text. */
@@ -534,4 +584,9 @@ export class Studio {
     const isStored = ([name, text]: [string, string]) => text.trim() !== "" || this.param(name)?.kind === "text";
     return Object.fromEntries(Object.entries(this.values).filter(isStored));
   }
+}
+
+function isSameForm(one: StoredForm, other: StoredForm): boolean {
+  const entries = ({ params, settings }: StoredForm) => JSON.stringify([params, settings].map((values) => Object.entries(values).sort(([a], [b]) => (a < b ? -1 : 1))));
+  return entries(one) === entries(other);
 }

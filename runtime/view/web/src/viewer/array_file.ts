@@ -1,7 +1,7 @@
 // Array files: a JSON header and the arrays it refers to. docs/view-files.md describes the format.
 
 const MAGIC = "CALYXARR";
-const VERSION = 4;
+const VERSION = 5;
 const PREFIX = 16;
 
 /** A file that cannot be read. The message names the file and the reason. */

@@ -120,6 +120,7 @@ export function nodalValue(mesh: DeformedMesh, field: NodalField, node: number):
   }
   if (field === "stress_error") return mesh.stressErrors?.[node] ?? NaN;
   const s = mesh.stresses;
+  if (!s) return NaN;
   const i = 6 * node;
   const [xx, yy, zz, yz, zx, xy] = [s[i]!, s[i + 1]!, s[i + 2]!, s[i + 3]!, s[i + 4]!, s[i + 5]!];
   if (field === "von_mises") return vonMises(xx, yy, zz, yz, zx, xy);

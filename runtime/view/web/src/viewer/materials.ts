@@ -27,7 +27,10 @@ export interface SharedUniforms {
 // triangle seen from its edge would reach across the cut there, and leave stray pixels.
 const VERTEX = /* glsl */ `
 #ifdef COPIES
-attribute vec2 copyRotation;
+// Rotations of the copy and of the next one.
+attribute vec4 copyRotation;
+// 1 for a point of the next copy.
+attribute float seam;
 #endif
 #ifdef DEFORMED
 attribute vec3 displacement;
@@ -50,7 +53,8 @@ uniform float bias;
 void main() {
   vec3 p = position;
   #ifdef COPIES
-  p = vec3(copyRotation.x * p.x - copyRotation.y * p.y, copyRotation.y * p.x + copyRotation.x * p.y, p.z);
+  vec2 turn = seam > 0.5 ? copyRotation.zw : copyRotation.xy;
+  p = vec3(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y, p.z);
   #endif
   #ifdef DEFORMED
   // Displacements are in coordinates of the part, not of copy 0.

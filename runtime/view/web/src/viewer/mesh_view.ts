@@ -6,18 +6,18 @@
 import * as THREE from "three";
 import { NO_VALUE, type MaterialSet } from "./materials.ts";
 import type { DeformedMesh, MeshShape } from "./run_data.ts";
-import { MeshClosure } from "./seams.ts";
+import { rotationsOf, seamPoints } from "./seams.ts";
 import { SectionView } from "./section_view.ts";
 import { hasCells } from "./section.ts";
 import { buildSurface, type Surface } from "./surface.ts";
-import { atVertices } from "./surface_view.ts";
+import { atVertices, seamMask } from "./surface_view.ts";
 
 const surfaces = new WeakMap<MeshShape, Surface>();
 
 /** Surface of a mesh with its normals; viewers share it. */
-function surfaceOf(shape: MeshShape): Surface {
+function surfaceOf(shape: MeshShape, copies: number): Surface {
   let surface = surfaces.get(shape);
-  if (!surface) surfaces.set(shape, (surface = buildSurface(shape.points, shape.triangles, 1)));
+  if (!surface) surfaces.set(shape, (surface = buildSurface(shape.points, shape.triangles, copies)));
   return surface;
 }
 
@@ -25,15 +25,17 @@ function surfaceOf(shape: MeshShape): Surface {
 class MeshBuffers {
   readonly surface: Surface;
   readonly position: THREE.BufferAttribute;
+  readonly seam: THREE.BufferAttribute;
   readonly normal: THREE.BufferAttribute;
   readonly triangles: THREE.BufferAttribute;
   readonly features: THREE.BufferAttribute;
   readonly edges: THREE.BufferAttribute;
 
-  constructor(readonly shape: MeshShape) {
-    const surface = surfaceOf(shape);
+  constructor(readonly shape: MeshShape, copies: number) {
+    const surface = surfaceOf(shape, copies);
     this.surface = surface;
-    this.position = new THREE.BufferAttribute(atVertices(shape.points, surface.nodes), 3);
+    this.position = new THREE.BufferAttribute(atVertices(seamPoints(shape.points, surface.seam), surface.nodes), 3);
+    this.seam = new THREE.BufferAttribute(seamMask(surface), 1);
     this.normal = new THREE.BufferAttribute(surface.normals, 3);
     this.triangles = new THREE.BufferAttribute(surface.triangles, 1);
     this.features = new THREE.BufferAttribute(surface.features, 1);
@@ -48,8 +50,6 @@ export class MeshView {
   readonly features: THREE.LineSegments;
   readonly edges: THREE.LineSegments;
   readonly stencils: THREE.Mesh[];
-  /** Close the open seams in the stencil buffer. */
-  readonly closures: THREE.Mesh[];
   /** Section through the cells of the volume; null for a mesh without cells. */
   readonly section: SectionView | null;
   readonly triangleCount: number;
@@ -59,8 +59,7 @@ export class MeshView {
   #geometries: THREE.InstancedBufferGeometry[];
   #displacement: THREE.BufferAttribute;
   #field: THREE.BufferAttribute;
-  #rotation = new THREE.InstancedBufferAttribute(new Float32Array(2), 2);
-  #closure: MeshClosure;
+  #rotation = new THREE.InstancedBufferAttribute(new Float32Array(4), 4);
 
   constructor(
     private readonly buffers: MeshBuffers,
@@ -74,6 +73,7 @@ export class MeshView {
     const geometry = (index: THREE.BufferAttribute) => {
       const result = new THREE.InstancedBufferGeometry();
       result.setAttribute("position", buffers.position);
+      result.setAttribute("seam", buffers.seam);
       result.setAttribute("normal", buffers.normal);
       result.setAttribute("displacement", this.#displacement);
       result.setAttribute("field", this.#field);
@@ -89,11 +89,9 @@ export class MeshView {
     this.features = new THREE.LineSegments(features, materials.features);
     this.edges = new THREE.LineSegments(edges, materials.edges);
     this.stencils = [new THREE.Mesh(faces, materials.stencilBack), new THREE.Mesh(faces, materials.stencilFront)];
-    this.#closure = new MeshClosure(surface, shape.points, this.#rotation, materials);
-    this.closures = this.#closure.meshes;
-    this.#geometries = [faces, features, edges, this.#closure.geometry];
+    this.#geometries = [faces, features, edges];
     this.section = hasCells(shape) ? new SectionView(materials) : null;
-    for (const object of [this.surface, this.features, this.edges, ...this.stencils, ...this.closures]) {
+    for (const object of [this.surface, this.features, this.edges, ...this.stencils]) {
       object.frustumCulled = false;
       object.matrixAutoUpdate = false;
       this.group.add(object);
@@ -111,11 +109,10 @@ export class MeshView {
     if (mesh === this.mesh) return;
     this.mesh = mesh;
     this.values = null;
-    this.#rotation.setXY(0, mesh.cos, mesh.sin);
+    this.#rotation.setXYZW(0, ...rotationsOf(mesh.copy, mesh.copies));
     this.#rotation.needsUpdate = true;
     atVertices(mesh.displacements, this.buffers.surface.nodes, this.#displacement.array as Float32Array);
     this.#displacement.needsUpdate = true;
-    this.#closure.setDisplacements(mesh.displacements);
   }
 
   /** Sets the values that determine the colours, one per node. */
@@ -163,7 +160,7 @@ export class MeshViews {
 
   private create(mesh: DeformedMesh, materials: MaterialSet): MeshView {
     let buffers = this.#buffers.get(mesh.shape);
-    if (!buffers) this.#buffers.set(mesh.shape, (buffers = new MeshBuffers(mesh.shape)));
+    if (!buffers) this.#buffers.set(mesh.shape, (buffers = new MeshBuffers(mesh.shape, mesh.copies)));
     const view = new MeshView(buffers, materials);
     const key = `${mesh.part} ${mesh.shape.name}`;
     this.#places.set(key, [...(this.#places.get(key) ?? []), view]);

@@ -5,7 +5,7 @@ import { createCapMaterial, createMaterialSet, type MaterialSet, type SharedUnif
 import { levelFor } from "./lod.ts";
 import type { Part } from "./run_data.ts";
 import type { MeshView } from "./mesh_view.ts";
-import { OpenCopies } from "./seams.ts";
+import { rotationOf } from "./seams.ts";
 import type { Visibility } from "./state.ts";
 import { buildSurface, type Surface } from "./surface.ts";
 import { SurfaceView } from "./surface_view.ts";
@@ -23,6 +23,8 @@ export class PartView {
   readonly copies: SurfaceView;
   readonly surface: Surface;
   readonly radius: number;
+  /** Triangles that no mesh replaces. */
+  readonly restTriangles: Uint32Array;
   meshes: MeshView[] = [];
   visibility: Visibility = "visible";
   present = true;
@@ -35,7 +37,9 @@ export class PartView {
   #neutral: THREE.Color;
   /** Copies that no mesh replaces. */
   #candidates: number[];
-  #seams: OpenCopies;
+  #replaced: number[] = [];
+  /** Copies of what no mesh replaces, where a mesh replaces the rest; null if there is nothing. */
+  readonly rest: SurfaceView | null;
   #shown: Uint32Array;
   #shownCount = -1;
   #shownHash = NaN;
@@ -67,8 +71,10 @@ export class PartView {
     }
     this.radius = Math.sqrt(square);
     this.group.matrixAutoUpdate = false;
-    this.#seams = new OpenCopies(this.surface, part.points, part.copies, this.#instanced);
-    this.group.add(this.copies.group, ...this.#seams.meshes);
+    this.restTriangles = part.triangles.subarray(part.triangles.length - 3 * part.withoutMesh);
+    this.rest = part.withoutMesh > 0 ? this.createRest() : null;
+    this.group.add(this.copies.group);
+    if (this.rest) this.group.add(this.rest.group);
     this.cap = new THREE.Mesh(capGeometry, this.#capMaterial);
     this.cap.frustumCulled = false;
     this.cap.matrixAutoUpdate = false;
@@ -92,8 +98,21 @@ export class PartView {
     this.#candidates = [];
     for (let k = 0; k < this.part.copies; k++) if (!replaced.has(k)) this.#candidates.push(k);
     this.#shownHash = NaN;
-    this.#seams.set(replaced);
+    this.#replaced = [...replaced];
+    this.rest?.setCopies(this.#replaced, this.#replaced.length);
     this.refresh();
+  }
+
+  private createRest(): SurfaceView {
+    const { points, copies, edges } = this.part;
+    const first = this.restTriangles.reduce((least, node) => Math.min(least, node), Infinity);
+    const surface = buildSurface(points, this.restTriangles, copies);
+    return new SurfaceView({ points, surface, edges: edges.filter((_, i) => edges[i - (i % 2)]! >= first) }, this.#instanced, copies);
+  }
+
+  /** Copies of which only the rest is displayed. */
+  get replacedCopies(): readonly number[] {
+    return this.#replaced;
   }
 
   get meshMaterials(): MaterialSet {
@@ -157,8 +176,7 @@ export class PartView {
     for (const set of [this.#instanced, this.#deformed]) {
       set.surface.alpha = alpha;
       set.surface.depthWrite = !translucent;
-      // Copies next to a deformed mesh are open at the seam, and so is the mesh.
-      const open = this.part.open || this.#cut || this.meshes.length > 0;
+      const open = this.part.open || this.#cut;
       set.surface.side = open && !translucent ? THREE.DoubleSide : THREE.FrontSide;
       set.surface.colour.copy(this.#fieldMode ? this.#neutral : this.#colour);
       set.features.alpha = translucent ? 0.25 : 0.5;
@@ -172,21 +190,17 @@ export class PartView {
     this.#capMaterial.colour.copy(this.#fieldMode ? this.#neutral : this.#colour).multiplyScalar(0.86);
     const first = 10 + 3 * this.#order;
     this.cap.renderOrder = first + 2;
-    for (const view of [this.copies, ...this.meshes]) {
+    for (const view of [this.copies, ...(this.rest ? [this.rest] : []), ...this.meshes]) {
       view.edges.visible = this.#edges;
       view.surface.renderOrder = translucent ? 100000 : 0;
       view.features.renderOrder = view.edges.renderOrder = 100001;
     }
     this.refreshStencils(this.copies.stencils, first, true);
+    if (this.rest) this.refreshStencils(this.rest.stencils, first, true);
     for (const mesh of this.meshes) {
       const cap = !mesh.open && !(this.#sections && mesh.section);
       this.refreshStencils(mesh.stencils, first, cap);
-      this.refreshStencils(mesh.closures, first, cap);
     }
-    this.#seams.meshes.forEach((stencil, i) => {
-      stencil.visible = this.#cut && this.meshes.length > 0 && !this.part.open;
-      stencil.renderOrder = first + (i % 2);
-    });
   }
 
   private refreshStencils(pair: THREE.Mesh[], first: number, on: boolean): void {
@@ -207,9 +221,7 @@ export class PartView {
     const matrix = this.group.matrixWorld;
     scratch.radius = sphere.radius;
     for (const k of this.#candidates) {
-      const angle = (2 * Math.PI * k) / this.part.copies;
-      const cos = Math.cos(angle);
-      const sin = Math.sin(angle);
+      const [cos, sin] = rotationOf(k, this.part.copies);
       const { x, y, z } = sphere.center;
       scratch.center.set(cos * x - sin * y, sin * x + cos * y, z).applyMatrix4(matrix);
       if (!frustum.intersectsSphere(scratch)) continue;
@@ -228,14 +240,14 @@ export class PartView {
     this.copies.features.visible = pitchPixels > OUTLINE_PIXELS;
     this.copies.edges.visible = this.#edges && pitchPixels > 2 * OUTLINE_PIXELS;
     this.copies.setLevel(count * this.copies.triangleCount > COARSE_FROM ? levelFor(detail) : -1);
-    let triangles = count * this.copies.drawnTriangles;
+    let triangles = count * this.copies.drawnTriangles + this.#replaced.length * this.part.withoutMesh;
     for (const mesh of this.meshes) triangles += mesh.triangleCount;
     return triangles;
   }
 
   dispose(): void {
     this.copies.dispose();
-    this.#seams.dispose();
+    this.rest?.dispose();
     for (const material of this.materials) material.dispose();
   }
 }

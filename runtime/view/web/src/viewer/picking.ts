@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { PartView } from "./part_view.ts";
-import type { Contacts, DeformedMesh } from "./run_data.ts";
+import { placesOfMesh, type Contacts, type DeformedMesh } from "./run_data.ts";
 
 /** Intersection of the pointer's ray with a part. */
 export interface Hit {
@@ -36,10 +36,8 @@ interface Candidate {
   facing: boolean;
 }
 
-/** Rotation of the points of a mesh into the place of its copy, and displacements to be added with a factor. */
+/** Displacements to be added with a factor. */
 export interface Deformation {
-  cos: number;
-  sin: number;
   displacements: Float32Array;
   factor: number;
 }
@@ -49,7 +47,7 @@ export interface Deformation {
  */
 export function intersect(
   ray: LocalRay,
-  points: Float32Array,
+  points: ArrayLike<number>,
   triangles: Uint32Array,
   deformation: Deformation | null,
   from: number,
@@ -72,16 +70,15 @@ export function intersect(
     let cy = points[c + 1]!;
     let cz = points[c + 2]!;
     if (deformation) {
-      const { cos, sin, displacements, factor } = deformation;
-      const [px, qx, rx] = [ax, bx, cx];
-      ax = cos * px - sin * ay + factor * displacements[a]!;
-      ay = sin * px + cos * ay + factor * displacements[a + 1]!;
+      const { displacements, factor } = deformation;
+      ax += factor * displacements[a]!;
+      ay += factor * displacements[a + 1]!;
       az += factor * displacements[a + 2]!;
-      bx = cos * qx - sin * by + factor * displacements[b]!;
-      by = sin * qx + cos * by + factor * displacements[b + 1]!;
+      bx += factor * displacements[b]!;
+      by += factor * displacements[b + 1]!;
       bz += factor * displacements[b + 2]!;
-      cx = cos * rx - sin * cy + factor * displacements[c]!;
-      cy = sin * rx + cos * cy + factor * displacements[c + 1]!;
+      cx += factor * displacements[c]!;
+      cy += factor * displacements[c + 1]!;
       cz += factor * displacements[c + 2]!;
     }
     const e1x = bx - ax;
@@ -165,7 +162,10 @@ export function pick(
     origin.copy(ray.origin).applyMatrix4(inverse);
     direction.copy(ray.direction).transformDirection(inverse);
     const local = view.copies.sphere;
-    for (const copy of view.presentCopies) {
+    const { triangles } = view.part;
+    const copies = view.presentCopies.map((copy) => [copy, triangles] as const);
+    const rest = view.rest ? view.replacedCopies.map((copy) => [copy, view.restTriangles] as const) : [];
+    for (const [copy, triangles] of [...copies, ...rest]) {
       const angle = (-2 * Math.PI * copy) / view.part.copies;
       const cos = Math.cos(angle);
       const sin = Math.sin(angle);
@@ -173,16 +173,16 @@ export function pick(
       localRay.direction.set(cos * direction.x - sin * direction.y, sin * direction.x + cos * direction.y, direction.z);
       sphere.copy(local);
       if (!localRay.intersectsSphere(sphere) || !localRay.intersectsBox(view.copies.box)) continue;
-      const found = intersect(toArrays(localRay), view.part.points, view.part.triangles, null, from);
-      consider(view, copy, -1, found, view.part.triangles, view.part.open);
+      const found = intersect(toArrays(localRay), view.part.points, triangles, null, from);
+      consider(view, copy, -1, found, triangles, view.part.open);
     }
     localRay.origin.copy(origin);
     localRay.direction.copy(direction);
     const list = meshes[view.part.index] ?? [];
     list.forEach((mesh, i) => {
-      const { points, triangles } = mesh.shape;
-      const { cos, sin, displacements } = mesh;
-      const found = intersect(toArrays(localRay), points, triangles, { cos, sin, displacements, factor }, from);
+      const { triangles } = mesh.shape;
+      const { displacements } = mesh;
+      const found = intersect(toArrays(localRay), placesOfMesh(mesh), triangles, { displacements, factor }, from);
       consider(view, -1, i, found, triangles, mesh.shape.open);
     });
   }

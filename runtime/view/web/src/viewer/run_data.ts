@@ -1,6 +1,7 @@
 // Parts and positions of a run, checked and decoded from array files.
 
 import { ArrayFile, FileError, type Json } from "./array_file.ts";
+import { joinSeam, placesOf, seamOf } from "./seams.ts";
 import type { Vector } from "./state.ts";
 
 export type PartKind = "gear" | "shaft" | "bearing" | "body";
@@ -10,6 +11,8 @@ export interface Part {
   name: string;
   kind: PartKind;
   copies: number;
+  /** Number of triangles at the end of the list that no mesh replaces. */
+  withoutMesh: number;
   /** The surface contains shells: both sides are visible, and it encloses no volume. */
   open: boolean;
   points: Float32Array;
@@ -66,13 +69,12 @@ export interface MeshShape {
 export interface DeformedMesh {
   part: number;
   copy: number;
-  /** Rotation of the points into the place of the copy. */
-  cos: number;
-  sin: number;
+  copies: number;
   shape: MeshShape;
   /** In coordinates of the part, like the stresses: not rotated. */
   displacements: Float32Array;
-  stresses: Float32Array;
+  /** Null for a copy without stresses. */
+  stresses: Float32Array | null;
   /** Estimated errors of the stresses as von Mises stresses; null if there are none. */
   stressErrors: Float32Array | null;
 }
@@ -125,7 +127,11 @@ export function readParts(buffer: ArrayBuffer): Parts {
     checkIndices(file.name, `${name}, triangles`, triangles, points.length / 3);
     checkIndices(file.name, `${name}, edges`, edges, points.length / 3);
     const kind = (KINDS.includes(String(entry.kind)) ? entry.kind : "body") as PartKind;
-    return { index, name, kind, copies, open: entry.open === true, points, triangles, edges };
+    const withoutMesh = Number(entry.without_mesh ?? 0);
+    if (!Number.isInteger(withoutMesh) || withoutMesh < 0 || 3 * withoutMesh > triangles.length) {
+      throw new FileError(file.name, `${name}: the number of triangles without a mesh is not valid`);
+    }
+    return { index, name, kind, copies, withoutMesh, open: entry.open === true, points, triangles, edges };
   });
   return { model: String(file.header.model ?? ""), units: String(file.header.units ?? ""), parts };
 }
@@ -169,13 +175,23 @@ function readContacts(file: ArrayFile, value: Json | undefined): Contacts | null
   return count > 0 ? { count, corners, pressures, zones, parts, teeth, surfaces } : null;
 }
 
+const places = new WeakMap<MeshShape, Map<number, Float64Array>>();
+
+/** Undeformed points of a mesh in the place of its copy, in coordinates of the part. All positions share them. */
+export function placesOfMesh({ shape, copy, copies }: DeformedMesh): Float64Array {
+  let ofShape = places.get(shape);
+  if (!ofShape) places.set(shape, (ofShape = new Map()));
+  let result = ofShape.get(copy);
+  if (!result) ofShape.set(copy, (result = placesOf(shape.points, seamOf(shape.points, copies), copy, copies)));
+  return result;
+}
+
 /** Returns the displaced point of a node, in coordinates of the part. */
 export function displacedPoint(mesh: DeformedMesh, node: number, factor: number): Vector {
-  const { cos, sin, displacements: u } = mesh;
-  const { points } = mesh.shape;
+  const places = placesOfMesh(mesh);
+  const u = mesh.displacements;
   const i = 3 * node;
-  const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
-  return [cos * x - sin * y + factor * u[i]!, sin * x + cos * y + factor * u[i + 1]!, z + factor * u[i + 2]!];
+  return [places[i]! + factor * u[i]!, places[i + 1]! + factor * u[i + 1]!, places[i + 2]! + factor * u[i + 2]!];
 }
 
 export function readMeshShape(name: string, buffer: ArrayBuffer): MeshShape {
@@ -226,14 +242,39 @@ async function readMesh(file: ArrayFile, value: Json, index: number, parts: Part
   };
   const displacements = values("displacements", 3, [0, 1]);
   // Components xx, yy, zz, yz, zx, xy: in plane strain yz and zx vanish.
-  const stresses = values("stresses", 6, [0, 1, 2, 5]);
+  const stresses = entry.stresses ? values("stresses", 6, [0, 1, 2, 5]) : null;
   const stressErrors = entry.stress_errors ? values("stress_errors", 1, [0]) : null;
   const count = shape.points.length / 3;
-  if (displacements.length !== 3 * count || stresses.length !== 6 * count || (stressErrors && stressErrors.length !== count)) {
+  if (displacements.length !== 3 * count || (stresses && stresses.length !== 6 * count) || (stressErrors && stressErrors.length !== count)) {
     throw new FileError(file.name, `${label}: the values do not fit the ${count} points of ${name}`);
   }
-  const angle = (2 * Math.PI * copy) / part.copies;
-  return { part: part.index, copy, cos: Math.cos(angle), sin: Math.sin(angle), shape, displacements, stresses, stressErrors };
+  return { part: part.index, copy, copies: part.copies, shape, displacements, stresses, stressErrors };
+}
+
+/**
+ * Adds the copies that a position does not mention to the meshes of their parts: these copies do not move.
+ * With one shape for all copies, surfaces and sections of a part are closed. Neighbours get the same
+ * displacements at their seams.
+ */
+function completed(meshes: DeformedMesh[], parts: Part[]): DeformedMesh[] {
+  const all = [...meshes];
+  for (const { index, copies } of parts) {
+    const first = meshes.find(({ part }) => part === index);
+    if (!first || copies === 1) continue;
+    const byCopy = new Map(meshes.filter(({ part }) => part === index).map((mesh) => [mesh.copy, mesh]));
+    for (let copy = 0; copy < copies; copy++) {
+      if (byCopy.has(copy)) continue;
+      const displacements = new Float32Array(first.shape.points.length);
+      const mesh = { part: index, copy, copies, shape: first.shape, displacements, stresses: null, stressErrors: null };
+      byCopy.set(copy, mesh);
+      all.push(mesh);
+    }
+    for (const [copy, mesh] of byCopy) {
+      const next = byCopy.get((copy + 1) % copies)!;
+      if (next.shape === mesh.shape) joinSeam(mesh.displacements, next.displacements, seamOf(mesh.shape.points, copies));
+    }
+  }
+  return all;
 }
 
 /** Values of a plane mesh at both ends of its extrusion. Component i of a row becomes component `places[i]`. */
@@ -279,7 +320,7 @@ export async function readPosition(name: string, buffer: ArrayBuffer, parts: Par
     forces: list(header.forces)
       .map((value) => readForce(value, parts.length))
       .filter((force) => force !== null),
-    meshes: meshes.filter((mesh) => mesh !== null),
+    meshes: completed(meshes.filter((mesh) => mesh !== null), parts),
     bytes: buffer.byteLength,
     problem,
   };

@@ -1,162 +1,97 @@
-// Closing of open seams for the caps of the cut.
+// Seams between the copies of a sector.
 //
-// Sectors are open where they meet their neighbours. All copies together are closed, but a deformed
-// mesh no longer meets its neighbours. Fans of triangles close both sides of such a seam. They are
-// drawn only into the stencil buffer, which counts how often a ray crosses the surface: any surface
-// with the right border serves.
+// The last cut of a copy is the first cut of the next one. Both copies draw the nodes there at the same
+// place, to the last bit: a node of the last cut is the corresponding node of the first cut, with the
+// rotation of the next copy. Otherwise rounding would leave gaps of single pixels.
 
-import * as THREE from "three";
-import type { MaterialSet } from "./materials.ts";
-import type { Surface } from "./surface.ts";
+/** Relative size of a cell within which points are the same. */
+const SAME = 2e-5;
 
-/** Points of triangles between open edges and their centre; three points each. */
-function fan(edges: number[], points: Float32Array): number[] {
-  const result: number[] = [];
-  const centre = meanOf(edges, points);
-  for (let i = 0; i < edges.length; i += 2) {
-    // The surface has the edge from the first node to the second one, its closure the opposite edge.
-    for (const node of [edges[i + 1]!, edges[i]!]) {
-      result.push(points[3 * node]!, points[3 * node + 1]!, points[3 * node + 2]!);
-    }
-    result.push(...centre);
-  }
-  return result;
-}
-
-function meanOf(nodes: number[], values: Float32Array): number[] {
-  return [0, 1, 2].map((k) => nodes.reduce((sum, node) => sum + values[3 * node + k]!, 0) / Math.max(nodes.length, 1));
-}
-
-/** Open edges in connected groups. */
-function groups(edges: Uint32Array): number[][] {
-  const parent = new Map<number, number>();
-  const find = (node: number): number => {
-    let root = node;
-    for (let next = parent.get(root); next !== undefined && next !== root; next = parent.get(root)) root = next;
-    parent.set(node, root);
-    return root;
-  };
-  for (let i = 0; i < edges.length; i += 2) parent.set(find(edges[i]!), find(edges[i + 1]!));
-  const result = new Map<number, number[]>();
-  for (let i = 0; i < edges.length; i += 2) {
-    const root = find(edges[i]!);
-    const group = result.get(root) ?? [];
-    group.push(edges[i]!, edges[i + 1]!);
-    result.set(root, group);
-  }
-  return [...result.values()];
-}
-
-function stencilMeshes(geometry: THREE.InstancedBufferGeometry, materials: MaterialSet): THREE.Mesh[] {
-  return [materials.stencilBack, materials.stencilFront].map((material) => {
-    const mesh = new THREE.Mesh(geometry, material);
-    mesh.frustumCulled = false;
-    mesh.matrixAutoUpdate = false;
-    return mesh;
-  });
-}
-
-/** Closes all open edges of a deformed mesh. */
-export class MeshClosure {
-  readonly geometry = new THREE.InstancedBufferGeometry();
-  readonly meshes: THREE.Mesh[];
-  #groups: number[][];
-  #displacement: THREE.BufferAttribute;
-
-  constructor(surface: Surface, points: Float32Array, rotation: THREE.InstancedBufferAttribute, materials: MaterialSet) {
-    this.#groups = groups(surface.openEdges);
-    const position = this.#groups.flatMap((edges) => fan(edges, points));
-    this.#displacement = new THREE.Float32BufferAttribute(new Float32Array(position.length), 3);
-    this.geometry.setAttribute("position", new THREE.Float32BufferAttribute(position, 3));
-    this.geometry.setAttribute("displacement", this.#displacement);
-    this.geometry.setAttribute("copyRotation", rotation);
-    this.geometry.instanceCount = position.length > 0 ? 1 : 0;
-    this.meshes = stencilMeshes(this.geometry, materials);
-  }
-
-  setDisplacements(displacements: Float32Array): void {
-    const array = this.#displacement.array as Float32Array;
-    let at = 0;
-    for (const edges of this.#groups) {
-      const shift = meanOf(edges, displacements);
-      for (let i = 0; i < edges.length; i += 2) {
-        for (const node of [edges[i + 1]!, edges[i]!]) {
-          for (let k = 0; k < 3; k++) array[at++] = displacements[3 * node + k]!;
-        }
-        for (let k = 0; k < 3; k++) array[at++] = shift[k]!;
-      }
-    }
-    this.#displacement.needsUpdate = true;
-  }
-}
+const known = new WeakMap<Float32Array, { copies: number; seam: Int32Array }>();
 
 /**
- * Open edges of a sector on the side of the next copy (1) and on that of the previous one (-1): the
- * copy there has an edge at the same place. Angles alone do not tell, because a helical sector is twisted.
+ * Returns for each point of a sector on its last cut the point on its first cut that a rotation by the
+ * pitch takes there, and -1 for all other points. Angles alone do not tell, because a helical sector is twisted.
  */
-export function edgesBySide(edges: Uint32Array, points: Float32Array, copies: number): Record<1 | -1, number[]> {
-  const middles: [number, number, number][] = [];
-  for (let i = 0; i < edges.length; i += 2) {
-    const [a, b] = [3 * edges[i]!, 3 * edges[i + 1]!];
-    middles.push([points[a]! + points[b]!, points[a + 1]! + points[b + 1]!, points[a + 2]! + points[b + 2]!]);
+export function seamOf(points: Float32Array, copies: number): Int32Array {
+  const found = known.get(points);
+  if (found?.copies === copies) return found.seam;
+  const seam = new Int32Array(points.length / 3).fill(-1);
+  if (copies > 1) match(points, (2 * Math.PI) / copies, seam);
+  known.set(points, { copies, seam });
+  return seam;
+}
+
+function match(points: Float32Array, pitch: number, seam: Int32Array): void {
+  let size = 0;
+  for (let i = 0; i < points.length; i++) size = Math.max(size, Math.abs(points[i]!));
+  if (!(size > 0)) return;
+  const cell = size * SAME;
+  // Three coordinates of at most 17 bits.
+  const index = (v: number) => Math.round(v / cell) + 65536;
+  const key = (x: number, y: number, z: number) => (index(x) * 131072 + index(y)) * 131072 + index(z);
+  const grid = new Map<number, number>();
+  for (let n = seam.length - 1; n >= 0; n--) grid.set(key(points[3 * n]!, points[3 * n + 1]!, points[3 * n + 2]!), n);
+  const [cos, sin] = [Math.cos(pitch), Math.sin(pitch)];
+  for (let n = 0; n < seam.length; n++) {
+    // The place of this point in the next copy.
+    const x = cos * points[3 * n]! + sin * points[3 * n + 1]!;
+    const y = cos * points[3 * n + 1]! - sin * points[3 * n]!;
+    const z = points[3 * n + 2]!;
+    // A point near the border of a grid cell may be in the next one.
+    for (let d = 0; d < 8; d++) {
+      const [dx, dy, dz] = [d & 1 ? -0.25 : 0.25, d & 2 ? -0.25 : 0.25, d & 4 ? -0.25 : 0.25];
+      const found = grid.get(key(x + dx * cell, y + dy * cell, z + dz * cell));
+      // A point on the axis is its own partner.
+      if (found === undefined || found === n) continue;
+      seam[n] = found;
+      break;
+    }
   }
-  const [cos, sin] = [Math.cos((2 * Math.PI) / copies), Math.sin((2 * Math.PI) / copies)];
-  /** Square of the distance from the edges of the copy on this side. */
-  const distance = ([x, y, z]: [number, number, number], side: 1 | -1) => {
-    const [u, v] = [cos * x + side * sin * y, cos * y - side * sin * x];
-    let least = Infinity;
-    for (const [p, q, r] of middles) least = Math.min(least, (p - u) ** 2 + (q - v) ** 2 + (r - z) ** 2);
-    return least;
-  };
-  const result: Record<1 | -1, number[]> = { 1: [], [-1]: [] };
-  middles.forEach((middle, i) => {
-    const side = distance(middle, 1) <= distance(middle, -1) ? 1 : -1;
-    result[side].push(edges[2 * i]!, edges[2 * i + 1]!);
+}
+
+/** Rotation of a copy: cosine and sine. */
+export function rotationOf(copy: number, copies: number): [number, number] {
+  const angle = (2 * Math.PI * (copy % copies)) / copies;
+  return [Math.cos(angle), Math.sin(angle)];
+}
+
+/** Rotations of a copy and of the next one, as the shaders need them. */
+export function rotationsOf(copy: number, copies: number): [number, number, number, number] {
+  return [...rotationOf(copy, copies), ...rotationOf(copy + 1, copies)];
+}
+
+/** Points whose nodes on the last cut are those of the first one, in the coordinates of the next copy. */
+export function seamPoints(points: Float32Array, seam: Int32Array): Float32Array {
+  const result = points.slice();
+  seam.forEach((partner, n) => {
+    if (partner >= 0) result.set(points.subarray(3 * partner, 3 * partner + 3), 3 * n);
   });
   return result;
 }
 
-/** Closes the seams of copies next to copies that are left out. */
-export class OpenCopies {
-  readonly meshes: THREE.Mesh[];
-  #sides: { geometry: THREE.InstancedBufferGeometry; rotation: THREE.InstancedBufferAttribute; next: number }[];
-
-  constructor(
-    surface: Surface,
-    points: Float32Array,
-    private readonly copies: number,
-    materials: MaterialSet,
-  ) {
-    const bySide = edgesBySide(surface.openEdges, points, copies);
-    this.#sides = ([1, -1] as const).map((sign) => {
-      const edges = bySide[sign];
-      const geometry = new THREE.InstancedBufferGeometry();
-      geometry.setAttribute("position", new THREE.Float32BufferAttribute(fan(edges, points), 3));
-      const rotation = new THREE.InstancedBufferAttribute(new Float32Array(2 * copies), 2);
-      geometry.setAttribute("copyRotation", rotation);
-      geometry.instanceCount = 0;
-      return { geometry, rotation, next: sign };
-    });
-    this.meshes = this.#sides.flatMap(({ geometry }) => stencilMeshes(geometry, materials));
+/** Points of a copy in its place. */
+export function placesOf(points: Float32Array, seam: Int32Array, copy: number, copies: number): Float64Array {
+  const [cos, sin, nextCos, nextSin] = rotationsOf(copy, copies);
+  const places = new Float64Array(points.length);
+  for (let n = 0; n < seam.length; n++) {
+    const partner = seam[n]!;
+    const i = 3 * (partner < 0 ? n : partner);
+    const [c, s] = partner < 0 ? [cos, sin] : [nextCos, nextSin];
+    places[3 * n] = c * points[i]! - s * points[i + 1]!;
+    places[3 * n + 1] = s * points[i]! + c * points[i + 1]!;
+    places[3 * n + 2] = points[i + 2]!;
   }
+  return places;
+}
 
-  /** Chooses the seams to close from the copies that are left out. */
-  set(omitted: ReadonlySet<number>): void {
-    for (const { geometry, rotation, next } of this.#sides) {
-      let count = 0;
-      if (omitted.size > 0) {
-        for (let k = 0; k < this.copies; k++) {
-          if (omitted.has(k) || !omitted.has((k + next + this.copies) % this.copies)) continue;
-          const angle = (2 * Math.PI * k) / this.copies;
-          rotation.setXY(count++, Math.cos(angle), Math.sin(angle));
-        }
-        rotation.needsUpdate = true;
-      }
-      geometry.instanceCount = count;
+/** Makes the displacements of neighbouring copies equal at their seam: those that are known to single precision differ. */
+export function joinSeam(last: Float32Array, first: Float32Array, seam: Int32Array): void {
+  seam.forEach((partner, n) => {
+    if (partner < 0) return;
+    for (let k = 0; k < 3; k++) {
+      const mean = 0.5 * (last[3 * n + k]! + first[3 * partner + k]!);
+      last[3 * n + k] = first[3 * partner + k] = mean;
     }
-  }
-
-  dispose(): void {
-    for (const { geometry } of this.#sides) geometry.dispose();
-  }
+  });
 }

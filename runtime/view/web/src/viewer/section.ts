@@ -1,6 +1,7 @@
 // Plane sections through the cells of a mesh, by marching tetrahedra.
 
-import type { DeformedMesh, MeshShape } from "./run_data.ts";
+import { displacedPoint, placesOfMesh, type DeformedMesh, type MeshShape } from "./run_data.ts";
+import { seamOf } from "./seams.ts";
 
 /** Cells of a mesh, divided into tetrahedra. */
 export interface Tetrahedra {
@@ -21,11 +22,11 @@ const HEXAHEDRON = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 
 /**
  * Divides a cell into tetrahedra from its lowest node to the faces without that node. The lowest node
  * of each quadrilateral determines its diagonal, so that neighbours divide their common face alike
- * (Dompierre, Labbé, Vallet and Camarero 1999).
+ * (Dompierre, Labbé, Vallet and Camarero 1999). `ranks` is the order of the nodes.
  */
-function divide(corners: Uint32Array, faces: number[][], nodes: number[], borders: number[]): void {
+function divide(corners: Uint32Array, ranks: Float64Array, faces: number[][], nodes: number[], borders: number[]): void {
   let apex = 0;
-  for (let i = 1; i < corners.length; i++) if (corners[i]! < corners[apex]!) apex = i;
+  for (let i = 1; i < corners.length; i++) if (ranks[corners[i]!]! < ranks[corners[apex]!]!) apex = i;
   const sets = faces.map((face) => face.reduce((set, i) => set | (1 << i), 0));
   const onBorder = (...three: number[]) => {
     const set = three.reduce((bits, i) => bits | (1 << i), 0);
@@ -34,7 +35,7 @@ function divide(corners: Uint32Array, faces: number[][], nodes: number[], border
   for (const face of faces) {
     if (face.includes(apex)) continue;
     let first = 0;
-    face.forEach((i, k) => (first = corners[i]! < corners[face[first]!]! ? k : first));
+    face.forEach((i, k) => (first = ranks[corners[i]!]! < ranks[corners[face[first]!]!]! ? k : first));
     for (let k = 1; k + 1 < face.length; k++) {
       const [a, b, c] = [face[first]!, face[(first + k) % face.length]!, face[(first + k + 1) % face.length]!];
       nodes.push(corners[apex]!, corners[a]!, corners[b]!, corners[c]!);
@@ -45,13 +46,15 @@ function divide(corners: Uint32Array, faces: number[][], nodes: number[], border
 
 const divided = new WeakMap<MeshShape, Tetrahedra>();
 
-export function tetrahedraOf(shape: MeshShape): Tetrahedra {
+/** Divides the cells of a mesh, of which there are `copies` around the axis. */
+export function tetrahedraOf(shape: MeshShape, copies: number): Tetrahedra {
   let result = divided.get(shape);
   if (result) return result;
+  const ranks = ranksOf(shape, copies);
   const nodes: number[] = [];
   const borders: number[] = [];
   for (const [cells, size, faces] of [[shape.wedges, 6, WEDGE], [shape.hexahedra, 8, HEXAHEDRON]] as const) {
-    for (let i = 0; i < cells.length; i += size) divide(cells.subarray(i, i + size), faces, nodes, borders);
+    for (let i = 0; i < cells.length; i += size) divide(cells.subarray(i, i + size), ranks, faces, nodes, borders);
   }
   const { tetrahedra } = shape;
   const all = new Uint32Array(tetrahedra.length + nodes.length);
@@ -62,6 +65,11 @@ export function tetrahedraOf(shape: MeshShape): Tetrahedra {
   result = { nodes: all, borders: masks };
   divided.set(shape, result);
   return result;
+}
+
+/** Order of the nodes in which the nodes of both cuts of a sector follow each other alike. */
+function ranksOf(shape: MeshShape, copies: number): Float64Array {
+  return Float64Array.from(seamOf(shape.points, copies), (partner, n) => (partner < 0 ? n : partner + 0.5));
 }
 
 /** Area of a triangle relative to squared distances from its corners that is zero but for rounding. */
@@ -84,12 +92,13 @@ export class Section {
   edgeCount = 0;
 
   #distances = new Float64Array();
+  #places: ArrayLike<number> = [];
   #corner = new Float64Array(12);
   #cornerValues = new Float64Array(4);
 
   /** Computes the section. A triangle with an unknown value at one of its nodes gets `noValue`. */
   compute(mesh: DeformedMesh, field: Float64Array | null, plane: Plane, factor: number, withEdges: boolean, noValue: number): void {
-    const { nodes, borders } = tetrahedraOf(mesh.shape);
+    const { nodes, borders } = tetrahedraOf(mesh.shape, mesh.copies);
     const distances = this.measure(mesh, plane, factor);
     this.count = 0;
     this.edgeCount = 0;
@@ -116,36 +125,30 @@ export class Section {
 
   /** Distances of the displaced nodes from the plane. */
   private measure(mesh: DeformedMesh, [a, b, c, d]: Plane, factor: number): Float64Array {
-    const { points } = mesh.shape;
-    const { cos, sin, displacements: u } = mesh;
-    const count = points.length / 3;
+    const places = (this.#places = placesOfMesh(mesh));
+    const u = mesh.displacements;
+    const count = places.length / 3;
     if (this.#distances.length < count) this.#distances = new Float64Array(count);
     const distances = this.#distances;
-    // The normal, rotated back to the points of copy 0.
-    const x = cos * a + sin * b;
-    const y = cos * b - sin * a;
     for (let n = 0, i = 0; n < count; n++, i += 3) {
       distances[n] =
-        x * points[i]! + y * points[i + 1]! + c * points[i + 2]! + d +
-        factor * (a * u[i]! + b * u[i + 1]! + c * u[i + 2]!);
+        a * (places[i]! + factor * u[i]!) + b * (places[i + 1]! + factor * u[i + 1]!) + c * (places[i + 2]! + factor * u[i + 2]!) + d;
     }
     return distances;
   }
 
   /** Computes corner `i` of a polygon, where the edge between two nodes crosses the plane. */
   private cross(mesh: DeformedMesh, field: Float64Array | null, factor: number, noValue: number, from: number, to: number, i: number): void {
-    const { points } = mesh.shape;
-    const { cos, sin, displacements: u } = mesh;
+    const places = this.#places;
+    const u = mesh.displacements;
     const s = this.#distances[from]!;
     const t = s / (s - this.#distances[to]!);
     const p = 3 * from;
     const q = 3 * to;
-    const x = points[p]! + t * (points[q]! - points[p]!);
-    const y = points[p + 1]! + t * (points[q + 1]! - points[p + 1]!);
-    const corner = this.#corner;
-    corner[3 * i] = cos * x - sin * y + factor * (u[p]! + t * (u[q]! - u[p]!));
-    corner[3 * i + 1] = sin * x + cos * y + factor * (u[p + 1]! + t * (u[q + 1]! - u[p + 1]!));
-    corner[3 * i + 2] = points[p + 2]! + t * (points[q + 2]! - points[p + 2]!) + factor * (u[p + 2]! + t * (u[q + 2]! - u[p + 2]!));
+    for (let k = 0; k < 3; k++) {
+      const start = places[p + k]! + factor * u[p + k]!;
+      this.#corner[3 * i + k] = start + t * (places[q + k]! + factor * u[q + k]! - start);
+    }
     const value = field ? field[from]! + t * (field[to]! - field[from]!) : NaN;
     this.#cornerValues[i] = Number.isFinite(value) ? value : noValue;
   }
@@ -226,15 +229,9 @@ const CYCLES: number[][] = Array.from({ length: 16 }, (_, set) => {
 
 /** Weights of the nodes of a tetrahedron at a point of its displaced shape. */
 export function weightsAt(mesh: DeformedMesh, tetrahedron: number, factor: number, point: readonly [number, number, number]): { nodes: number[]; weights: number[] } {
-  const all = tetrahedraOf(mesh.shape).nodes;
+  const all = tetrahedraOf(mesh.shape, mesh.copies).nodes;
   const nodes = [0, 1, 2, 3].map((i) => all[4 * tetrahedron + i]!);
-  const { cos, sin, displacements: u } = mesh;
-  const { points } = mesh.shape;
-  const corners = nodes.map((node) => {
-    const i = 3 * node;
-    const [x, y] = [points[i]!, points[i + 1]!];
-    return [cos * x - sin * y + factor * u[i]!, sin * x + cos * y + factor * u[i + 1]!, points[i + 2]! + factor * u[i + 2]!];
-  });
+  const corners: (readonly number[])[] = nodes.map((node) => displacedPoint(mesh, node, factor));
   const from = (p: readonly number[], q: readonly number[]) => [q[0]! - p[0]!, q[1]! - p[1]!, q[2]! - p[2]!] as const;
   const volume = (a: readonly number[], b: readonly number[], c: readonly number[], d: readonly number[]) => {
     const [p, q, r] = [from(a, b), from(a, c), from(a, d)];

@@ -1,5 +1,7 @@
 // Display surfaces: vertex normals with sharp creases, and feature edges.
 
+import { seamOf } from "./seams.ts";
+
 /** A surface with its points split at creases, so that each vertex has one normal. */
 export interface Surface {
   /** Node of the input from which each vertex comes. */
@@ -10,10 +12,8 @@ export interface Surface {
   triangles: Uint32Array;
   /** Pairs of vertices at creases and open borders. */
   features: Uint32Array;
-  /** Nodes at open borders, as a mask. */
-  open: Uint8Array;
-  /** Pairs of nodes: edges with a triangle on one side only, in the direction of that triangle. */
-  openEdges: Uint32Array;
+  /** Partners of the nodes on the last cut. */
+  seam: Int32Array;
 }
 
 /** Cosine of the angle between faces from which an edge is a crease: 32°. */
@@ -105,40 +105,14 @@ function triangleWithEdge(
  * or a line appears between the copies. Returns for each seam node the partner nodes and the sign
  * of the rotation to them.
  */
-function seamPartners(points: Float32Array, open: Uint8Array, copies: number): Map<number, [number, number][]> {
+function seamPartners(seam: Int32Array, welded: Uint32Array, open: Uint8Array): Map<number, [number, number][]> {
   const partners = new Map<number, [number, number][]>();
-  const borders: number[] = [];
-  let size = 0;
-  for (let n = 0; n < open.length; n++) {
-    if (!open[n]) continue;
-    borders.push(n);
-    size = Math.max(size, Math.abs(points[3 * n]!), Math.abs(points[3 * n + 1]!), Math.abs(points[3 * n + 2]!));
-  }
-  if (borders.length === 0 || !(size > 0)) return partners;
-  const cell = size * 2e-5;
-  const key = (x: number, y: number, z: number) => `${Math.round(x / cell)},${Math.round(y / cell)},${Math.round(z / cell)}`;
-  const grid = new Map<string, number>();
-  for (const n of borders) grid.set(key(points[3 * n]!, points[3 * n + 1]!, points[3 * n + 2]!), n);
-  for (const sign of [1, -1]) {
-    const angle = (sign * 2 * Math.PI) / copies;
-    const cos = Math.cos(angle);
-    const sin = Math.sin(angle);
-    for (const n of borders) {
-      const x = cos * points[3 * n]! - sin * points[3 * n + 1]!;
-      const y = sin * points[3 * n]! + cos * points[3 * n + 1]!;
-      const z = points[3 * n + 2]!;
-      let found: number | undefined;
-      // A point near the border of a grid cell may fall into the next one.
-      for (let d = 0; d < 27 && found === undefined; d++) {
-        const dx = ((d % 3) - 1) * cell * 0.5;
-        const dy = ((Math.floor(d / 3) % 3) - 1) * cell * 0.5;
-        const dz = (Math.floor(d / 9) - 1) * cell * 0.5;
-        found = grid.get(key(x + dx, y + dy, z + dz));
-      }
-      // The partner's faces, rotated back, meet the faces of this node.
-      if (found !== undefined) partners.set(n, [...(partners.get(n) ?? []), [found, -sign]]);
-    }
-  }
+  const add = (node: number, partner: number, sign: number) => partners.set(node, [...(partners.get(node) ?? []), [partner, sign]]);
+  seam.forEach((partner, n) => {
+    if (partner < 0 || welded[n] !== n || !open[n]) return;
+    add(n, welded[partner]!, 1);
+    add(welded[partner]!, n, -1);
+  });
   return partners;
 }
 
@@ -155,7 +129,6 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
 
   const open = new Uint8Array(count);
   const featureCorners: number[] = [];
-  const openEdges: number[] = [];
   for (let c = 0; c < triangles.length; c++) {
     const t = c - (c % 3);
     const a = joined[c]!;
@@ -165,14 +138,14 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
     const other = triangleWithEdge(joined, starts, corners, b, a);
     if (other < 0) {
       open[a] = open[b] = 1;
-      openEdges.push(a, b);
       if (copies === 1) featureCorners.push(c);
     } else if (t < other && cosine(faces, t, faces, other) < CREASE) {
       featureCorners.push(c);
     }
   }
 
-  const partners = copies > 1 ? seamPartners(points, open, copies) : new Map<number, [number, number][]>();
+  const seam = seamOf(points, copies);
+  const partners = seamPartners(seam, welded, open);
   const result = splitVertices(triangles, welded, copies, starts, corners, faces, partners);
   const features = new Uint32Array(2 * featureCorners.length);
   featureCorners.forEach((c, i) => {
@@ -180,8 +153,7 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
     features[2 * i] = result.triangles[c]!;
     features[2 * i + 1] = result.triangles[t + ((c + 1) % 3)]!;
   });
-  for (let n = 0; n < count; n++) open[n] = open[welded[n]!]!;
-  return { ...result, features, open, openEdges: Uint32Array.from(openEdges) };
+  return { ...result, features, seam };
 }
 
 /** Several times as fast as Math.hypot. The squares of single-precision numbers neither overflow nor underflow. */

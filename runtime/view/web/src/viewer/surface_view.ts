@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { coarsen, LEVELS } from "./lod.ts";
 import type { MaterialSet } from "./materials.ts";
+import { rotationsOf, seamPoints } from "./seams.ts";
 import type { Surface } from "./surface.ts";
 
 export interface SurfaceInput {
@@ -22,6 +23,17 @@ export function atVertices(values: Float32Array, nodes: Uint32Array, result: Flo
   return result;
 }
 
+/** 1 for vertices on the last cut, otherwise 0. */
+export function seamMask({ nodes, seam }: Surface): Float32Array {
+  return Float32Array.from(nodes, (node) => (seam[node]! < 0 ? 0 : 1));
+}
+
+/** Geometry that is drawn, and the closed one for the caps of the cut. */
+interface Geometries {
+  shown: THREE.InstancedBufferGeometry;
+  closed: THREE.InstancedBufferGeometry;
+}
+
 export class SurfaceView {
   readonly group = new THREE.Group();
   readonly surface: THREE.Mesh;
@@ -34,8 +46,8 @@ export class SurfaceView {
   readonly box: THREE.Box3;
 
   #geometries: THREE.InstancedBufferGeometry[];
-  #full: THREE.InstancedBufferGeometry;
-  #levels: (THREE.InstancedBufferGeometry | undefined)[] = [];
+  #full: Geometries;
+  #levels: (Geometries | undefined)[] = [];
   #level = -1;
   #count: number;
   #copies: THREE.InstancedBufferAttribute;
@@ -48,14 +60,16 @@ export class SurfaceView {
     const { surface, points } = input;
     this.#count = total;
     this.triangleCount = surface.triangles.length / 3;
-    const position = new THREE.BufferAttribute(atVertices(points, surface.nodes), 3);
-    this.box = new THREE.Box3().setFromBufferAttribute(position);
+    this.box = new THREE.Box3().setFromArray(atVertices(points, surface.nodes));
+    const position = new THREE.BufferAttribute(atVertices(seamPoints(points, surface.seam), surface.nodes), 3);
+    const seam = new THREE.BufferAttribute(seamMask(surface), 1);
     this.sphere = this.box.getBoundingSphere(new THREE.Sphere());
-    this.#copies = new THREE.InstancedBufferAttribute(new Float32Array(2 * total), 2);
+    this.#copies = new THREE.InstancedBufferAttribute(new Float32Array(4 * total), 4);
     this.#copies.setUsage(THREE.DynamicDrawUsage);
     const geometry = (index: Uint32Array, normals = false) => {
       const result = new THREE.InstancedBufferGeometry();
       result.setAttribute("position", position);
+      result.setAttribute("seam", seam);
       result.setAttribute("copyRotation", this.#copies);
       if (normals) result.setAttribute("normal", new THREE.BufferAttribute(surface.normals, 3));
       result.setIndex(new THREE.BufferAttribute(index, 1));
@@ -67,7 +81,7 @@ export class SurfaceView {
     const features = geometry(surface.features);
     const edges = geometry(edgeVertices);
     this.#geometries = [faces, features, edges];
-    this.#full = faces;
+    this.#full = { shown: faces, closed: faces };
     this.surface = new THREE.Mesh(faces, materials.surface);
     this.features = new THREE.LineSegments(features, materials.features);
     this.edges = new THREE.LineSegments(edges, materials.edges);
@@ -86,20 +100,29 @@ export class SurfaceView {
   setLevel(level: number): void {
     if (level === this.#level) return;
     this.#level = level;
-    let geometry = level < 0 ? this.#full : this.#levels[level];
-    if (!geometry) {
-      const cell = (2 * this.sphere.radius) / LEVELS[level]!;
-      const coarse = coarsen(this.input.points, this.input.surface, cell);
-      geometry = new THREE.InstancedBufferGeometry();
-      geometry.setAttribute("position", new THREE.BufferAttribute(coarse.points, 3));
-      geometry.setAttribute("normal", new THREE.BufferAttribute(coarse.normals, 3));
-      geometry.setAttribute("copyRotation", this.#copies);
-      geometry.setIndex(new THREE.BufferAttribute(coarse.triangles, 1));
-      this.#levels[level] = geometry;
-      this.#geometries.push(geometry);
-    }
-    geometry.instanceCount = this.#count;
-    for (const mesh of [this.surface, ...this.stencils]) mesh.geometry = geometry;
+    const geometries = level < 0 ? this.#full : (this.#levels[level] ??= this.coarse(level));
+    geometries.shown.instanceCount = geometries.closed.instanceCount = this.#count;
+    this.surface.geometry = geometries.shown;
+    for (const mesh of this.stencils) mesh.geometry = geometries.closed;
+  }
+
+  private coarse(level: number): Geometries {
+    const cell = (2 * this.sphere.radius) / LEVELS[level]!;
+    const coarse = coarsen(this.input.points, this.input.surface, this.total, cell);
+    const attributes = {
+      position: new THREE.BufferAttribute(coarse.points, 3),
+      normal: new THREE.BufferAttribute(coarse.normals, 3),
+      seam: new THREE.BufferAttribute(coarse.seam, 1),
+      copyRotation: this.#copies,
+    };
+    const geometry = (index: Uint32Array) => {
+      const result = new THREE.InstancedBufferGeometry();
+      for (const [name, attribute] of Object.entries(attributes)) result.setAttribute(name, attribute);
+      result.setIndex(new THREE.BufferAttribute(index, 1));
+      this.#geometries.push(result);
+      return result;
+    };
+    return { shown: geometry(coarse.triangles), closed: geometry(coarse.closed) };
   }
 
   /** Number of triangles of a copy as it is drawn. */
@@ -112,12 +135,10 @@ export class SurfaceView {
     const attribute = this.#copies;
     const array = attribute.array as Float32Array;
     for (let i = 0; i < length; i++) {
-      const angle = (2 * Math.PI * copies[i]!) / this.total;
-      array[2 * i] = Math.cos(angle);
-      array[2 * i + 1] = Math.sin(angle);
+      array.set(rotationsOf(copies[i]!, this.total), 4 * i);
     }
     attribute.clearUpdateRanges();
-    attribute.addUpdateRange(0, 2 * length);
+    attribute.addUpdateRange(0, 4 * length);
     attribute.needsUpdate = true;
     this.#count = length;
     for (const geometry of this.#geometries) geometry.instanceCount = length;

@@ -3,6 +3,7 @@
 
 import { existsSync, readFileSync, renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
+import type { Locator } from "@playwright/test";
 import { savedFile } from "../page.ts";
 import { picture, row, run, serious, switchAutomaticOff } from "./page.ts";
 import { PAIR, expect, test } from "./server.ts";
@@ -191,16 +192,39 @@ test("a studio does not overwrite the session of another one", async ({ page, se
   const stored = () => existsSync(file) && (JSON.parse(readFileSync(file, "utf8")) as { params: Record<string, string> }).params.torque;
   await page.getByLabel("torque", { exact: true }).fill("150");
   await expect.poll(stored).toBe("150");
+  // A page that is displayed again takes the form of the other studio; this one does not learn of it.
+  await page.route("**/api/session", (route) => (route.request().method() === "GET" ? route.abort() : route.continue()));
   const other = await page.context().newPage();
   await other.goto(await server.open("pair.cx"));
   await other.getByLabel("torque", { exact: true }).fill("160");
   await expect.poll(stored).toBe("160");
   await page.getByLabel("torque", { exact: true }).fill("170");
-  await expect(page.getByRole("alert")).toContainText("another studio of this model has stored its form");
+  await expect(page.getByRole("alert")).toContainText("another page or studio of this model has stored its form");
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("170");
   expect(stored()).toBe("160");
+  await page.unroute("**/api/session");
   await page.reload();
   await expect(page.getByLabel("torque", { exact: true })).toHaveValue("160");
+});
+
+test("a change in one page of a studio appears in the other, unless that one has changed too", async ({ page, server }) => {
+  await page.goto(server.url);
+  await switchAutomaticOff(page);
+  const other = await page.context().newPage();
+  await other.goto(server.url);
+  const [here, there] = [page, other].map((each) => each.getByLabel("torque", { exact: true })) as [Locator, Locator];
+  await here.fill("150");
+  await expect(there).toHaveValue("150");
+  await there.fill("160");
+  await expect(here).toHaveValue("160");
+  // A field that is changed in both pages: the second change is refused, and remains in its page.
+  await here.fill("170");
+  await there.fill("180");
+  const alerts = () => Promise.all([page, other].map((each) => each.getByRole("alert").allTextContents()));
+  await expect.poll(async () => (await alerts()).flat().length).toBe(1);
+  expect((await alerts()).flat()[0]).toContain("another page or studio of this model has stored its form");
+  await expect(here).toHaveValue("170");
+  await expect(there).toHaveValue("180");
 });
 
 test("the session and params files keep the values of the form", { tag: "@slow" }, async ({ page, server }) => {
