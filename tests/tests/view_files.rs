@@ -245,6 +245,43 @@ fn meshes_are_the_solved_ones() {
     }
 }
 
+/// On a free bore, teeth far from the load move too: they have displacements without stresses, which
+/// are those of their neighbours at the common cuts.
+#[test]
+fn distant_teeth_have_the_displacements_of_their_neighbours() {
+    let gear = "gear = gears.external(40, rim = gears.simple_rim(diameter = 96 mm, inner_diameter = 84 mm, bore = \"free\"),";
+    let fields = fields_of(&PAIR.replace("gear = gears.external(40,", gear), "medium");
+    let files = Files::of(&fields);
+    let (shapes, position) = (files.shapes(), read(&files.position));
+    let meshes = position.header["meshes"].as_array().expect("a list");
+    let of_gear: Vec<&Value> = meshes.iter().filter(|mesh| mesh["part"] == 1).collect();
+    assert_eq!(of_gear.len(), 40);
+    let distant = of_gear.iter().filter(|mesh| mesh["stresses"].is_null()).count();
+    assert!(distant > 20, "{distant}");
+    let shape = read(&files.meshes[of_gear[0]["mesh"].as_str().expect("a name")]);
+    let points = rows::<3>(&shape, &shape.header["points"]);
+    let mut by_tooth = BTreeMap::new();
+    for mesh in of_gear {
+        let tooth = mesh["copy"].as_u64().expect("a number") as usize;
+        by_tooth.insert(tooth, rows::<3>(&position, &mesh["displacements"]));
+    }
+    let largest = by_tooth.values().flatten().map(|by| length(*by)).fold(0.0, f64::max);
+    for (tooth, own) in &by_tooth {
+        let next = (tooth + 1) % 40;
+        let ahead: Vec<Vector> = points.iter().map(|point| shapes[1].at(next, *point)).collect();
+        let mut common = 0;
+        for (point, by) in points.iter().zip(own) {
+            let here = shapes[1].at(*tooth, *point);
+            let same = ahead.iter().position(|there| length(minus(*there, here)) < 1e-7);
+            let Some(same) = same else { continue };
+            common += 1;
+            assert!(length(minus(by_tooth[&next][same], *by)) < 1e-4 * largest, "tooth {tooth}");
+        }
+        assert!(common > 20, "tooth {tooth}: {common}");
+    }
+    assert!(length(by_tooth[&0][0]).max(length(by_tooth[&20][0])) > 0.0);
+}
+
 /// A position with meshes has about as many bytes in the files of ParaView as in those of the
 /// viewer, in a plane model two to three times as many; the prediction is the sum of both.
 #[test]

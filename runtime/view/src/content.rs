@@ -2,14 +2,14 @@
 
 use crate::array_file::Arrays;
 use crate::mesh::Meshes;
-use calyx_runtime::observables::{Fields, ForceOf, Part, PartForce, PartKind, PartOf, Zone};
+use calyx_runtime::observables::{Fields, ForceOf, Part, PartForce, PartKind, PartMotion, PartOf, Zone};
 use serde_json::{Value, json};
 
 /// Index of a part that is not displayed.
 const NO_PART: u32 = u32::MAX;
 
-/// Bytes that a position stores for each part: its pose.
-pub const BYTES_PER_PART: usize = 12 * size_of::<f64>();
+/// Bytes that a position stores for each part: its pose, and the motion of its rings.
+pub const BYTES_PER_PART: usize = 12 * size_of::<f64>() + (1 + 3 + 12) * size_of::<f32>();
 /// Bytes that a position stores for each loaded contact cell: corners, pressure, kind, and two
 /// parts, teeth and surfaces.
 pub const BYTES_PER_CELL: usize = (12 + 1 + 1 + 6) * size_of::<f32>();
@@ -34,10 +34,20 @@ pub fn parts(parts: &[Part], (model, units): (&str, &str)) -> Vec<u8> {
             "points": arrays.single(surface.points.iter().copied()),
             "triangles": arrays.indices(surface.triangles.iter().copied()),
             "edges": arrays.indices(surface.edges.iter().copied()),
+            "with_outer": with_outer(&mut arrays, part),
         })
     };
     let parts: Vec<Value> = parts.iter().map(part).collect();
     arrays.file(&json!({ "model": model, "units": units, "parts": parts }))
+}
+
+/// Returns the share of the motion of the outer ring in that of each point, if the part has two
+/// rings.
+fn with_outer(arrays: &mut Arrays, part: &Part) -> Value {
+    match part.with_outer.is_empty() {
+        true => Value::Null,
+        false => arrays.single(part.with_outer.iter().map(|&share| [share])),
+    }
 }
 
 /// Returns the bytes of the file of a position with its index and time (s). Its meshes are added to
@@ -55,11 +65,25 @@ pub fn position((index, time): (usize, f64), fields: &Fields, meshes: &mut Meshe
         "position": index,
         "time": time,
         "poses": arrays.double(rows),
+        "motions": motions(&mut arrays, &fields.motions),
         "contacts": contacts(&mut arrays, fields),
         "forces": fields.forces.iter().map(|force| self::force(force, &fields.parts)).collect::<Vec<_>>(),
         "meshes": meshes.values(&mut arrays, fields),
     });
     arrays.file(&header)
+}
+
+fn motions(arrays: &mut Arrays, motions: &[PartMotion]) -> Value {
+    let all = motions.iter().map(|motion| {
+        let mut row = [0.0; 12];
+        row.copy_from_slice(motion.motions.as_flattened());
+        row
+    });
+    json!({
+        "parts": arrays.indices(motions.iter().map(|motion| [motion.part as u32])),
+        "at": arrays.single(motions.iter().map(|motion| motion.at)),
+        "motions": arrays.single(all),
+    })
 }
 
 fn contacts(arrays: &mut Arrays, fields: &Fields) -> Value {

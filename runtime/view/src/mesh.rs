@@ -13,8 +13,8 @@ use calyx_runtime::structure::outer_surface::{Cell, CellKind, OuterSurface, Skin
 use calyx_runtime::vec3::{Vector, dot, minus};
 use serde_json::{Value, json};
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap};
 use std::collections::hash_map::DefaultHasher;
+use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::TAU;
 use std::hash::{Hash, Hasher};
 

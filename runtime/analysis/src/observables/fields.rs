@@ -3,7 +3,7 @@
 
 use super::deformed::{BodyField, ElasticBodyField, MeshedBodies};
 use super::flank_cells::FlankCorners;
-use super::parts::{Part, PartForce};
+use super::parts::{Part, PartForce, PartMotion};
 use super::rolling::RollingBearingField;
 use super::stress::{RootStress, around_contact};
 use super::{Contact, Equilibrium, Slice, Zone};
@@ -34,6 +34,8 @@ pub struct Fields {
     pub parts: Arc<Vec<Part>>,
     /// Pose of each part; `None` for a part that has no position, see [`Equilibrium::poses`].
     pub poses: Vec<Option<Pose>>,
+    /// Displacements of bearings and rigid shafts that move, if parts are requested.
+    pub motions: Vec<PartMotion>,
     /// Forces of bearings and meshes, if parts are requested.
     pub forces: Vec<PartForce>,
     /// Bodies without a mesh, with the reason, phrased to follow the name.
@@ -163,6 +165,7 @@ impl Equilibrium<'_> {
         let mut fields = self.fields();
         if let Some(parts) = &shown.parts {
             fields.poses = self.poses(parts);
+            fields.motions = self.part_motions(parts);
             fields.forces = self.part_forces();
             fields.parts = parts.clone();
         }

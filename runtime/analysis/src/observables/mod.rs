@@ -57,7 +57,7 @@ pub use misalignment::{Misalignment, MisalignmentComponent};
 pub use mode_kind::{
     ModeClassification, ModeEnergyShares, ModeKind, ModeRow, ModesRequest, ModesTable, PlanetSet,
 };
-pub use parts::{ForceOf, Part, PartForce, PartKind, PartOf, parts, prescribed_poses};
+pub use parts::{ForceOf, Part, PartForce, PartKind, PartMotion, PartOf, parts, prescribed_poses};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use rolling::{
     BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingBearingField, RollingElementLoad,

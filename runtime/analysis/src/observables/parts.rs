@@ -54,6 +54,22 @@ pub struct Part {
     pub of: PartOf,
     /// Outer surface in the coordinates of the part.
     pub surface: OuterSurface,
+    /// Share of the motion of the outer ring in that of each point, from 0 on the inner ring to 1;
+    /// empty if the part moves as a whole.
+    pub with_outer: Vec<f64>,
+}
+
+/// Displacement of a part without a mesh by the motions of the bodies that it is on, in the axes of
+/// the part: translation of its reference point (m) and rotation (rad). The rotation about the axis
+/// of a part of revolution is left out, because it is not visible.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartMotion {
+    /// Index of the part.
+    pub part: usize,
+    /// Reference point in the coordinates of the part, m.
+    pub at: Vector,
+    /// Motion of the part or of its inner ring, and that of its outer ring.
+    pub motions: [[f64; 6]; 2],
 }
 
 /// Force between two parts, or between a part and ground.
@@ -90,7 +106,13 @@ pub fn parts(scene: &Mechanism, plan: &Plan, resources: &Resources) -> Result<Ve
     for (index, surface) in body_surfaces(scene, plan, resources)?.into_iter().enumerate() {
         let Some(surface) = surface else { continue };
         let name = scene.bodies[index].name.clone();
-        all.push(Part { name, kind: PartKind::Gear, of: PartOf::Body(index), surface });
+        all.push(Part {
+            name,
+            kind: PartKind::Gear,
+            of: PartOf::Body(index),
+            surface,
+            with_outer: Vec::new(),
+        });
     }
     for (index, connection) in scene.connections.iter().enumerate() {
         let of_shaft = connection.shaft.as_ref().map(|own| (PartKind::Shaft, own.shaft.outer_surface()));
@@ -99,16 +121,17 @@ pub fn parts(scene: &Mechanism, plan: &Plan, resources: &Resources) -> Result<Ve
             Some((PartKind::Body, body.outer_surface()?))
         };
         let Some((kind, surface)) = of_shaft.or_else(of_body) else { continue };
-        all.push(Part { name: connection.name.clone(), kind, of: PartOf::Connection(index), surface });
+        let (name, of) = (connection.name.clone(), PartOf::Connection(index));
+        all.push(Part { name, kind, of, surface, with_outer: Vec::new() });
     }
     resources.interrupt.check()?;
     for (index, bearing) in scene.bearings.iter().enumerate() {
-        let surface = match bearing.rolling() {
+        let (surface, with_outer) = match bearing.rolling() {
             Some(elements) => elements.outer_surface(),
-            None => marker(radius_at(scene, bearing)),
+            None => (marker(radius_at(scene, bearing)), Vec::new()),
         };
         let name = bearing.name.clone();
-        all.push(Part { name, kind: PartKind::Bearing, of: PartOf::Bearing(index), surface });
+        all.push(Part { name, kind: PartKind::Bearing, of: PartOf::Bearing(index), surface, with_outer });
     }
     Ok(all)
 }
@@ -198,6 +221,34 @@ impl Equilibrium<'_> {
             PartOf::Connection(index) => connection_pose(scene, index, self.time()),
             PartOf::Bearing(index) => bearing_pose(scene, index, self.time()),
         }
+    }
+
+    /// Returns the displacements of bearings and rigid shafts from their prescribed positions.
+    pub fn part_motions(self, parts: &[Part]) -> Vec<PartMotion> {
+        let (system, time) = (self.system, self.time());
+        let values = &self.step.motion;
+        let motion = |(part, of): (usize, PartOf)| {
+            let (at, mut motions) = match of {
+                PartOf::Bearing(index) => {
+                    let bearing = &system.scene.bearings[index];
+                    let state = BearingState::at(&system.scene.bodies, bearing, time).ok()?;
+                    let [first, second] = state.motions(&system.dofs, values);
+                    let is_inverted = bearing.rolling().is_some_and(|elements| elements.is_inverted());
+                    ([0.0; 3], if is_inverted { [second, first] } else { [first, second] })
+                }
+                PartOf::Connection(index) => {
+                    let connection = &system.elastic_connections[index];
+                    let shaft = connection.shaft.as_ref().filter(|shaft| shaft.rigid)?;
+                    let state = ConnectionState::at(&system.scene.bodies, connection, time).ok()?;
+                    let first = *state.motions(&system.dofs, values).first()?;
+                    ([0.0, 0.0, *shaft.stations.first()?], [first; 2])
+                }
+                PartOf::Body(_) => return None,
+            };
+            motions.iter_mut().for_each(|motion| motion[5] = 0.0);
+            (motions != [[0.0; 6]; 2]).then_some(PartMotion { part, at, motions })
+        };
+        parts.iter().map(|part| part.of).enumerate().filter_map(motion).collect()
     }
 
     /// Returns the forces of all bearings and meshes that carry load.

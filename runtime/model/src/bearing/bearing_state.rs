@@ -84,22 +84,36 @@ impl BearingState {
     /// Returns the deflection along and about the bearing's axes by a unit of a DOF: m per m or
     /// rad, and rad per rad.
     pub fn deflection(&self, dof: &Dof) -> [f64; 6] {
-        let mut deflection = [0.0; 6];
-        for (side, sign) in [(0, 1.0), (1, -1.0)] {
-            if self.bodies[side] != Some(BodyId(dof.body)) {
-                continue;
-            }
-            let axis = self.dofs[side][dof.component % 3].map(|part| sign * part);
-            let is_rotation = dof.component >= 3;
-            let moved = if is_rotation { cross(axis, minus(self.origin, self.axles[side])) } else { axis };
-            for (row, along) in self.axes.iter().enumerate() {
-                deflection[row] += dot(*along, moved);
-                if is_rotation {
-                    deflection[3 + row] += dot(*along, axis);
-                }
-            }
+        let [first, second] = [0, 1].map(|race| self.moved(race, dof));
+        std::array::from_fn(|k| first[k] - second[k])
+    }
+
+    /// Returns the motion of a race at the bearing's origin, along and about its axes, by a unit of
+    /// a DOF.
+    fn moved(&self, race: usize, dof: &Dof) -> [f64; 6] {
+        if self.bodies[race] != Some(BodyId(dof.body)) {
+            return [0.0; 6];
         }
-        deflection
+        let axis = self.dofs[race][dof.component % 3];
+        let is_rotation = dof.component >= 3;
+        let moved = if is_rotation { cross(axis, minus(self.origin, self.axles[race])) } else { axis };
+        let about = if is_rotation { axis } else { [0.0; 3] };
+        let [x, y, z] = self.axes.map(|along| dot(along, moved));
+        let [about_x, about_y, about_z] = self.axes.map(|along| dot(along, about));
+        [x, y, z, about_x, about_y, about_z]
+    }
+
+    /// Returns the motions of both races at the bearing's origin, along and about its axes, m and
+    /// rad, at these values of the DOFs.
+    pub fn motions(&self, dofs: &[Dof], values: &[f64]) -> [[f64; 6]; 2] {
+        [0, 1].map(|race| {
+            let mut sum = [0.0; 6];
+            for (dof, value) in dofs.iter().zip(values) {
+                let unit = self.moved(race, dof);
+                sum.iter_mut().zip(unit).for_each(|(sum, part)| *sum += value * part);
+            }
+            sum
+        })
     }
 
     /// Transforms a vector from bearing to ground axes.

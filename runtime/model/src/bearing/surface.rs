@@ -30,13 +30,16 @@ pub fn marker(radius: f64) -> OuterSurface {
 }
 
 impl RollingElements {
-    /// Returns the rings and elements of all rows in the axes of the bearing.
-    pub fn outer_surface(&self) -> OuterSurface {
+    /// Returns the rings and elements of all rows in the axes of the bearing, and how much each
+    /// point moves with the outer ring: by 1 on that ring, by 0 on the inner one, by 1/2 on the
+    /// elements.
+    pub fn outer_surface(&self) -> (OuterSurface, Vec<f64>) {
         let mut all = OuterSurface { copies: 1, ..OuterSurface::default() };
+        let mut with_outer = Vec::new();
         for row in self.bearing.rows() {
-            Shape::of(row).add_to(&mut all, self.motion.azimuth);
+            Shape::of(row).add_to((&mut all, &mut with_outer), self.motion.azimuth);
         }
-        all
+        (all, with_outer)
     }
 }
 
@@ -74,20 +77,22 @@ impl Shape {
         Shape { count, diameter, length, radius, position, angle, azimuth }
     }
 
-    fn add_to(&self, all: &mut OuterSurface, azimuth: f64) {
+    fn add_to(&self, (all, with_outer): (&mut OuterSurface, &mut Vec<f64>), azimuth: f64) {
         let (reach, width) = match self.length {
             None => (TO_BALLS * self.diameter, BALL_RINGS * self.diameter),
             Some(length) => (TO_ROLLERS * self.diameter, ROLLER_RINGS * length),
         };
         let (thickness, slope) = (RING * self.diameter, -self.angle.tan());
-        for radii in [[-reach - thickness, -reach], [reach, reach + thickness]] {
+        for (radii, outer) in [([-reach - thickness, -reach], 0.0), ([reach, reach + thickness], 1.0)] {
             all.add(ring(radii, [self.radius, self.position], width, slope));
+            with_outer.resize(all.points.len(), outer);
         }
         let element = self.element();
         for index in 0..self.count {
             let at = azimuth + self.azimuth + TAU * index as f64 / self.count as f64;
             all.add(self.placed(&element, at));
         }
+        with_outer.resize(all.points.len(), 0.5);
     }
 
     /// Returns an element about the z axis.

@@ -3,6 +3,7 @@
 import { expect, test } from "@playwright/test";
 import type { Viewer } from "../src/viewer/index.ts";
 import { readMeshShape, readPosition, type Part } from "../src/viewer/run_data.ts";
+import { simplified } from "../src/viewer/outline.ts";
 import { coarsen } from "../src/viewer/lod.ts";
 import { placesOf, seamOf } from "../src/viewer/seams.ts";
 import { Section } from "../src/viewer/section.ts";
@@ -145,6 +146,11 @@ test("copies without values complete a part, and its section has a closed outlin
   const { meshes } = await partlyMoving();
   expect(meshes.map(({ copy }) => copy).sort((a, b) => a - b)).toEqual(Array.from({ length: 12 }, (_, k) => k));
   expect(meshes.filter(({ stresses }) => stresses === null).length).toBe(12);
+  // The copy in the file keeps its values, its neighbours follow at the seams, and the next ones do not move.
+  const moved = meshes.map(({ copy, displacements }) => [copy, displacements.filter((u) => u !== 0).length] as const);
+  expect(moved[0]).toEqual([0, meshes[0]!.shape.points.length]);
+  expect([...meshes[0]!.displacements]).toEqual([...meshes[0]!.shape.points.map((x) => 0.1 * x)]);
+  expect(moved.slice(1).filter(([, count]) => count > 0).map(([copy]) => copy).sort()).toEqual([1, 11]);
   // Sides of the triangles of all sections: inner ones have two triangles, those of the outline one.
   const sides = new Map<string, number>();
   const section = new Section();
@@ -209,6 +215,33 @@ test("a surface of few triangles has plane end faces, no folds, and the same poi
       }
     }
   }
+});
+
+test("outlines of small views keep corners and have no short lines between them", () => {
+  // A square of which each side has 50 lines, and a circle of 100 lines.
+  const points: number[] = [];
+  const lines: number[] = [];
+  const corners = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
+  for (let i = 0; i < 200; i++) {
+    const [[x, y], [u, v]] = [corners[Math.floor(i / 50)]!, corners[(Math.floor(i / 50) + 1) % 4]!];
+    const t = (i % 50) / 50;
+    points.push(x + t * (u - x), y + t * (v - y), 0);
+    lines.push(i, (i + 1) % 200);
+  }
+  for (let i = 0; i < 100; i++) {
+    points.push(3 + Math.cos((2 * Math.PI * i) / 100), Math.sin((2 * Math.PI * i) / 100), 0);
+    lines.push(200 + ((i + 1) % 100), 200 + i);
+  }
+  expect(simplified(Uint32Array.from(lines), points, 0).length).toBe(lines.length);
+  const found = simplified(Uint32Array.from(lines), points, 0.3);
+  const degree = new Map<number, number>();
+  for (const n of found) degree.set(n, (degree.get(n) ?? 0) + 1);
+  expect([...degree.values()].every((count) => count === 2)).toBe(true);
+  for (const corner of [0, 50, 100, 150]) expect(degree.has(corner)).toBe(true);
+  const lengths = Array.from({ length: found.length / 2 }, (_, i) => Math.hypot(...[0, 1].map((k) => points[3 * found[2 * i]! + k]! - points[3 * found[2 * i + 1]! + k]!)));
+  // The last line before a corner may be shorter.
+  expect(lengths.filter((each) => each < 0.3).length).toBeLessThanOrEqual(5);
+  expect(found.length / 2).toBeLessThan(40);
 });
 
 test("an extruded mesh has the values of its section at both ends", async () => {

@@ -12,7 +12,7 @@ import { open, openWith, pageAddress, project, restore, settle, state } from "./
 
 function partOf(shape: Shape, copies: number): Part {
   return {
-    index: 0, name: "gear", kind: "gear", copies, withoutMesh: 0, open: false,
+    index: 0, name: "gear", kind: "gear", copies, withoutMesh: 0, withOuter: null, open: false,
     points: Float32Array.from(shape.points), triangles: Uint32Array.from(shape.triangles), edges: new Uint32Array(),
   };
 }

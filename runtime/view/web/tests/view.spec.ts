@@ -185,7 +185,7 @@ test("a part stands still in its own frame", { tag: "@slow" }, async ({ page }) 
 test("the factor of the deformation is displayed", async ({ page }) => {
   await open(page);
   await restore(page, { panels: { settings: true }, deformation: { mode: "factor", factor: 100 } });
-  await expect(page.getByText(/Parts with meshes move: .*pinion.*The other parts stay in place/)).toBeVisible();
+  await expect(page.getByText(/These parts move: .*pinion.*The other parts stay in place/)).toBeVisible();
   await restore(page, { panels: { settings: false }, deformation: { mode: "automatic" } });
   const factor = page.getByLabel("Factor of the deformation");
   await expect(factor).toHaveText(/× \d+/);

@@ -11,7 +11,7 @@ import { isHidden } from "./marks.ts";
 import { PatternModel } from "./pattern_model.ts";
 import { probeAt, type Probe } from "./probe.ts";
 import { Positions } from "./positions.ts";
-import { readParts, type Parts, type Position } from "./run_data.ts";
+import { hasStresses, readParts, type Parts, type Position } from "./run_data.ts";
 import { NoWebGlError, Scene } from "./scene.ts";
 import type { ViewSource } from "./source.ts";
 import { completeState, defaultState, type PartialState, type ViewState, type Visibility } from "./state.ts";
@@ -202,9 +202,9 @@ export class Core {
       display.setParts(parts.parts, first);
       display.setPosition(first);
       // Before the first results there is nothing to choose from.
-      if (!this.#fieldChosen && (first?.meshes.length || first?.contacts)) {
+      if (!this.#fieldChosen && first && (hasStresses(first) || first.contacts)) {
         this.#fieldChosen = true;
-        this.state.colours.field = first.meshes.length ? "von_mises" : "contact_pressure";
+        this.state.colours.field = hasStresses(first) ? "von_mises" : "contact_pressure";
       }
       if (!this.#cellsChosen && first?.contacts) {
         this.#cellsChosen = true;
@@ -377,7 +377,8 @@ export class Core {
     const { field } = this.state.colours;
     const position = this.display?.position;
     if (field === "plain" || this.status !== "ready") return false;
-    return isNodal(field) ? !position?.meshes.length : !position?.contacts;
+    if (field === "displacement") return !this.hasMeshes;
+    return isNodal(field) ? !position || !hasStresses(position) : !position?.contacts;
   }
 
   /** Pixel of the page at which a point of a part appears. */

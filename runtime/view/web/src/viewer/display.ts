@@ -18,6 +18,9 @@ import { displayUnit, formatNumber, roundDown125, stressUnit } from "./units.ts"
 /** Share of the scene's size that the largest displacement takes with an automatic factor. */
 const AUTOMATIC_DEFORMATION = 0.05;
 
+/** Movement of lines towards the eye in pixels, so that the surface next to them does not hide them. */
+const LINE_BIAS = 1.5;
+
 /** Longest computation of sections with which a drag is smooth, ms. 200,000 tetrahedra take a third of it. */
 const SLOW_SECTION = 30;
 
@@ -404,6 +407,7 @@ export class Display {
     const frustum = this.scene.frustum();
     const { active, state, direction } = this.scene.camera;
     const scale = this.scene.height / state.height;
+    this.scene.uniforms.lineBias.value = LINE_BIAS / scale;
     const distance = active.position.distanceTo(target.fromArray(state.target));
     const orthographic = state.projection === "orthographic";
     const pixels = (centre: THREE.Vector3): number => {

@@ -9,6 +9,9 @@ import * as THREE from "three";
 /** Field value of a node without a value. Interpolation makes a whole triangle exceed `NO_VALUE_TEST`. */
 export const NO_VALUE = 1e30;
 const NO_VALUE_TEST = "1e20";
+/** Field value of all nodes of a copy without a field: it has the colour of its part. */
+export const NO_FIELD = 1e34;
+const NO_FIELD_TEST = "1e32";
 
 /** Uniforms that all materials of a viewer share. */
 export interface SharedUniforms {
@@ -21,6 +24,8 @@ export interface SharedUniforms {
   lineColour: { value: THREE.Color };
   edgeColour: { value: THREE.Color };
   pixelRatio: { value: number };
+  /** Movement of lines towards the eye, m. */
+  lineBias: { value: number };
 }
 
 // Centroid: at a pixel that a triangle covers in part, the values at its middle are extrapolated. A
@@ -41,8 +46,8 @@ attribute float field;
 centroid varying float vField;
 #endif
 #ifdef LIT
-varying vec3 vNormal;
-varying vec3 vEye;
+centroid varying vec3 vNormal;
+centroid varying vec3 vEye;
 #endif
 #ifdef CUT
 uniform vec4 cutPlane;
@@ -93,8 +98,8 @@ uniform vec3 noValue;
 centroid varying float vField;
 #endif
 #ifdef LIT
-varying vec3 vNormal;
-varying vec3 vEye;
+centroid varying vec3 vNormal;
+centroid varying vec3 vEye;
 #endif
 #ifdef CUT
 centroid varying float vCut;
@@ -113,7 +118,7 @@ void main() {
   if (useField) {
     gloss = 0.0;
     float fraction = (vField - limits.x) / max(limits.y - limits.x, 1e-30);
-    base = vField > ${NO_VALUE_TEST} ? noValue : texture2D(scale, vec2(clamp(fraction, 0.0, 1.0) * 0.99609375 + 0.001953125, 0.5)).rgb;
+    if (vField < ${NO_FIELD_TEST}) base = vField > ${NO_VALUE_TEST} ? noValue : texture2D(scale, vec2(clamp(fraction, 0.0, 1.0) * 0.99609375 + 0.001953125, 0.5)).rgb;
   }
   #endif
   #ifdef LIT
@@ -138,7 +143,7 @@ void main() {
   float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / (9.0 * pixelRatio)) - 0.5) * 9.0;
   float hatch = mix(0.80, 1.0, smoothstep(0.35, 1.1, stripe));
   #ifdef FIELD
-  if (useField) hatch = 1.0;
+  if (useField && vField < ${NO_FIELD_TEST}) hatch = 1.0;
   #endif
   base *= hatch;
   #endif
@@ -217,6 +222,7 @@ export function createSharedUniforms(scale: THREE.DataTexture): SharedUniforms {
     lineColour: { value: new THREE.Color("#1c2733") },
     edgeColour: { value: new THREE.Color("#1c2733") },
     pixelRatio: { value: 1 },
+    lineBias: { value: 0 },
   };
 }
 
@@ -249,14 +255,13 @@ export function createMaterialSet(shared: SharedUniforms, deformed: boolean): Ma
   const lines = (colour: { value: THREE.Color }, alpha: number, features = geometry) => {
     const material = new ViewMaterial(shared, features, { depthWrite: false }, colour);
     material.alpha = alpha;
+    // An offset of the polygons by their slope would push back triangles thinner than a pixel, whose slope
+    // is not defined, so that what is behind them would be visible.
+    material.uniforms.bias = shared.lineBias;
     return material;
   };
   return {
-    surface: new ViewMaterial(shared, deformed ? ["COPIES", "DEFORMED", "FIELD", "LIT"] : ["COPIES", "LIT"], {
-      polygonOffset: true,
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 1,
-    }),
+    surface: new ViewMaterial(shared, deformed ? ["COPIES", "DEFORMED", "FIELD", "LIT"] : ["COPIES", "LIT"]),
     features: lines(shared.lineColour, 0.55),
     edges: lines(shared.edgeColour, 0.3),
     stencilBack: stencil(THREE.BackSide, THREE.IncrementWrapStencilOp),
@@ -264,7 +269,6 @@ export function createMaterialSet(shared: SharedUniforms, deformed: boolean): Ma
     section: new ViewMaterial(shared, ["FIELD", "CAP"], {
       side: THREE.DoubleSide,
       polygonOffset: true,
-      polygonOffsetFactor: 1,
       polygonOffsetUnits: 1,
     }),
     sectionEdges: lines(shared.edgeColour, 0.34, ["ON_PLANE"]),

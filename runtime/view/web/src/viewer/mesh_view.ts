@@ -4,7 +4,8 @@
 // mesh is displayed. A position changes only displacements and values.
 
 import * as THREE from "three";
-import { NO_VALUE, type MaterialSet } from "./materials.ts";
+import { NO_FIELD, NO_VALUE, type MaterialSet } from "./materials.ts";
+import { Outline } from "./outline.ts";
 import type { DeformedMesh, MeshShape } from "./run_data.ts";
 import { rotationsOf, seamPoints } from "./seams.ts";
 import { SectionView } from "./section_view.ts";
@@ -28,7 +29,7 @@ class MeshBuffers {
   readonly seam: THREE.BufferAttribute;
   readonly normal: THREE.BufferAttribute;
   readonly triangles: THREE.BufferAttribute;
-  readonly features: THREE.BufferAttribute;
+  readonly outline: Outline;
   readonly edges: THREE.BufferAttribute;
 
   constructor(readonly shape: MeshShape, copies: number) {
@@ -38,7 +39,7 @@ class MeshBuffers {
     this.seam = new THREE.BufferAttribute(seamMask(surface), 1);
     this.normal = new THREE.BufferAttribute(surface.normals, 3);
     this.triangles = new THREE.BufferAttribute(surface.triangles, 1);
-    this.features = new THREE.BufferAttribute(surface.features, 1);
+    this.outline = new Outline(surface.features, atVertices(shape.points, surface.nodes));
     this.edges = new THREE.BufferAttribute(Uint32Array.from(shape.edges, (node) => surface.firstVertex[node]!), 1);
   }
 }
@@ -83,7 +84,7 @@ export class MeshView {
       return result;
     };
     const faces = geometry(buffers.triangles);
-    const features = geometry(buffers.features);
+    const features = geometry(buffers.outline.index(Infinity));
     const edges = geometry(buffers.edges);
     this.surface = new THREE.Mesh(faces, materials.surface);
     this.features = new THREE.LineSegments(features, materials.features);
@@ -98,6 +99,11 @@ export class MeshView {
     }
     if (this.section) this.group.add(...this.section.objects);
     this.group.matrixAutoUpdate = false;
+  }
+
+  /** Chooses the outline for a view with `scale` pixels per metre. */
+  setScale(scale: number): void {
+    this.features.geometry.setIndex(this.buffers.outline.index(scale));
   }
 
   get open(): boolean {
@@ -120,10 +126,11 @@ export class MeshView {
     if (values === this.values) return;
     this.values = values;
     const array = this.#field.array as Float32Array;
+    const none = this.mesh?.stresses ? NO_VALUE : NO_FIELD;
     const { nodes } = this.buffers.surface;
     for (let v = 0; v < nodes.length; v++) {
       const value = values[nodes[v]!]!;
-      array[v] = Number.isFinite(value) ? value : NO_VALUE;
+      array[v] = Number.isFinite(value) ? value : none;
     }
     this.#field.needsUpdate = true;
   }

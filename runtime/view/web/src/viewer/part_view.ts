@@ -238,6 +238,12 @@ export class PartView {
     const pitch = this.part.copies > 1 ? (2 * Math.PI * this.radius) / this.part.copies : 2 * sphere.radius;
     const pitchPixels = (detail * Math.min(pitch, 2 * sphere.radius)) / (2 * sphere.radius || 1);
     this.copies.features.visible = pitchPixels > OUTLINE_PIXELS;
+    const scale = pixelsPerMetre(scratch.center.setFromMatrixPosition(matrix));
+    const isClear = this.part.copies === 1 || pitch * scale > OUTLINE_PIXELS;
+    for (const view of [this.copies, ...(this.rest ? [this.rest] : []), ...this.meshes]) {
+      view.setScale(scale);
+      if (view !== this.copies) view.features.visible = isClear;
+    }
     this.copies.edges.visible = this.#edges && pitchPixels > 2 * OUTLINE_PIXELS;
     this.copies.setLevel(count * this.copies.triangleCount > COARSE_FROM ? levelFor(detail) : -1);
     let triangles = count * this.copies.drawnTriangles + this.#replaced.length * this.part.withoutMesh;

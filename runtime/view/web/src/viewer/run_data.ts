@@ -18,6 +18,8 @@ export interface Part {
   points: Float32Array;
   triangles: Uint32Array;
   edges: Uint32Array;
+  /** Share of the motion of the outer ring in that of each point; null if the part moves as a whole. */
+  withOuter: Float32Array | null;
 }
 
 export interface Parts {
@@ -131,7 +133,9 @@ export function readParts(buffer: ArrayBuffer): Parts {
     if (!Number.isInteger(withoutMesh) || withoutMesh < 0 || 3 * withoutMesh > triangles.length) {
       throw new FileError(file.name, `${name}: the number of triangles without a mesh is not valid`);
     }
-    return { index, name, kind, copies, withoutMesh, open: entry.open === true, points, triangles, edges };
+    const withOuter = entry.with_outer ? file.f32(entry.with_outer, 1, `${name}, shares of the outer ring`) : null;
+    if (withOuter && 3 * withOuter.length !== points.length) throw new FileError(file.name, `${name}: the shares of the outer ring do not fit the points`);
+    return { index, name, kind, copies, withoutMesh, withOuter, open: entry.open === true, points, triangles, edges };
   });
   return { model: String(file.header.model ?? ""), units: String(file.header.units ?? ""), parts };
 }
@@ -253,8 +257,8 @@ async function readMesh(file: ArrayFile, value: Json, index: number, parts: Part
 
 /**
  * Adds the copies that a position does not mention to the meshes of their parts: these copies do not move.
- * With one shape for all copies, surfaces and sections of a part are closed. Neighbours get the same
- * displacements at their seams.
+ * With one shape for all copies, surfaces and sections of a part are closed. At its seams, a copy that is
+ * mentioned keeps its displacements, and its neighbour follows.
  */
 function completed(meshes: DeformedMesh[], parts: Part[]): DeformedMesh[] {
   const all = [...meshes];
@@ -271,7 +275,9 @@ function completed(meshes: DeformedMesh[], parts: Part[]): DeformedMesh[] {
     }
     for (const [copy, mesh] of byCopy) {
       const next = byCopy.get((copy + 1) % copies)!;
-      if (next.shape === mesh.shape) joinSeam(mesh.displacements, next.displacements, seamOf(mesh.shape.points, copies));
+      if (next.shape !== mesh.shape) continue;
+      const [own, other] = [mesh, next].map((one) => meshes.includes(one));
+      joinSeam(mesh.displacements, next.displacements, seamOf(mesh.shape.points, copies), own === other ? 0.5 : own ? 1 : 0);
     }
   }
   return all;
@@ -288,6 +294,43 @@ function extruded(plane: Float32Array, components: number, places: number[]): Fl
   }
   values.copyWithin(components * count, 0, components * count);
   return values;
+}
+
+const shapes = new WeakMap<Part, MeshShape>();
+
+/** Shape of a part that moves without a mesh. */
+function shapeOf(part: Part): MeshShape {
+  let shape = shapes.get(part);
+  if (!shape) {
+    const none = new Uint32Array();
+    const { open, points, triangles, edges } = part;
+    shape = { name: `part ${part.index}`, open, extruded: false, points, triangles, edges, tetrahedra: none, wedges: none, hexahedra: none };
+    shapes.set(part, shape);
+  }
+  return shape;
+}
+
+/** Reads the motions of bearings and rigid shafts: their surfaces are displaced, without stresses. */
+function readMotions(file: ArrayFile, value: Json | undefined, parts: Part[]): DeformedMesh[] {
+  const entry = record(value);
+  if (!entry) return [];
+  const indices = file.u32(entry.parts, 1, "motions, parts");
+  const at = file.f32(entry.at, 3, "motions, reference points");
+  const motions = file.f32(entry.motions, 12, "motions");
+  if (at.length !== 3 * indices.length || motions.length !== 12 * indices.length) throw new FileError(file.name, "motions: the arrays have different lengths");
+  return Array.from(indices, (index, i) => {
+    const part = parts[index];
+    if (!part || part.copies !== 1) throw new FileError(file.name, "motions: the part does not exist");
+    const [inner, outer] = [motions.subarray(12 * i, 12 * i + 6), motions.subarray(12 * i + 6, 12 * i + 12)];
+    const displacements = new Float32Array(part.points.length);
+    for (let n = 0; n < part.points.length / 3; n++) {
+      const share = part.withOuter?.[n] ?? 0;
+      const [ux, uy, uz, rx, ry, rz] = Array.from(inner, (v, k) => v + share * (outer[k]! - v)) as [number, number, number, number, number, number];
+      const [x, y, z] = [0, 1, 2].map((k) => part.points[3 * n + k]! - at[3 * i + k]!) as [number, number, number];
+      displacements.set([ux + ry * z - rz * y, uy + rz * x - rx * z, uz + rx * y - ry * x], 3 * n);
+    }
+    return { part: index, copy: 0, copies: 1, shape: shapeOf(part), displacements, stresses: null, stressErrors: null };
+  });
 }
 
 /** Reads a position and the meshes that it refers to. A mesh that cannot be read is left out. */
@@ -320,10 +363,15 @@ export async function readPosition(name: string, buffer: ArrayBuffer, parts: Par
     forces: list(header.forces)
       .map((value) => readForce(value, parts.length))
       .filter((force) => force !== null),
-    meshes: completed(meshes.filter((mesh) => mesh !== null), parts),
+    meshes: [...completed(meshes.filter((mesh) => mesh !== null), parts), ...readMotions(file, header.motions, parts)],
     bytes: buffer.byteLength,
     problem,
   };
+}
+
+/** Returns whether a mesh of the position has stresses: bearings have displacements alone. */
+export function hasStresses({ meshes }: Position): boolean {
+  return meshes.some(({ stresses }) => stresses !== null);
 }
 
 class MissingMesh extends Error {}

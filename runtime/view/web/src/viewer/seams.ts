@@ -85,13 +85,16 @@ export function placesOf(points: Float32Array, seam: Int32Array, copy: number, c
   return places;
 }
 
-/** Makes the displacements of neighbouring copies equal at their seam: those that are known to single precision differ. */
-export function joinSeam(last: Float32Array, first: Float32Array, seam: Int32Array): void {
+/**
+ * Makes the displacements of two neighbouring copies equal at their seam. `weight` is that of the copy before the
+ * seam: 0.5 for two computed copies, whose displacements differ by rounding, 0 or 1 if only one is computed.
+ */
+export function joinSeam(before: Float32Array, after: Float32Array, seam: Int32Array, weight: number): void {
   seam.forEach((partner, n) => {
     if (partner < 0) return;
     for (let k = 0; k < 3; k++) {
-      const mean = 0.5 * (last[3 * n + k]! + first[3 * partner + k]!);
-      last[3 * n + k] = first[3 * partner + k] = mean;
+      const mean = weight * before[3 * n + k]! + (1 - weight) * after[3 * partner + k]!;
+      before[3 * n + k] = after[3 * partner + k] = mean;
     }
   });
 }

@@ -1,7 +1,7 @@
 // Coloured section of a mesh in the scene.
 
 import * as THREE from "three";
-import { NO_VALUE, type MaterialSet } from "./materials.ts";
+import { NO_FIELD, NO_VALUE, type MaterialSet } from "./materials.ts";
 import type { DeformedMesh } from "./run_data.ts";
 import { Section, type Plane } from "./section.ts";
 
@@ -37,7 +37,7 @@ export class SectionView {
     const same = key.every((value, i) => value === this.#key[i]);
     if (!same) {
       this.#key = key;
-      this.section.compute(mesh, field, plane, factor, withEdges, NO_VALUE);
+      this.section.compute(mesh, field, plane, factor, withEdges, mesh.stresses ? NO_VALUE : NO_FIELD);
       const { points, values, count, edges, edgeCount } = this.section;
       upload(this.#faces, "position", points, 3, 3 * count);
       upload(this.#faces, "field", values, 1, 3 * count);

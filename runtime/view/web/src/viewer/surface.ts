@@ -150,8 +150,9 @@ export function buildSurface(points: Float32Array, triangles: Uint32Array, copie
   const features = new Uint32Array(2 * featureCorners.length);
   featureCorners.forEach((c, i) => {
     const t = c - (c % 3);
-    features[2 * i] = result.triangles[c]!;
-    features[2 * i + 1] = result.triangles[t + ((c + 1) % 3)]!;
+    // Lines have no normals: one vertex per point makes them continuous.
+    features[2 * i] = result.firstVertex[joined[c]!]!;
+    features[2 * i + 1] = result.firstVertex[joined[t + ((c + 1) % 3)]!]!;
   });
   return { ...result, features, seam };
 }

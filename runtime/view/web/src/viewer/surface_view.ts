@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { coarsen, LEVELS } from "./lod.ts";
 import type { MaterialSet } from "./materials.ts";
+import { Outline } from "./outline.ts";
 import { rotationsOf, seamPoints } from "./seams.ts";
 import type { Surface } from "./surface.ts";
 
@@ -49,6 +50,7 @@ export class SurfaceView {
   #full: Geometries;
   #levels: (Geometries | undefined)[] = [];
   #level = -1;
+  #outline: Outline;
   #count: number;
   #copies: THREE.InstancedBufferAttribute;
 
@@ -78,6 +80,7 @@ export class SurfaceView {
     };
     const edgeVertices = Uint32Array.from(input.edges, (node) => surface.firstVertex[node]!);
     const faces = geometry(surface.triangles, true);
+    this.#outline = new Outline(surface.features, atVertices(points, surface.nodes));
     const features = geometry(surface.features);
     const edges = geometry(edgeVertices);
     this.#geometries = [faces, features, edges];
@@ -123,6 +126,11 @@ export class SurfaceView {
       return result;
     };
     return { shown: geometry(coarse.triangles), closed: geometry(coarse.closed) };
+  }
+
+  /** Chooses the outline for a view with `scale` pixels per metre. */
+  setScale(scale: number): void {
+    this.features.geometry.setIndex(this.#outline.index(scale));
   }
 
   /** Number of triangles of a copy as it is drawn. */

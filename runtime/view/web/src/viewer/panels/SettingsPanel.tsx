@@ -113,7 +113,7 @@ function Deformation({ core }: { core: Core }) {
       {mode === "automatic" && !isNodal(core.state.colours.field) ? <p class="cv-note">{UNDEFORMED}</p> : null}
       {rest.length > 0 && core.display!.factor > 0 ? (
         <p class="cv-note" title={rest.map(({ name }) => name).join(", ")}>
-          Parts with meshes move: {listed(moving)}. The other parts stay in place.
+          These parts move: {listed(moving)}. The other parts stay in place.
         </p>
       ) : null}
     </Section>
