@@ -194,8 +194,8 @@ mod tests {
             ArrayFile::read(&bytes).unwrap_err().to_string()
         };
         assert_eq!(with(0, b'X'), "the file is no array file");
-        assert_eq!(with(8, 5), "the file has version 5 of the format, not 4");
-        assert_eq!(with(8, 3), "it was written by an older version of Calyx");
+        assert_eq!(with(8, 6), "the file has version 6 of the format, not 5");
+        assert_eq!(with(8, 4), "it was written by an older version of Calyx");
         assert_eq!(with(15, 255), "the file is truncated");
         let file = ArrayFile::read(&bytes).unwrap();
         for reference in [
