@@ -190,11 +190,12 @@ test("copies without values complete a part, and its section has a closed outlin
 });
 
 test("a surface of few triangles has plane end faces, no folds, and the same points at both cuts", () => {
-  for (const [shape, teeth] of [[gearSector(WHEEL, 4, 6, 4), WHEEL.teeth], [twistedSector(), 12]] as const) {
+  for (const [shape, teeth] of [[gearSector(WHEEL, 8, 24, 8), WHEEL.teeth], [twistedSector(), 12]] as const) {
     const points = Float32Array.from(shape.points);
     const surface = buildSurface(points, Uint32Array.from(shape.triangles), teeth);
     const top = Math.max(...points.filter((_, i) => i % 3 === 2));
-    for (const cell of [1e-3, 2e-3, 4e-3]) {
+    // Cells with points of the end face and of the layers below it.
+    for (const cell of [2.5e-3, 4e-3, 5e-3]) {
       const coarse = coarsen(points, surface, teeth, cell);
       const [cos, sin] = [Math.cos((2 * Math.PI) / teeth), Math.sin((2 * Math.PI) / teeth)];
       const at = (v: number): [number, number, number] => {
