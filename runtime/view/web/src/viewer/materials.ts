@@ -268,8 +268,9 @@ export function createMaterialSet(shared: SharedUniforms, deformed: boolean): Ma
     stencilFront: stencil(THREE.FrontSide, THREE.DecrementWrapStencilOp),
     section: new ViewMaterial(shared, ["FIELD", "CAP"], {
       side: THREE.DoubleSide,
+      // Caps of other parts are in front of the section in the same plane.
       polygonOffset: true,
-      polygonOffsetUnits: 1,
+      polygonOffsetFactor: 1,
     }),
     sectionEdges: lines(shared.edgeColour, 0.34, ["ON_PLANE"]),
   };

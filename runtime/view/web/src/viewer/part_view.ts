@@ -82,7 +82,7 @@ export class PartView {
     this.cap.onAfterRender = (renderer) => renderer.clearStencil();
     this.#order = part.index;
     // Magnified deformations overlap. In the same plane, the last part is in front.
-    this.#deformed.section.polygonOffsetUnits -= SECTION_OFFSET * part.index;
+    this.#deformed.section.polygonOffsetUnits = -SECTION_OFFSET * part.index;
     this.refresh();
   }
 
