@@ -107,6 +107,74 @@ const KNOWN: &[Known] = &[
     },
 ];
 
+/// Problems with several local minima, of which most are not global: model, study, and the least
+/// objective.
+const MULTIMODAL: &[(&str, &str, &str, f64)] = &[
+    (
+        "six-hump camel function; Dixon and Szego 1978",
+        "param x = -1.5 in -3 .. 3; param y = 1.5 in -2 .. 2;
+            output f := (4 - 2.1 * x^2 + x^4 / 3) * x^2 + x * y + (4 * y^2 - 4) * y^2;",
+        "objective = \"min f\"\n[variables]\nx = \"-3..3\"\ny = \"-2..2\"\n",
+        -1.031_628_453,
+    ),
+    (
+        "Levy 8; Levy and Montalvo 1985: 125 local minima",
+        "param x = -7.5 in -10 .. 10; param y = 6.5 in -10 .. 10; param z = 3.5 in -10 .. 10;
+            function w(in x) := 1 + (x - 1) / 4;
+            output f := 1 + sin(pi * w(x))^2 + (w(x) - 1)^2 * (1 + 10 * sin(pi * w(x) + 1)^2)
+                + (w(y) - 1)^2 * (1 + 10 * sin(pi * w(y) + 1)^2) + (w(z) - 1)^2;",
+        "objective = \"min f\"\n[variables]\nx = \"-10..10\"\ny = \"-10..10\"\nz = \"-10..10\"\n",
+        1.0,
+    ),
+    (
+        "Rastrigin function around (0.3, 0.3)",
+        "param x = -2.5 in -3 .. 3; param y = 2.5 in -3 .. 3;
+            output f := 5 + (x - 0.3)^2 + (y - 0.3)^2 + 2 - cos(2 * pi * (x - 0.3)) - cos(2 * pi * (y - 0.3));",
+        "objective = \"min f\"\n[variables]\nx = \"-3..3\"\ny = \"-3..3\"\n",
+        5.0,
+    ),
+    (
+        "the largest of three waves with a common bowl",
+        "param x = 0.9 in 0 .. 1; param y = 0.1 in 0 .. 1; param k = 1 in 1 .. 3;
+            output f := 1 + 3 * (x - 0.3)^2 + 3 * (y - 0.6)^2 + 0.4 * sin(11 * k * (x - 0.3) + k) * cos(9 * (y - 0.6) + k);",
+        "objective = \"min f\"\n[variables]\nx = \"0..1\"\ny = \"0..1\"\n[axes]\nk = [1, 2, 3]\n",
+        f64::NAN,
+    ),
+];
+
+/// Least value of the last problem on a grid.
+fn least_of_waves() -> f64 {
+    const COUNT: usize = 1000;
+    let value = |k: f64, x: f64, y: f64| {
+        let bowl = 1.0 + 3.0 * (x - 0.3).powi(2) + 3.0 * (y - 0.6).powi(2);
+        bowl + 0.4 * (11.0 * k * (x - 0.3) + k).sin() * (9.0 * (y - 0.6) + k).cos()
+    };
+    let at = |point: usize| {
+        let [x, y] = [point / COUNT, point % COUNT].map(|part| part as f64 / (COUNT - 1) as f64);
+        [1.0, 2.0, 3.0].map(|k| value(k, x, y)).into_iter().fold(0.0, f64::max)
+    };
+    (0..COUNT * COUNT).map(at).fold(f64::INFINITY, f64::min)
+}
+
+/// Five repetitions with different samples end at the global optimum.
+#[test]
+fn repetitions_find_the_same_optimum_among_local_ones() {
+    for (name, model, study, known) in MULTIMODAL {
+        let known = if known.is_nan() { least_of_waves() } else { *known };
+        for seed in 0..5 {
+            let folder = tempfile::tempdir().expect("a folder");
+            let study = format!("{study}[optimization]\nseed = {seed}\n");
+            let all = optimized(folder.path(), model, &study, 2);
+            let (_, values) = all.best().expect("a design");
+            let ends: Vec<f64> =
+                all.searches.iter().filter_map(|search| Some(search.best.as_ref()?.1.objective)).collect();
+            println!("{name}, seed {seed}: {} designs, {known} {ends:.4?}", all.designs.len());
+            // A grid is not at the optimum.
+            assert!(values.objective < known + 1e-3, "{name}, seed {seed}: {}", values.objective);
+        }
+    }
+}
+
 /// Runs an optimization in a directory.
 fn optimized(directory: &Path, model: &str, study: &str, workers: usize) -> Optimization {
     optimizer(directory, model, study, workers).run(|_| {}).expect("an optimum")

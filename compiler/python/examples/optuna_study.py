@@ -1,8 +1,8 @@
 # %% [markdown]
 # # Transmission error and root stress as two objectives, with Optuna
 #
-# The trials run on two threads: a run leaves the interpreter free. Params that make an impossible
-# gear are pruned.
+# The trials run on two threads: a run leaves the interpreter free. The variables have the bounds of
+# the params. Values that make an impossible gear are pruned.
 
 # %%
 import optuna
@@ -11,6 +11,7 @@ import calyx
 
 pair = calyx.load("../../../examples/spur_pair.cx")
 optuna.logging.set_verbosity(optuna.logging.WARNING)
+pair.params
 
 
 # %%

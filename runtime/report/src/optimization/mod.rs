@@ -203,7 +203,7 @@ pub struct Optimization {
 /// Relative difference of objectives below which two searches have the same optimum.
 pub const SAME_OBJECTIVE: f64 = 1e-3;
 /// Part of the improvement below which an objective counts as zero.
-const SMALL: f64 = 1e-3;
+pub const SMALL: f64 = 1e-3;
 /// Difference of variables, relative to their ranges, below which they agree.
 pub const SAME_VARIABLE: f64 = 0.01;
 

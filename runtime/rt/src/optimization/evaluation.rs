@@ -313,6 +313,11 @@ impl<'o> Evaluator<'o> {
         locked(&self.designs).iter().filter(|design| design.search == search).count()
     }
 
+    /// Counts further searches.
+    pub fn add_searches(&self, count: usize) {
+        locked(&self.state).searches[1] += count;
+    }
+
     /// Counts a search that has ended.
     pub fn end_search(&self) {
         let mut state = locked(&self.state);
@@ -339,8 +344,9 @@ impl<'o> Evaluator<'o> {
     }
 
     /// Returns the searches of an interrupted optimization, from their designs so far.
-    pub fn searches(&self, count: usize) -> Vec<Search> {
+    pub fn searches(&self) -> Vec<Search> {
         let designs = self.designs();
+        let [_, count] = locked(&self.state).searches;
         let search = |number: usize| {
             let own: Vec<&Design> = designs.iter().filter(|design| design.search == number).collect();
             let known =

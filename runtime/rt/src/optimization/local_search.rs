@@ -13,25 +13,24 @@
 use super::evaluation::{Evaluator, Stop};
 use super::functions::Shape;
 use super::minimax::{Best, End, Minimax, Solver, largest};
-use super::problem::Effort;
 use calyx_report::optimization::{FEASIBLE, Search, compare};
 
 /// Radius of the first trust region: a quarter of the range, as in a coarse grid of five values.
-const FIRST_RADIUS: f64 = 0.25;
+pub const FIRST_RADIUS: f64 = 0.25;
 /// Radius of the trust region after a restart.
 const NEXT_RADIUS: f64 = 0.05;
 /// Largest number of repetitions.
-const REPETITIONS: usize = 4;
+const REPETITIONS: usize = 8;
 /// Relative improvement of a repetition below which the search has converged.
 const IMPROVEMENT: f64 = 1e-4;
 /// Objective, relative to that of the start, below which it counts as zero.
 const SMALL: f64 = 1e-3;
 
-/// Searches from a start in the unit cube.
+/// Searches from a start in the unit cube, within a trust region of a radius at first.
 ///
 /// # Errors
 /// The optimization is cancelled, or the journal cannot be written.
-pub fn run(evaluator: &Evaluator<'_>, number: usize, start: &[f64], effort: Effort) -> Result<Search, Stop> {
+pub fn run(evaluator: &Evaluator<'_>, number: usize, start: &[f64], radius: f64) -> Result<Search, Stop> {
     let best = Best::default();
     let mut converged = false;
     if let Some(functions) = evaluator.functions(number, start, Shape::Statistics, 1.0)? {
@@ -39,7 +38,7 @@ pub fn run(evaluator: &Evaluator<'_>, number: usize, start: &[f64], effort: Effo
             scale if scale > 0.0 && scale.is_finite() => scale,
             _ => evaluator.unit(),
         };
-        converged = repeat((evaluator, number), start, effort, scale, &best)?;
+        converged = repeat((evaluator, number), (start, radius), scale, &best)?;
     }
     let problem = evaluator.problem();
     let best = best.borrow().as_ref().map(|(at, values)| (problem.values_at(at), values.clone()));
@@ -50,12 +49,12 @@ pub fn run(evaluator: &Evaluator<'_>, number: usize, start: &[f64], effort: Effo
 /// Repeats both solvers, and returns whether the search has converged.
 fn repeat(
     own: (&Evaluator<'_>, usize),
-    start: &[f64],
-    effort: Effort,
+    (start, first_radius): (&[f64], f64),
     scale: f64,
     best: &Best,
 ) -> Result<bool, Stop> {
-    let (mut at, mut radius, mut shape) = (start.to_vec(), FIRST_RADIUS, Shape::Positions);
+    let effort = own.0.problem().effort;
+    let (mut at, mut radius, mut shape) = (start.to_vec(), first_radius, Shape::Positions);
     for _ in 0..=REPETITIONS {
         let before = best.borrow().clone();
         for solver in [Solver::Cobyla { radius, tolerance: effort.tolerance }, Solver::Slsqp] {

@@ -9,7 +9,7 @@ use basin::{
     NonlinearBlock, NonlinearBlocks, NonlinearInequalityValues, SelectedFirstOrderState, SelectedState,
     Slsqp,
 };
-use calyx_report::optimization::{Values, compare};
+use calyx_report::optimization::{FEASIBLE, Values, compare};
 use std::cell::{Cell, RefCell};
 use std::fmt;
 use std::rc::Rc;
@@ -22,6 +22,11 @@ const ACCURACY: f64 = 1e-9;
 const ITERATIONS: u64 = 50;
 /// Largest number of evaluations of COBYLA per coordinate: then SLSQP has its turn.
 const EVALUATIONS: u64 = 40;
+/// Relative improvement of the objective that SLSQP must make within [`PATIENCE`] gradients, or it
+/// stops: near a kink, or with rounding of the functions, it makes small steps only.
+const PROGRESS: f64 = 1e-4;
+/// Number of gradients for such an improvement.
+const PATIENCE: usize = 4;
 /// Unit of the common bound, relative to the objective of the start. The trust region of COBYLA
 /// limits the bound too, which must not delay the variables.
 const BOUND: f64 = 10.0;
@@ -34,6 +39,8 @@ pub enum End {
     OtherShape,
     /// The number of designs is at its limit.
     Limit,
+    /// The solver makes no progress.
+    Stalled,
 }
 
 impl fmt::Display for End {
@@ -73,6 +80,8 @@ pub struct Minimax<'e, 'o> {
     counts: [usize; 2],
     /// Values in place of those of a design that failed.
     worst: Cell<f64>,
+    /// Objective at the last progress, and the number of gradients since then.
+    progress: Cell<(f64, usize)>,
 }
 
 impl<'e, 'o> Minimax<'e, 'o> {
@@ -91,7 +100,17 @@ impl<'e, 'o> Minimax<'e, 'o> {
         Ok(functions.map(|functions| {
             let counts = [functions.objective.len(), functions.constraints.len()];
             let worst = Cell::new(largest(&functions.objective));
-            Minimax { evaluator, number, shape, scale, most, best: best.clone(), counts, worst }
+            Minimax {
+                evaluator,
+                number,
+                shape,
+                scale,
+                most,
+                best: best.clone(),
+                counts,
+                worst,
+                progress: Cell::new((f64::INFINITY, 0)),
+            }
         }))
     }
 
@@ -146,6 +165,7 @@ impl<'e, 'o> Minimax<'e, 'o> {
     /// Returns the slopes of these functions by variable: central differences, and one-sided ones at
     /// the ends of the ranges.
     fn slopes(&self, x: &[f64]) -> Result<Vec<Vec<f64>>, End> {
+        self.check_progress()?;
         let slope = |k: usize| {
             let ends = [-STEP, STEP].map(|step| (x[k] + step).clamp(0.0, 1.0));
             let at = |end: f64| {
@@ -159,6 +179,28 @@ impl<'e, 'o> Minimax<'e, 'o> {
             Ok(above.iter().zip(&below).map(change).collect())
         };
         (0..self.variables()).map(slope).collect()
+    }
+
+    /// Stops a solver whose last gradients have not led to a better design.
+    fn check_progress(&self) -> Result<(), End> {
+        let best = self
+            .best
+            .borrow()
+            .as_ref()
+            .filter(|(_, values)| values.violation <= FEASIBLE)
+            .map(|(_, values)| values.objective);
+        let Some(objective) = best else {
+            return Ok(());
+        };
+        let (before, count) = self.progress.get();
+        if (objective - before).abs() > PROGRESS * objective.abs() {
+            self.progress.set((objective, 0));
+        } else if count >= PATIENCE {
+            return Err(End::Stalled);
+        } else {
+            self.progress.set((before, count + 1));
+        }
+        Ok(())
     }
 
     /// Returns the functions of a design; a failed one has the worst known objective and violates

@@ -12,6 +12,7 @@
 
 mod evaluation;
 mod functions;
+mod global_search;
 mod local_search;
 mod minimax;
 mod optimality;
@@ -31,19 +32,14 @@ use crate::param_assignment::ParamAssignment;
 use crate::params::output_of;
 use crate::program::Program;
 use crate::run::RunError;
-use crate::sweep::sampling::coordinates;
 use calyx_abi::{Cancel, stack};
-use calyx_report::optimization::{Influence, Optimality, STEP, Search, Values, compare};
-use calyx_report::study::Method;
+use calyx_report::optimization::{Influence, Optimality, STEP};
 use calyx_report::sweep::Column;
 use calyx_runtime::settings_override::Override;
 use evaluation::{Evaluator, Stop};
 use rayon::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
-
-/// Number of designs per search from which the starts are chosen.
-const CANDIDATES: usize = 6;
 
 /// A model and what is optimized.
 pub struct Optimizer {
@@ -90,7 +86,7 @@ impl Optimizer {
             path: self.directory.clone(),
             error: std::io::Error::other(error),
         })?;
-        let ended = workers.install(|| self.search(&evaluator));
+        let ended = workers.install(|| global_search::run(&evaluator, &self.initial()));
         let mut all = self.summary(&evaluator)?;
         match ended {
             Ok(searches) => {
@@ -102,7 +98,7 @@ impl Optimizer {
                 if let Some(initial) = evaluator.evaluated(&self.initial()) {
                     all.initial = initial;
                 }
-                all.searches = evaluator.searches(self.problem.effort.starts);
+                all.searches = evaluator.searches();
             }
             Err(Stop::Unwritable) => return Err(evaluator.failure(Stop::Unwritable)),
         }
@@ -122,48 +118,6 @@ impl Optimizer {
     fn initial(&self) -> Vec<f64> {
         let variables = self.problem.variables.iter();
         variables.map(|variable| (variable.initial - variable.low) / (variable.high - variable.low)).collect()
-    }
-
-    /// Runs all local searches.
-    fn search(&self, evaluator: &Evaluator<'_>) -> Result<Vec<Search>, Stop> {
-        let starts = self.starts(evaluator)?;
-        let search = |(k, start): (usize, &Vec<f64>)| {
-            let found = local_search::run(evaluator, k + 1, start, self.problem.effort)?;
-            evaluator.end_search();
-            Ok(found)
-        };
-        starts.par_iter().enumerate().map(search).collect()
-    }
-
-    /// Returns the starts in the unit cube: the initial design, and the best ones of a Latin
-    /// hypercube.
-    fn starts(&self, evaluator: &Evaluator<'_>) -> Result<Vec<Vec<f64>>, Stop> {
-        let count = self.problem.effort.starts;
-        let mut starts = vec![self.initial()];
-        if count == 1 {
-            return Ok(starts);
-        }
-        let variables = self.problem.variables.len();
-        let points = CANDIDATES * (count - 1);
-        let by_variable: Vec<Vec<f64>> = (0..variables)
-            .map(|k| coordinates(Method::LatinHypercube, self.problem.effort.seed, k, points))
-            .collect();
-        let candidate = |point: usize| by_variable.iter().map(|all| all[point]).collect::<Vec<f64>>();
-        let mut candidates: Vec<Vec<f64>> = starts.clone();
-        candidates.extend((0..points).map(candidate));
-        let evaluated = candidates.par_iter().map(|at| evaluator.values(0, at));
-        let values = evaluated.collect::<Result<Vec<Result<Values, String>>, Stop>>()?;
-        let mut ranked: Vec<(Vec<f64>, &Values)> = Vec::new();
-        for (at, values) in candidates.into_iter().zip(&values).skip(1) {
-            ranked.extend(values.as_ref().ok().map(|values| (at, values)));
-        }
-        // A stable order: the better of two designs first, equal ones in the order of the sample.
-        ranked.sort_by(|(_, one), (_, other)| compare(&self.problem.objective, one, other));
-        starts.extend(ranked.into_iter().map(|(at, _)| at).take(count - 1));
-        if values[0].is_err() && starts.len() > 1 {
-            starts.remove(0);
-        }
-        Ok(starts)
     }
 
     /// Evaluates designs near the optimum.

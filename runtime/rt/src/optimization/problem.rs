@@ -33,8 +33,10 @@ pub struct Problem {
 /// How thoroughly the optimum is searched for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// Number of local searches.
+    /// Number of local searches of a round.
     pub starts: usize,
+    /// Largest number of rounds.
+    pub rounds: usize,
     /// Largest number of designs of a search.
     pub designs: usize,
     /// Accuracy of the variables, relative to their ranges.
@@ -45,7 +47,7 @@ pub struct Effort {
 
 impl Default for Effort {
     fn default() -> Effort {
-        Effort { starts: 5, designs: 500, tolerance: 1e-4, seed: 0 }
+        Effort { starts: 5, rounds: 5, designs: 500, tolerance: 1e-4, seed: 0 }
     }
 }
 

@@ -31,7 +31,8 @@ const KEYS: [&str; 10] = [
 /// Keys of a variable.
 const VARIABLE_KEYS: [&str; 3] = ["from", "to", "initial"];
 /// Keys of the settings.
-const SETTING_KEYS: [&str; 6] = ["starts", "designs", "tolerance", "seed", "over_cases", "over_samples"];
+const SETTING_KEYS: [&str; 7] =
+    ["starts", "rounds", "designs", "tolerance", "seed", "over_cases", "over_samples"];
 /// Remedy for a value that is no range.
 const RANGE_FORMS: &str = "write a text like \"0 um..20 um\", or a table like `{ from = \"0 um\", to = \"20 um\", initial = \"5 um\" }`";
 /// Remedy for a value that is no measure.
@@ -177,6 +178,9 @@ impl Parts {
         };
         if let Some(starts) = most(reader, "starts", 1..1000) {
             self.effort.starts = starts;
+        }
+        if let Some(rounds) = most(reader, "rounds", 1..100) {
+            self.effort.rounds = rounds;
         }
         if let Some(designs) = most(reader, "designs", 10..1_000_000) {
             self.effort.designs = designs;
