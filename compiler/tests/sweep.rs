@@ -168,6 +168,72 @@ fn cases_that_differ_in_loads_and_flanks_share_structures() {
     assert_eq!(built("tip_relief=0,0.001"), 4);
 }
 
+/// Runs a tolerance study of the example at a cheap level, and returns value and interval of each
+/// statistic; a bound is missing if the samples are too few for it.
+fn tolerance_study(at: &Path, method: &str, samples: usize) -> Vec<(String, f64, [Option<f64>; 2])> {
+    let (count, out) = (samples.to_string(), format!("{method}{samples}"));
+    let tolerances = [
+        "torque=normal(1000, 50)",
+        "center_distance=normal(2.999..3.001)",
+        "tooth_thickness=uniform(0.155..0.157)",
+        "tip_relief=uniform(0.0003..0.0007)",
+    ];
+    let sampled = tolerances.iter().flat_map(|tolerance| ["--sample", tolerance]);
+    let mut arguments = vec!["sweep", "spur_pair.cx", "--method", method, "--samples", &count, "--seed", "7"];
+    arguments.extend(["--out", &out, "--quiet", "--error-estimates", "none", "--set", "steps=4"]);
+    arguments.extend(["--set", "fidelity=analytic", "--set", "tip_corner_contact=FALSE"]);
+    arguments.extend(["--contact-cells", "3", "--contact-slices", "2"]);
+    arguments.extend(sampled);
+    let (status, told) = calyx(at, &arguments);
+    assert_eq!(status, Some(0), "{told}");
+    let number = |text: &str| (!text.is_empty()).then(|| text.parse::<f64>().expect("a number"));
+    let rows = table(&at.join(out).join("sample_statistics.csv"));
+    let statistic = |row: &std::collections::BTreeMap<String, String>| {
+        let name = format!("{}.{} {}", row["output"], row["statistic"], row["quantity"]);
+        let value = number(&row["value"]).expect("a value");
+        (name, value, ["low", "high"].map(|bound| number(&row[bound])))
+    };
+    rows.iter().map(statistic).collect()
+}
+
+/// Statistics of a study agree with those of 20 times as many independent samples within their
+/// intervals of 95 %: all intervals overlap, and at least 95 % contain the value of the larger study.
+#[test]
+#[ignore = "long; part of .ci/full"]
+fn intervals_of_studies_contain_the_results_of_larger_ones() {
+    const SAMPLES: usize = 400;
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx");
+    fs::copy(example, at.join("spur_pair.cx")).expect("copied");
+    let large = tolerance_study(at, "random", 20 * SAMPLES);
+    for method in ["latin_hypercube", "sobol", "random"] {
+        let small = tolerance_study(at, method, SAMPLES);
+        assert_eq!(small.len(), large.len());
+        let (mut counts, mut contained) = ([0; 2], [0; 2]);
+        for ((name, own, [low, high]), (_, value, [least, most])) in small.iter().zip(&large) {
+            // Values that do not vary differ by rounding.
+            let rounding = 1e-9 * value.abs().max(own.abs());
+            let above = |bound: &Option<f64>, value: f64| bound.is_none_or(|bound| value >= bound - rounding);
+            let below = |bound: &Option<f64>, value: f64| bound.is_none_or(|bound| value <= bound + rounding);
+            let kind = usize::from(name.contains("percentile"));
+            counts[kind] += 1;
+            if above(low, *value) && below(high, *value) {
+                contained[kind] += 1;
+            } else {
+                println!("{method}: {name} {own} in {low:?} .. {high:?}, {value} in {least:?} .. {most:?}");
+            }
+            let overlap =
+                above(low, most.unwrap_or(f64::INFINITY)) && below(high, least.unwrap_or(f64::NEG_INFINITY));
+            assert!(overlap || kind == 0, "{method}: {name}");
+        }
+        println!("{method}: {contained:?} of {counts:?} moments and percentiles");
+        let share = contained[1] as f64 / counts[1] as f64;
+        // The percentiles of one sample of independent points depend on each other.
+        assert!(share >= if method == "random" { 0.85 } else { 0.95 }, "{method}: {share}");
+    }
+}
+
 /// A pair on two ball bearings and springs, with outputs of some of the recorded loads.
 fn on_bearings() -> String {
     let gears = "import gears;

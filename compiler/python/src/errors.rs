@@ -1,7 +1,8 @@
 //! Errors as exceptions of `calyx.errors`.
 
-use calyx::rt::RunError;
+use calyx::rt::{AcceptedValues, InvalidParam, ParamValue, RunError};
 use calyx::{CompileError, Diagnostic, Diagnostics, Error, ErrorKind, Module, Severity};
+use calyx_abi::units::{from_si, shortest};
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use std::fmt::Display;
@@ -69,8 +70,38 @@ pub fn unreadable(path: &impl Display, error: &io::Error) -> PyErr {
     }
 }
 
+/// Describes the values that a param takes, with an example in Python.
+fn accepted(AcceptedValues { name, domain, default, unit }: &AcceptedValues) -> String {
+    let number = |si: &f64| shortest(from_si(*si, unit.factor));
+    let example = match default {
+        Some(ParamValue::Bool(value)) => (if *value { "True" } else { "False" }).to_owned(),
+        Some(ParamValue::String(value)) => format!("{value:?}"),
+        Some(ParamValue::Number(si)) => number(si),
+        Some(ParamValue::Numbers(all)) => {
+            format!("[{}]", all.iter().map(number).collect::<Vec<_>>().join(", "))
+        }
+        None => return format!("`{name}` takes {domain}"),
+    };
+    // Names of components are no names of Python.
+    let is_name = name.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
+    let assignment = if is_name { format!("{name}={example}") } else { format!("{{{name:?}: {example}}}") };
+    let bare =
+        if unit.name.is_empty() { String::new() } else { format!(", in {} if no unit is given", unit.name) };
+    format!("`{name}` takes {domain}, like `{assignment}`{bare}")
+}
+
+/// Replaces the remedy of the command line by one of Python.
+fn in_python(invalid: &InvalidParam) -> InvalidParam {
+    let help = invalid.accepted.as_ref().map(|accepted_values| accepted(accepted_values));
+    InvalidParam { help: help.unwrap_or_else(|| invalid.help.clone()), ..invalid.clone() }
+}
+
 /// Converts an error of an instance.
 pub fn of_run(py: Python<'_>, module: &Module, error: &Error) -> PyErr {
+    let error = &match error {
+        Error::Given(invalid) => Error::Given(in_python(invalid)),
+        Error::Model(error) => Error::Model(error.clone()),
+    };
     let rendered = match error {
         Error::Given(refused) => calyx::rt::messages::refused(refused),
         Error::Model(error) => rendered(&[module.error(error)], module),

@@ -92,6 +92,8 @@ def test_wrong_values_name_param_and_remedy(params, words):
         calyx.load(TEXT).values(params)
     assert words in str(caught.value), str(caught.value)
     assert isinstance(caught.value, ValueError)
+    # The command line has this option.
+    assert "--set" not in caught.value.help + str(caught.value)
 
 
 def test_values_of_other_types_are_type_errors():

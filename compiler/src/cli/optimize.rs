@@ -38,7 +38,8 @@ The study file has variables with their ranges, an objective, and usually constr
   torque = [500, 1000, 1500]
 
   [optimization]                # all of these are optional
-  starts = 5                    # local searches from different designs
+  starts = 5                    # local searches of a round, from different designs
+  rounds = 5                    # at most; later ones start near the best optimum
   over_cases = \"worst\"          # or \"mean\", \"percentile 90\"
 
 Tolerances make the optimum robust: each design is evaluated with all samples.

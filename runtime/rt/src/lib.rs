@@ -75,6 +75,7 @@ pub use calyx_report::sensitivity;
 pub use calyx_report::study;
 #[cfg(feature = "command")]
 pub use calyx_report::sweep as sweep_table;
+#[cfg(feature = "command")]
 pub use calyx_report::{component_table, directory, duty_cycle, page, tradeoff, view};
 pub use calyx_runtime::settings_override::Override;
 pub use engine::{Engine, EngineConfig};
@@ -89,7 +90,7 @@ pub use instance::{Instance, Progress, is_continuous};
 pub use names::{Output, OutputName, Param, ParamName};
 pub use nan_log::NanLog;
 pub use param_assignment::{AssignedValue, ParamAssignment};
-pub use params::{InvalidParam, apply};
+pub use params::{AcceptedValues, InvalidParam, apply};
 pub use program::Program;
 pub use results::Results;
 #[cfg(feature = "command")]

@@ -18,11 +18,36 @@ pub struct InvalidParam {
     pub help: String,
     /// Location of the assignment, if in a file.
     pub origin: Option<Origin>,
+    /// Values that the param takes, for programs without `--set`.
+    pub accepted: Option<Box<AcceptedValues>>,
+}
+
+/// Values that a param takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AcceptedValues {
+    pub name: String,
+    /// Their kind and range, like `0 N*m .. 50 N*m`.
+    pub domain: String,
+    /// Default, SI, if it depends on no other param.
+    pub default: Option<ParamValue>,
+    pub unit: UnitDescription,
 }
 
 impl InvalidParam {
     pub fn new(message: impl Into<String>, help: impl Into<String>) -> InvalidParam {
-        InvalidParam { message: message.into(), help: help.into(), origin: None }
+        InvalidParam { message: message.into(), help: help.into(), origin: None, accepted: None }
+    }
+
+    /// Creates the error about a value that a param does not take.
+    fn outside(message: String, param: &ParamDescription) -> InvalidParam {
+        let accepted = AcceptedValues {
+            name: param.name.clone(),
+            domain: accepted_domain(param),
+            default: param.default.clone(),
+            unit: param.unit.clone(),
+        };
+        let help = takes(param, &accepted.domain);
+        InvalidParam { accepted: Some(Box::new(accepted)), ..InvalidParam::new(message, help) }
     }
 }
 
@@ -296,7 +321,7 @@ fn read(
     description: &ModelDescription,
 ) -> Result<ParamValue, InvalidParam> {
     let refused = |value: &str, why: &str| {
-        InvalidParam::new(format!("`{}` cannot be {value}{why}", param.name), takes(param))
+        InvalidParam::outside(format!("`{}` cannot be {value}{why}", param.name), param)
     };
     match &param.repr {
         Repr::Bool => match value {
@@ -337,7 +362,7 @@ fn read_numbers(
     };
     let Some((elements, unit)) = text.strip_prefix('[').and_then(|rest| rest.split_once(']')) else {
         let message = format!("`{}` cannot be `{value}`: it is an array", param.name);
-        return Err(InvalidParam::new(message, takes(param)));
+        return Err(InvalidParam::outside(message, param));
     };
     let elements = elements.trim().trim_end_matches(',');
     let each = elements.split(',').filter(|_| !elements.is_empty());
@@ -394,7 +419,7 @@ pub(crate) fn read_number(
     description: &ModelDescription,
 ) -> Result<f64, InvalidParam> {
     let refused =
-        |why: &str| InvalidParam::new(format!("`{}` cannot be `{value}`: {why}", param.name), takes(param));
+        |why: &str| InvalidParam::outside(format!("`{}` cannot be `{value}`: {why}", param.name), param);
     let units = &description.known_units;
     let written = match value {
         AssignedValue::Text(text) | AssignedValue::String(text) => text.as_str(),
@@ -481,19 +506,23 @@ fn check_ranges(param: &ParamDescription, values: &[f64], ends: Ends) -> Result<
     values.iter().try_for_each(|value| check_range(param, *value, ends))
 }
 
-/// Describes the accepted values, with the other params at their defaults, and the syntax of the
-/// assignment.
-fn takes(param: &ParamDescription) -> String {
-    let (name, unit) = (&param.name, &param.unit.name);
+/// Describes the accepted values, with the other params at their defaults.
+fn accepted_domain(param: &ParamDescription) -> String {
+    let unit = &param.unit.name;
     let domain = match domain(param, param.low, param.high) {
         domain if domain.is_empty() && unit.is_empty() => "any number".to_owned(),
         domain if domain.is_empty() => format!("any value in {unit}"),
         domain => domain,
     };
-    let domain = match &param.repr {
+    match &param.repr {
         Repr::Array(_) => format!("an array, each element {domain}"),
         _ => domain,
-    };
+    }
+}
+
+/// Describes the accepted values and the syntax of the assignment.
+fn takes(param: &ParamDescription, domain: &str) -> String {
+    let (name, unit) = (&param.name, &param.unit.name);
     let example = match &param.default {
         Some(ParamValue::Bool(value)) => (if *value { "TRUE" } else { "FALSE" }).to_owned(),
         Some(ParamValue::String(value)) => value.clone(),

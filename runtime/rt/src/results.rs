@@ -1,6 +1,7 @@
 //! Results of a run.
 
 use crate::error::Error;
+#[cfg(feature = "command")]
 use crate::flank_tables::MeshedFlanks;
 use crate::names::{Names, Output, OutputName};
 use crate::program::Program;
@@ -11,6 +12,7 @@ use calyx_abi::units::from_si;
 use calyx_gears::data_block::DataBlock;
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_gears::power_flow::PowerFlow;
+#[cfg(feature = "command")]
 use calyx_report::flank_tables::FlankTables;
 use calyx_runtime::contact::problem::Certificate;
 use calyx_runtime::forced_response::ForcedResponse;
@@ -34,6 +36,7 @@ pub struct Results {
     signals: Vec<Signal>,
     gear_data: DataBlock,
     power_flows: Vec<PowerFlow>,
+    #[cfg(feature = "command")]
     flanks: Option<MeshedFlanks>,
     tables: Vec<String>,
     time: Duration,
@@ -72,12 +75,13 @@ impl Results {
         (calculated, time): (Option<(Solved, Vec<Sensitivity>)>, Duration),
     ) -> Results {
         let (mut analysis, mut findings, mut signals) = (None, Vec::new(), Vec::new());
-        let (mut gear_data, mut flanks, mut tables) = (DataBlock::default(), None, Vec::new());
+        #[cfg(feature = "command")]
+        let flanks = context.host::<ModelHost>().map(|host| MeshedFlanks::of(host));
+        let (mut gear_data, mut tables) = (DataBlock::default(), Vec::new());
         let mut power_flows = Vec::new();
         if let Some(host) = context.host::<ModelHost>() {
             gear_data = DataBlock::of(host);
             power_flows = std::mem::take(&mut host.power_flows);
-            flanks = Some(MeshedFlanks::of(host));
             tables = host.tables.iter().map(|table| table.name.clone()).collect();
             analysis = host.result.take();
             findings = std::mem::take(&mut host.findings);
@@ -94,6 +98,7 @@ impl Results {
             signals,
             gear_data,
             power_flows,
+            #[cfg(feature = "command")]
             flanks,
             tables,
             time,
@@ -198,6 +203,7 @@ impl Results {
     }
 
     /// Computes the tables of the flanks of meshes on general axes.
+    #[cfg(feature = "command")]
     pub(crate) fn flank_tables(&self) -> FlankTables {
         self.flanks.as_ref().map(MeshedFlanks::tables).unwrap_or_default()
     }

@@ -323,6 +323,5 @@ fn beyond(error: InvalidParam, tolerance: &Tolerance) -> Error {
         }
         _ => "reduce the bounds, or widen the range in the model",
     };
-    Error::Given(InvalidParam { message, help: help.to_owned(), origin: None })
-        .placed(tolerance.origin.as_ref())
+    Error::Given(InvalidParam::new(message, help)).placed(tolerance.origin.as_ref())
 }
