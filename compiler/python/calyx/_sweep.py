@@ -128,7 +128,9 @@ def rows(cases: Any) -> list[dict[str, Value]]:
             break
     cases = list(cases)
     if wrong := next((case for case in cases if not isinstance(case, Mapping)), None):
-        raise TypeError(f"{wrong!r} is no case: give mappings of params, like [{{'torque': 100}}], or a table")
+        raise TypeError(
+            f"{wrong!r} is no case: give mappings of params, like [{{'torque': 100}}], or a table"
+        )
     return [{str(name): value for name, value in case.items()} for case in cases]
 
 
