@@ -25,6 +25,7 @@ mod flank_tables;
 mod former_names;
 #[cfg(feature = "command")]
 pub mod former_options;
+#[cfg(feature = "command")]
 mod gear_data;
 #[cfg(feature = "command")]
 pub mod help;
@@ -44,6 +45,7 @@ pub mod param_assignment;
 pub mod params;
 #[cfg(feature = "command")]
 pub mod params_file;
+#[cfg(feature = "command")]
 mod power_flow;
 pub mod program;
 #[cfg(feature = "command")]
