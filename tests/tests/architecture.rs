@@ -17,6 +17,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
     ("calyx-fe", "runtime/fe", &["calyx-numerics"]),
     ("calyx-elastic", "runtime/elastic", &["calyx-fe", "calyx-numerics"]),
     ("calyx-rolling", "runtime/rolling", &["calyx-numerics"]),
+    ("calyx-acoustics", "runtime/acoustics", &["calyx-numerics"]),
     ("calyx-structure", "runtime/structure", &["calyx-fe", "calyx-numerics"]),
     ("calyx-contact", "runtime/contact", &["calyx-numerics", "calyx-structure"]),
     (
@@ -96,6 +97,7 @@ const NUMERICAL: &[&str] = &[
     "calyx-fe",
     "calyx-elastic",
     "calyx-rolling",
+    "calyx-acoustics",
     "calyx-structure",
     "calyx-contact",
     "calyx-model",

@@ -5,7 +5,9 @@
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
-use faer::linalg::lu::partial_pivoting::solve::{solve_in_place, solve_in_place_scratch};
+use faer::linalg::lu::partial_pivoting::solve::{
+    solve_in_place, solve_in_place_scratch, solve_transpose_in_place, solve_transpose_in_place_scratch,
+};
 use faer::matrix_free::bicgstab::{BicgParams, bicgstab, bicgstab_scratch};
 use faer::matrix_free::{IdentityPrecond, InitialGuessStatus, LinOp, Precond};
 use faer::perm::PermRef;
@@ -43,6 +45,20 @@ impl ComplexLu {
         let mut memory = MemBuffer::new(solve_in_place_scratch::<usize, c64>(size, right.ncols(), Par::Seq));
         let stack = MemStack::new(&mut memory);
         solve_in_place(self.factors.as_ref(), self.factors.as_ref(), rows, right, Par::Seq, stack);
+    }
+
+    /// Replaces the columns of a right-hand side by the solutions with the transposed matrix.
+    ///
+    /// # Panics
+    /// The number of rows is not that of the matrix.
+    pub fn solve_transpose_in_place(&self, right: MatMut<'_, c64>) {
+        let size = self.factors.nrows();
+        let [rows, inverse] = &self.rows;
+        let rows = PermRef::new_checked(rows, inverse, size);
+        let scratch = solve_transpose_in_place_scratch::<usize, c64>(size, right.ncols(), Par::Seq);
+        let mut memory = MemBuffer::new(scratch);
+        let stack = MemStack::new(&mut memory);
+        solve_transpose_in_place(self.factors.as_ref(), self.factors.as_ref(), rows, right, Par::Seq, stack);
     }
 }
 
@@ -164,6 +180,10 @@ mod tests {
         let residual = (&exchanged * &found - right(size)).norm_l2();
         assert!(residual < 1e-13 * right(size).norm_l2(), "{residual:e}");
         assert!(solve_complex(Mat::zeros(3, 3), right(3)).is_none());
+        let mut transposed = right(size);
+        ComplexLu::new(exchanged.clone()).solve_transpose_in_place(transposed.as_mut());
+        let residual = (exchanged.transpose() * &transposed - right(size)).norm_l2();
+        assert!(residual < 1e-13 * right(size).norm_l2(), "{residual:e}");
     }
 
     #[test]

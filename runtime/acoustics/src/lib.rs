@@ -1,0 +1,43 @@
+//! Sound that vibrating surfaces radiate into a fluid.
+//!
+//! A [`RadiationModel`] is a closed [`SurfaceMesh`] in a [`Fluid`], in free space or in front of a
+//! [`RigidPlane`]. Its [`Equations`] at a frequency give the surface pressure for normal velocities,
+//! the radiated power, pressures at points, and acoustic transfer vectors. The modules [`rayleigh`]
+//! and [`radiation`] have estimates that need no equations. The theory manual derives the method on
+//! its page about radiated sound.
+
+#![warn(missing_docs)]
+
+pub mod error;
+pub mod field;
+pub mod fluid;
+pub mod levels;
+pub mod mesh;
+pub mod model;
+pub mod plane;
+pub mod radiation;
+pub mod rayleigh;
+pub mod transfer;
+
+mod check;
+mod cluster;
+mod compressed;
+mod dense;
+mod gmres;
+mod hierarchical;
+mod operators;
+mod pair;
+mod panel;
+mod point;
+mod quadrature;
+
+pub use error::AcousticError;
+pub use fluid::Fluid;
+pub use mesh::{Face, SurfaceMesh};
+pub use model::{Equations, Method, RadiationModel, Settings};
+pub use plane::RigidPlane;
+pub use radiation::{Radiation, equivalent_radiated_power};
+pub use transfer::{RadiationImpedance, TransferVectors};
+
+/// Fingerprint of this crate's source.
+pub const SOURCE: &str = env!("CALYX_SOURCE");

@@ -1,0 +1,10 @@
+//! Tests of radiated sound, one module per subject.
+
+mod levels;
+mod meshes;
+mod plane_sources;
+mod resources;
+mod shapes;
+mod special_functions;
+mod spheres;
+mod transfer;
