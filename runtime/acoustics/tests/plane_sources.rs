@@ -122,7 +122,7 @@ fn low_cylinder(rings: usize, height: f64) -> SurfaceMesh {
 fn boundary_elements_of_a_baffled_piston() {
     let interrupt = Interrupt::never();
     for ka in [0.1, 1.0, 3.0, 5.0] {
-        let powers = [0.08, 0.04].map(|height| {
+        let powers = [0.04, 0.02].map(|height| {
             let model = RadiationModel { mesh: low_cylinder(12, height), fluid: Fluid::AIR };
             let mesh = &model.mesh;
             let velocities: Vec<c64> = mesh.normals().iter().map(|n| c64::new(n[2], 0.0)).collect();
