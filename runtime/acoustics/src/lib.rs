@@ -8,6 +8,7 @@
 
 #![warn(missing_docs)]
 
+pub mod coarsening;
 pub mod error;
 pub mod field;
 pub mod fluid;
@@ -17,6 +18,7 @@ pub mod model;
 pub mod plane;
 pub mod radiation;
 pub mod rayleigh;
+pub mod skin;
 pub mod transfer;
 
 mod check;

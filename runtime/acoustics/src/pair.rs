@@ -41,7 +41,8 @@ impl PairMoments {
 /// Quadrature rules for pairs of triangles by their distance.
 #[derive(Debug)]
 pub(crate) struct PairQuadrature {
-    far: PairRule,
+    /// `None` for the product of the rule of three points.
+    far: Option<PairRule>,
     middle: PairRule,
     near: PairRule,
     vertex: PairRule,
@@ -71,6 +72,7 @@ impl PairQuadrature {
 
     fn new(points: [usize; 3], gauss: usize, limits: [f64; 2]) -> Self {
         let [far, middle, near] = points.map(|count| product_rule(&triangle_rule(count)));
+        let far = (points[0] > 3).then_some(far);
         let [vertex, edge, same] =
             [Contact::Vertex, Contact::Edge, Contact::Same].map(|contact| singular_rule(contact, gauss));
         Self { far, middle, near, vertex, edge, same, limits }
@@ -84,7 +86,10 @@ impl PairQuadrature {
             integrate(rule, wavenumber, first, second, &first.corners, &second.corners, 1.0)
         };
         if distance >= self.limits[0] * reach {
-            return whole(&self.far);
+            return match &self.far {
+                Some(rule) => whole(rule),
+                None => three_points(wavenumber, first, second),
+            };
         }
         if distance >= self.limits[1] * reach {
             return whole(&self.middle);
@@ -239,15 +244,8 @@ fn integrate(
             };
             sum(&from, &points.first) - sum(&to, &points.second)
         });
-        let distance = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
-        let inverse = splat(1.0) / distance;
-        let phase = k * distance;
-        let (sine, cosine) = phase.sin_cos();
-        let scale = points.weights * inverse;
-        let (re, im) = (cosine * scale, -sine * scale);
-        // (dG/dr)/r
-        let factor = inverse * inverse;
-        let (slope_re, slope_im) = ((phase * im - re) * factor, -(phase * re + im) * factor);
+        let kernel = kernel(&r, k);
+        let [re, im, slope_re, slope_im] = kernel.map(|value| value * points.weights);
         let along = |normal: &[f64x4; 3]| r[0] * normal[0] + r[1] * normal[1] + r[2] * normal[2];
         let (p, q) = (along(&n), -along(&m));
         let values = [re, im, slope_re * q, slope_im * q, slope_re * p, slope_im * p];
@@ -267,6 +265,55 @@ fn integrate(
                 c64::new(sums[at][i][j].reduce_add() * scale, sums[at + 1][i][j].reduce_add() * scale)
             })
         })
+    };
+    PairMoments { single: value(0), double: value(2), adjoint: value(4) }
+}
+
+/// Returns 4πG and 4π (dG/dr)/r, real and imaginary parts, at four distances.
+#[inline]
+fn kernel(r: &[f64x4; 3], k: f64x4) -> [f64x4; 4] {
+    let distance = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
+    let inverse = f64x4::splat(1.0) / distance;
+    let phase = k * distance;
+    let (sine, cosine) = phase.sin_cos();
+    let (re, im) = (cosine * inverse, -sine * inverse);
+    let factor = inverse * inverse;
+    [re, im, (phase * im - re) * factor, -(phase * re + im) * factor]
+}
+
+/// Integrates with three points in each triangle. The shape functions at the points are
+/// ½ δ_ij + 1/6, so their products with the kernel are sums.
+fn three_points(wavenumber: f64, first: &Panel, second: &Panel) -> PairMoments {
+    let splat = f64x4::splat;
+    let points = |panel: &Panel| {
+        let shift = scaled(panel.centroid, 0.5);
+        panel.corners.map(|corner| plus(scaled(corner, 0.5), shift))
+    };
+    let (from, to) = (points(first), points(second));
+    // The fourth lane repeats a point and is not used.
+    let to = [0, 1, 2].map(|axis| f64x4::from([to[0][axis], to[1][axis], to[2][axis], to[2][axis]]));
+    let (n, m) = (first.normal.map(splat), second.normal.map(splat));
+    let k = splat(wavenumber);
+    let rows = from.map(|at| {
+        let r = [0, 1, 2].map(|axis| splat(at[axis]) - to[axis]);
+        let along = |normal: &[f64x4; 3]| r[0] * normal[0] + r[1] * normal[1] + r[2] * normal[2];
+        let (p, q) = (along(&n), -along(&m));
+        let [re, im, slope_re, slope_im] = kernel(&r, k);
+        [re, im, slope_re * q, slope_im * q, slope_re * p, slope_im * p]
+    });
+    let scale = first.area * second.area / (36.0 * std::f64::consts::PI);
+    let (half, sixth) = (splat(0.5 * scale), splat(scale / 6.0));
+    let part = |at: usize| {
+        let sum = (rows[0][at] + rows[1][at] + rows[2][at]) * sixth;
+        [0, 1, 2].map(|i| {
+            let [a, b, c, _] = (rows[i][at] * half + sum).to_array();
+            let sum = (a + b + c) / 6.0;
+            [0.5 * a + sum, 0.5 * b + sum, 0.5 * c + sum]
+        })
+    };
+    let value = |at: usize| {
+        let (re, im) = (part(at), part(at + 1));
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| c64::new(re[i][j], im[i][j])))
     };
     PairMoments { single: value(0), double: value(2), adjoint: value(4) }
 }

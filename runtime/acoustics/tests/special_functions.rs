@@ -41,13 +41,19 @@ pub fn legendre(most: usize, x: f64) -> Vec<f64> {
     values
 }
 
+/// Quotient of numbers whose squares may exceed the range of numbers.
+fn quotient(a: c64, b: c64) -> c64 {
+    let size = b.norm();
+    (a / size) / (b / size)
+}
+
 /// Pressure of a sphere of the radius a at the distance r and the polar angle with this cosine,
 /// divided by ρc: the normal velocity is the sum of `coefficients` times Legendre polynomials.
 pub fn sphere_pressure(coefficients: &[f64], wavenumber: f64, a: f64, r: f64, cosine: f64) -> c64 {
     let most = coefficients.len() - 1;
     let (h, slopes) = (hankel(most, wavenumber * r), hankel_slopes(most, wavenumber * a));
     let p = legendre(most, cosine);
-    (0..=most).map(|n| c64::new(0.0, -coefficients[n] * p[n]) * h[n] / slopes[n]).sum()
+    (0..=most).map(|n| c64::new(0.0, -coefficients[n] * p[n]) * quotient(h[n], slopes[n])).sum()
 }
 
 /// Power of this sphere, divided by ρc.
@@ -56,7 +62,7 @@ pub fn sphere_power(coefficients: &[f64], wavenumber: f64, a: f64) -> f64 {
     let x = wavenumber * a;
     let (h, slopes) = (hankel(most, x), hankel_slopes(most, x));
     let part = |n: usize| {
-        let impedance = (c64::new(0.0, -1.0) * h[n] / slopes[n]).re;
+        let impedance = (c64::new(0.0, -1.0) * quotient(h[n], slopes[n])).re;
         0.5 * impedance * coefficients[n].powi(2) * 4.0 * std::f64::consts::PI * a * a / (2 * n + 1) as f64
     };
     (0..=most).map(part).sum()
