@@ -20,6 +20,7 @@ pub mod radiation;
 pub mod rayleigh;
 pub mod skin;
 pub mod transfer;
+pub mod unv;
 
 mod check;
 mod cluster;

@@ -9,3 +9,4 @@ mod skins;
 mod special_functions;
 mod spheres;
 mod transfer;
+mod unv;
