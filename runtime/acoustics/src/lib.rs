@@ -19,6 +19,7 @@ pub mod plane;
 pub mod radiation;
 pub mod rayleigh;
 pub mod skin;
+pub mod sweep;
 pub mod transfer;
 pub mod unv;
 

@@ -3,6 +3,7 @@
 use crate::shapes::{cuboid, sphere};
 use crate::spheres::frequency;
 use calyx_acoustics::field::FieldMesh;
+use calyx_acoustics::sweep::{ImpedanceSweep, TransferSweep};
 use calyx_acoustics::{Fluid, Method, RadiationModel, RigidPlane, Settings, SurfaceMesh};
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::Vector;
@@ -96,4 +97,44 @@ fn power_is_the_integral_over_the_far_field() {
         let distant = field.far_field_power(&pressures, Fluid::AIR.impedance());
         assert!((distant / far - 1.0).abs() < 0.002, "ka {ka}: {distant} {far}");
     }
+}
+
+/// Pressures and powers between the frequencies of the interpolation, and direct solutions.
+#[test]
+fn sweeps_interpolate_over_the_frequency() {
+    let interrupt = Interrupt::never();
+    let model = RadiationModel { mesh: box_on_plane(), fluid: Fluid::AIR };
+    let mesh = &model.mesh;
+    let patterns = patterns(mesh);
+    let at = |ka: f64| model.equations(frequency(ka), &Settings::default(), &interrupt).expect("assembled");
+    let (mut vectors, mut impedances) = (Vec::new(), Vec::new());
+    for ka in [1.0, 1.4, 1.8, 2.2, 2.6] {
+        let equations = at(ka);
+        vectors.push(equations.transfer_vectors(&POINTS, &interrupt).expect("in the fluid"));
+        impedances.push(equations.radiation_impedance(&patterns, &interrupt).expect("solved"));
+    }
+    let too_few = TransferSweep::new(vectors[..3].to_vec(), mesh, &model.fluid, &interrupt);
+    assert!(too_few.is_err() && ImpedanceSweep::new(impedances[1..2].to_vec()).is_err());
+    let vectors = TransferSweep::new(vectors, mesh, &model.fluid, &interrupt).expect("ascending");
+    let impedances = ImpedanceSweep::new(impedances).expect("ascending");
+
+    let amplitudes = [c64::new(1.0, 0.0), c64::new(0.0, 0.0), c64::new(0.0, 0.0)];
+    for ka in [1.4, 1.57, 2.5] {
+        let equations = at(ka);
+        let radiation = equations.solve(&patterns[..1], &interrupt).expect("solved").remove(0);
+        let exact = equations.pressures(&radiation, &POINTS, &interrupt).expect("in the fluid");
+        let largest = exact.iter().map(|p| p.norm()).fold(0.0, f64::max);
+        let found = vectors.pressures(frequency(ka), &patterns[0]).expect("in the range");
+        for (found, exact) in found.iter().zip(&exact) {
+            let error = (found - exact).norm() / largest;
+            assert!(error < 3e-3, "ka {ka}: {error:e}");
+        }
+        let power = impedances.power(frequency(ka), &amplitudes).expect("in the range");
+        let error = power / radiation.power(mesh) - 1.0;
+        assert!(error.abs() < 3e-3, "ka {ka}: {error:e}");
+    }
+    assert!(vectors.pressures(frequency(0.9), &patterns[0]).is_err());
+    assert!(vectors.pressures(frequency(2.0), &patterns[0][1..]).is_err());
+    assert!(impedances.power(frequency(2.7), &amplitudes).is_err());
+    assert!(impedances.power(frequency(2.0), &amplitudes[1..]).is_err());
 }
