@@ -89,7 +89,8 @@ fn boundary_elements_approach_the_equivalent_radiated_power() {
     let interrupt = Interrupt::never();
     for (ka, bound) in [(0.3, 0.005), (8.0, 0.01)] {
         let equations = model.equations(frequency(ka), &Settings::default(), &interrupt).expect("assembled");
-        let radiation = equations.solve(&[velocities.clone()], &interrupt).expect("solved").remove(0);
+        let radiation =
+            equations.solve(std::slice::from_ref(&velocities), &interrupt).expect("solved").remove(0);
         let exact = ka * ka / (1.0 + ka * ka);
         let error = radiation.efficiency(&model.mesh) / exact - 1.0;
         assert!(error.abs() < bound, "ka {ka}: {error:e}");

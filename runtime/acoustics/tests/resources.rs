@@ -48,7 +48,7 @@ fn the_number_of_threads_changes_no_bit() {
                 let interrupt = Interrupt::never();
                 let equations =
                     model.equations(frequency(3.0), &settings(method), &interrupt).expect("assembled");
-                equations.solve(&[velocities.clone()], &interrupt).expect("solved").remove(0)
+                equations.solve(std::slice::from_ref(&velocities), &interrupt).expect("solved").remove(0)
             })
         });
         assert_eq!(one, three, "{method:?}");
@@ -74,7 +74,7 @@ fn invalid_arguments_are_rejected() {
     rejected(equations.solve(&[velocities[1..].to_vec()], &interrupt).expect_err("number"));
     let infinite = vec![c64::new(f64::INFINITY, 0.0); 20];
     rejected(equations.solve(&[infinite], &interrupt).expect_err("not finite"));
-    let radiation = equations.solve(&[velocities.clone()], &interrupt).expect("solved").remove(0);
+    let radiation = equations.solve(std::slice::from_ref(&velocities), &interrupt).expect("solved").remove(0);
     for point in [[0.0, 0.1, 0.2], model.mesh.vertices()[3], model.mesh.centroid(2), [f64::NAN; 3]] {
         rejected(
             equations.pressures(&radiation, &[[3.0; 3], point], &interrupt).expect_err("not in the fluid"),

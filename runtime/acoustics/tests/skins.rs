@@ -125,10 +125,13 @@ fn coarsening_keeps_the_power_of_spheres() {
     let [_, half] = sphere_and_half(4, 1.0);
     for mesh in [sphere(4, 1.0), half] {
         let fine = skin(mesh);
-        let coarse = coarsened(&fine, 3.0 * fine.mesh.longest_edge()).expect("valid");
+        let longest = 3.0 * fine.mesh.longest_edge();
+        // The plane of an equilateral triangle with these edges is this far below the sphere.
+        let depth = longest * longest / 6.0;
+        let coarse = coarsened(&fine, longest).expect("valid");
         let count = coarse.mesh.triangles().len();
         assert!(4 * count < fine.mesh.triangles().len(), "{count}");
-        assert!((coarse.mesh.area() / fine.mesh.area() - 1.0).abs() < 0.02);
+        assert!((coarse.mesh.area() / fine.mesh.area() - 1.0).abs() < 2.0 * depth);
         let velocities: Vec<[c64; 3]> =
             fine.mesh.vertices().iter().map(|at| at.map(|x| c64::new(x, 0.0))).collect();
         let normal = coarse.normal_velocities(&velocities).expect("one each");
@@ -136,6 +139,6 @@ fn coarsening_keeps_the_power_of_spheres() {
         let equations = model.equations(frequency(1.0), &Settings::default(), &interrupt).expect("assembled");
         let radiation = equations.solve(&[normal], &interrupt).expect("solved").remove(0);
         let efficiency = radiation.efficiency(&model.mesh);
-        assert!((efficiency / 0.5 - 1.0).abs() < 0.03, "{efficiency}");
+        assert!((efficiency / 0.5 - 1.0).abs() < 2.0 * depth, "{efficiency}");
     }
 }
