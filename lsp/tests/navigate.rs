@@ -147,7 +147,7 @@ fn models(below: &Path, found: &mut Vec<PathBuf>) {
 }
 
 /// Largest number of names of an example that are changed.
-const NAMES_OF_A_MODEL: usize = 8;
+const NAMES_OF_A_MODEL: usize = 4;
 
 /// Returns the declarations of a model.
 fn declared(snapshot: &Snapshot) -> Vec<Name> {

@@ -4,7 +4,7 @@
 //!
 //! This crate is a facade. It re-exports the crates of the engine, each of which depends only on
 //! those before it: `calyx-numerics`, `calyx-fe`, `calyx-structure`, `calyx-contact`,
-//! `calyx-rolling`, `calyx-model`, `calyx-solve`, `calyx-analysis`.
+//! `calyx-rolling`, `calyx-acoustics`, `calyx-model`, `calyx-solve`, `calyx-analysis`.
 //!
 //! # Example: two cylinders
 //!
@@ -93,6 +93,7 @@
 //! | [`elastic`] | finite-element models of bodies of any shape, and their import |
 //! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
 //! | [`rolling`] | rolling bearings with rigid rings |
+//! | [`acoustics`] | sound that vibrating surfaces radiate |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
 //! | [`error`] | errors of the engine: code, message, remedy |
 //! | [`vec3`] | vectors in three dimensions |
@@ -121,6 +122,7 @@
 
 mod former_names;
 
+pub use calyx_acoustics as acoustics;
 pub use calyx_analysis::{
     analyses, analysis, component_loads, cost, dynamic_options, dynamics, estimate, forced_response, method,
     observables, options, results, rows, scene, sensitivity, settings_override, signal, summary, tolerance,

@@ -233,7 +233,7 @@ fn check_differentiable(in_time: bool, is_search: bool) -> Result<(), EngineErro
             "analyse quasi-statically; to vary a param of a motion in time use `calyx sweep`",
         ),
         (_, true) => refuse(
-            "the outputs of a tolerance search have no derivatives, because its settings may differ beside the values of the params",
+            "the outputs of a tolerance search have no derivatives, because its settings may differ next to the values of the params",
             "choose a fidelity level with `--fidelity`",
         ),
         _ => Ok(()),

@@ -55,6 +55,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
         "calyx-runtime",
         "runtime",
         &[
+            "calyx-acoustics",
             "calyx-analysis",
             "calyx-contact",
             "calyx-elastic",

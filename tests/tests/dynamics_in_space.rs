@@ -160,6 +160,7 @@ fn the_orientation_of_a_helical_pair_in_time_does_not_matter() {
 /// Without tooth separation the last of several mesh cycles of a helical pair agrees with the
 /// forced response, which has the same dampers.
 #[test]
+#[ignore = "takes a minute: .ci/full runs it"]
 fn a_helical_pair_vibrates_as_its_forced_response() {
     let (cycles, steps) = (7, 32);
     let all = rows(&helical("", "e3", &in_time(cycles, steps)));

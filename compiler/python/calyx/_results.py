@@ -102,7 +102,7 @@ class Sensitivity:
     error: float
     """Estimated error."""
     new_structures: bool
-    """True if the param changes the stiffness of a body, which was computed anew at each value."""
+    """True if the param changes the stiffness of a body, which was computed again at each value."""
 
     @property
     def value(self) -> float:

@@ -116,7 +116,7 @@ impl Results {
 
     /// Returns the derivatives of all statistics in the units of the model: output, statistic,
     /// param, unit, derivatives towards smaller and larger values, estimated error, and whether
-    /// structures were built anew.
+    /// structures were built again.
     fn sensitivities(&self) -> Vec<(String, String, String, String, [f64; 2], f64, bool)> {
         let all = self.sensitivity_table();
         let mut rows = Vec::new();

@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 /// Widths of differences, relative to the scale of the param, in the order in which they are tried.
 const WIDTHS: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-7];
-/// The same where noise of the values prevails, as of meshes that are generated anew.
+/// The same where noise of the values prevails, as of meshes that are generated again.
 const WIDE: f64 = 1e-3;
 /// Estimated error, relative to the largest derivative of an output, at which no narrower width is
 /// tried.
@@ -98,7 +98,7 @@ impl Debug for SensitivityRequest {
 pub enum Kind {
     /// The param changes no structure: all stored structures and the state of contact are kept.
     SameStructures,
-    /// The param changes structures, which are built anew at each value (semi-analytic).
+    /// The param changes structures, which are built again at each value (semi-analytic).
     ChangedStructures,
 }
 
@@ -330,7 +330,7 @@ impl<'n> Steps<'n> {
     }
 }
 
-/// Derivatives do not exist because the model fails beside the value of the param.
+/// Derivatives do not exist because the model fails next to the value of the param.
 fn beside(param: &VariedParam, error: EngineError) -> EngineError {
     let name = &param.name;
     if error.code == "E0792" {
@@ -338,7 +338,10 @@ fn beside(param: &VariedParam, error: EngineError) -> EngineError {
     }
     EngineError::new(
         "E0792",
-        format!("beside its value of `{name}` the model has no solution: {} ({})", error.message, error.code),
+        format!(
+            "next to its value of `{name}` the model has no solution: {} ({})",
+            error.message, error.code
+        ),
         format!("leave out `{name}`, or choose a value in the interior of its valid range"),
     )
 }

@@ -144,7 +144,7 @@ fn explanation(all: &SensitivityTable) -> Markup {
             h2 { "About the derivatives" }
             p.note { "Derivatives keep the state of contact: the cells that carry force. Their errors are estimated from differences of two widths; errors below 0.01 % are not shown." }
             @if any("kink") { p.note { "At a kink, the derivatives towards smaller and larger values of the param differ, because a tooth pair comes into contact, or the largest value moves to another position." } }
-            @if any("new structures") { p.note { "New structures: the param changes the stiffness of a body, which was computed anew at each value." } }
+            @if any("new structures") { p.note { "New structures: the param changes the stiffness of a body, which was computed again at each value." } }
         }
     }
 }

@@ -126,11 +126,11 @@ impl SensitivityTable {
         self.params[param].reversible(self.sensitivities[param].param.value)
     }
 
-    /// Returns remarks about a derivative: a kink, structures that were built anew, its error.
+    /// Returns remarks about a derivative: a kink, structures that were built again, its error.
     pub fn remarks(&self, entry: &Entry) -> Vec<String> {
         let mut all = Vec::new();
         if entry.value().is_nan() {
-            all.push("the state of contact changes beside this value".to_owned());
+            all.push("the state of contact changes next to this value".to_owned());
         }
         if entry.is_kink {
             all.push("kink".to_owned());
