@@ -3,6 +3,8 @@
 //! [`Steps`] is the analysis as an iterator; [`quasi_static`] runs all of it and reports to an
 //! observer.
 
+mod differentiation;
+
 use crate::component_recorder::ComponentRecorder;
 use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
 use crate::forced_response::{self, ForcedResponse};
@@ -14,7 +16,7 @@ use crate::results::SearchProgress;
 use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
 use crate::scene::Scene;
-use crate::sensitivity::{Base, Sensitivity, SensitivityRequest};
+use crate::sensitivity::SensitivityRequest;
 use crate::summary::summarize;
 use crate::validate::Request;
 use calyx_contact::problem::Certificate;
@@ -23,7 +25,6 @@ use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::plan::Plan;
 pub use calyx_model::position::{Position, mesh_cycle};
 use calyx_model::resources::Resources;
-use calyx_model::structure_building::structure_keys;
 use calyx_model::target::Examined;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_solve::step::{ContactState, StepResult};
@@ -272,80 +273,6 @@ impl<'s> Steps<'s> {
         })
     }
 
-    /// Computes the derivatives that the options request.
-    fn differentiate(&mut self, observer: &mut dyn Observer) -> Result<Vec<Sensitivity>, EngineError> {
-        let Some(request) = self.sensitivities.take() else { return Ok(Vec::new()) };
-        let started = Instant::now();
-        // An earlier run has solved the first positions without their states.
-        let missing = self.solved.len() - self.states.len();
-        let resolved = self.positions[..missing].iter().map(|position| {
-            let step = self.system.solve(position.time)?;
-            Ok(state_of(&step))
-        });
-        let mut states = resolved.collect::<Result<Vec<_>, EngineError>>()?;
-        states.append(&mut self.states);
-        let rows = self.solved.iter().map(|solved| solved.row.clone()).collect();
-        let base = Base { steps: self, rows, states };
-        let count = request.params.len();
-        let begin = |index| observer.observe(Event::Differentiated { index, count });
-        let found = base.sensitivities(&request, begin)?;
-        self.timing.add(SENSITIVITIES, started.elapsed());
-        Ok(found)
-    }
-
-    /// Returns the options of the analysis itself, without those of its results.
-    pub(crate) fn options(&self) -> AnalysisOptions {
-        AnalysisOptions {
-            fidelity: self.plan.fidelity,
-            structure: self.structure,
-            highest_frequency: self.highest_frequency,
-            resources: self.resources.clone(),
-            ..AnalysisOptions::default()
-        }
-    }
-
-    /// Returns the scene.
-    pub(crate) fn scene(&self) -> &'s Scene {
-        self.scene
-    }
-
-    /// Returns the requested outputs.
-    pub(crate) fn outputs(&self) -> &'s [OutputRequest] {
-        self.outputs
-    }
-
-    /// Returns whether all structures of the plan equal those of another analysis.
-    pub(crate) fn has_structures_of(&self, other: &Steps<'_>) -> bool {
-        let stiffness = |steps: &Steps<'_>| {
-            let connections = steps.system.elastic_connections.iter();
-            connections.map(|connection| connection.stiffness.clone()).collect::<Vec<_>>()
-        };
-        let [own, others] = [self, other].map(|steps| structure_keys(steps.scene, &steps.plan));
-        own.is_some() && own == others && stiffness(self) == stiffness(other)
-    }
-
-    /// Solves a position in a state of contact, or finds the state without a given one. Returns the
-    /// outputs; `None` if the state cannot be kept.
-    pub(crate) fn outputs_in_state(
-        &self,
-        position: usize,
-        state: Option<&ContactState>,
-    ) -> Result<Option<Vec<Observed>>, EngineError> {
-        self.resources.interrupt.check()?;
-        let time = self.positions[position].time;
-        let step = match state {
-            Some(state) => self.system.solve_in_state(time, state)?,
-            None => self.system.solve(time)?,
-        };
-        // Rigid bodies touch without cells.
-        if !self.system.rigid && state.is_some_and(|state| step.contact_state() != *state) {
-            return Ok(None);
-        }
-        let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
-        self.resources.interrupt.check()?;
-        Ok(Some(self.outputs.iter().map(|output| output.evaluate(time, &observed)).collect()))
-    }
-
     /// Computes the forced response that the scene requests.
     fn forced_response(&mut self) -> Result<Option<ForcedResponse>, EngineError> {
         let Some(request) = &self.scene.forced_response else { return Ok(None) };
@@ -386,7 +313,7 @@ impl<'s> Steps<'s> {
         }
         let certificate = step.certificate;
         if self.sensitivities.is_some() {
-            self.states.push(state_of(&step));
+            self.states.push(differentiation::state_of(&step));
         }
         self.current = Some(step);
         Ok(Solved { row, certificate, state: Vec::new() })
@@ -411,11 +338,6 @@ impl<'s> Steps<'s> {
         self.resources.interrupt.check()?;
         Ok(Found { step, observed, loads })
     }
-}
-
-/// Returns the state of contact of a position; `None` at a change of the state.
-fn state_of(step: &StepResult) -> Option<ContactState> {
-    (!step.is_at_change_of_state()).then(|| step.contact_state())
 }
 
 impl Iterator for Steps<'_> {
@@ -447,8 +369,6 @@ impl FusedIterator for Steps<'_> {}
 
 /// Name of the stage in which the forced response is computed.
 const FORCED_RESPONSE: &str = "forced response";
-/// Name of the stage in which outputs are differentiated.
-const SENSITIVITIES: &str = "sensitivities";
 /// Name of the stage in which errors are estimated.
 pub(crate) const ERRORS: &str = "errors";
 

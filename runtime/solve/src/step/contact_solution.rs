@@ -87,7 +87,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
         // Active set of the grids without the rotation of their normals by the deflection.
         let mut active: Option<Vec<usize>> = None;
-        let (drags, mut problem, modal, solution) = loop {
+        let (drags, problem, modal, solution) = loop {
             let (problem, modal, compliance) = self.problem(load, candidates, &grids, known.as_ref())?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
@@ -135,7 +135,19 @@ impl<S: ContactGeometry> Solver<'_, S> {
             rounds -= 1;
         };
 
-        let warnings = self.grid_warnings(candidates, &grids, &solution.forces, &largest_forces);
+        Ok(self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces))
+    }
+
+    /// Assembles the solved position from the friction vectors and the solution on its grids.
+    fn laid_out(
+        &self,
+        time: f64,
+        candidates: &[&Candidate<S::Site>],
+        grids: Vec<S::Grid>,
+        (drags, mut problem, modal, solution): (Vec<Vec<[f64; 3]>>, ContactProblem, Modal, Solution),
+        largest_forces: &[f64],
+    ) -> LaidOutContact {
+        let warnings = self.grid_warnings(candidates, &grids, &solution.forces, largest_forces);
         let mut references = Vec::new();
         let mut patches = Vec::with_capacity(grids.len());
         let mut left = &solution.forces[..];
@@ -177,7 +189,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             certificate: solution.certificate,
             warnings,
         };
-        Ok(LaidOutContact { step, references })
+        LaidOutContact { step, references }
     }
 
     /// Solves a contact problem, with nonlinear bearings in equilibrium; `guess` is an initial
