@@ -13,15 +13,13 @@ mod statistics;
 pub use differences::{Derivative, Side};
 pub use statistics::StatisticDerivatives;
 
-use crate::analysis::{AnalysisOptions, Steps};
-use crate::rows::StepRow;
+pub(crate) use differences::Stencil;
+pub(crate) use statistics::of as statistics_of;
+
 use crate::scene::Scene;
 use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
-use calyx_solve::step::ContactState;
-use differences::Stencil;
-use rayon::prelude::*;
 use std::fmt::{self, Debug, Formatter};
 use std::sync::Arc;
 
@@ -119,80 +117,6 @@ pub struct Sensitivity {
     pub failure: Option<EngineError>,
 }
 
-/// Solved positions whose outputs are differentiated.
-pub(crate) struct Base<'a, 's> {
-    /// The finished analysis.
-    pub steps: &'a Steps<'s>,
-    pub rows: Vec<StepRow>,
-    /// State of contact by position; `None` at a change of the state.
-    pub states: Vec<Option<ContactState>>,
-}
-
-impl Base<'_, '_> {
-    /// Differentiates all outputs with respect to each requested param. `begin` receives the index
-    /// of each param before its turn.
-    ///
-    /// # Errors
-    /// Those of the interrupt and of `begin`.
-    pub fn sensitivities(
-        &self,
-        request: &SensitivityRequest,
-        mut begin: impl FnMut(usize) -> Result<(), EngineError>,
-    ) -> Result<Vec<Sensitivity>, EngineError> {
-        let mut all = Vec::with_capacity(request.params.len());
-        for (index, param) in request.params.iter().enumerate() {
-            begin(index)?;
-            let neighbours = request.neighbours.as_ref();
-            let differences = |stencil: &Stencil| self.differences(neighbours, param, stencil);
-            let interrupt = || self.steps.options().resources.interrupt.check();
-            let mut found = narrowed(param, differences, interrupt)?;
-            if found.failure.is_none() {
-                found.statistics = statistics::of(self, &found.positions);
-            }
-            all.push(found);
-        }
-        Ok(all)
-    }
-
-    /// Differentiates with differences of one width.
-    fn differences(
-        &self,
-        neighbours: &dyn Neighbours,
-        param: &VariedParam,
-        stencil: &Stencil,
-    ) -> Result<Sensitivity, EngineError> {
-        let models = stencil.values().into_iter().map(|value| neighbours.at(param.index, value));
-        let models = models.collect::<Result<Vec<Neighbour>, EngineError>>()?;
-        let options = self.steps.options();
-        let count = self.rows.len();
-        let fits = |model: &Neighbour| {
-            model.positions.len() == count && model.outputs.len() == self.steps.outputs().len()
-        };
-        if !models.iter().all(fits) {
-            return Err(other_positions(param));
-        }
-        let build = |model| Steps::of_neighbour(model, &options);
-        let built = models.iter().map(build).collect::<Result<Vec<Steps<'_>>, EngineError>>()?;
-        let same = built.iter().all(|steps| steps.has_structures_of(self.steps));
-        let solve = |position: usize| {
-            let state = self.states[position].as_ref();
-            let values = built.iter().map(|steps| steps.outputs_in_state(position, state));
-            let values = values.collect::<Result<Vec<_>, EngineError>>()?;
-            Ok(stencil.derivatives(&self.rows[position].outputs, &values))
-        };
-        let all = || (0..count).into_par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
-        let positions = options.resources.install(all)?;
-        Ok(Sensitivity {
-            param: param.clone(),
-            width: stencil.width(),
-            kind: if same { Kind::SameStructures } else { Kind::ChangedStructures },
-            positions,
-            statistics: Vec::new(),
-            failure: None,
-        })
-    }
-}
-
 /// Differentiates the outputs of a model without an analysis with respect to each param. `at`
 /// computes the outputs with another value (SI) of the param of an index, `values` are the outputs.
 ///
@@ -226,7 +150,7 @@ pub fn of_calculation(
 }
 
 /// Differentiates with narrowing differences until they are accurate.
-fn narrowed(
+pub(crate) fn narrowed(
     param: &VariedParam,
     differences: impl Fn(&Stencil) -> Result<Sensitivity, EngineError>,
     interrupt: impl Fn() -> Result<(), EngineError>,
@@ -323,13 +247,6 @@ impl Sensitivity {
     }
 }
 
-impl<'n> Steps<'n> {
-    fn of_neighbour(model: &'n Neighbour, options: &AnalysisOptions) -> Result<Steps<'n>, EngineError> {
-        let Neighbour { scene, positions, outputs } = model;
-        Steps::new(scene, positions, outputs, options)
-    }
-}
-
 /// Derivatives do not exist because the model fails next to the value of the param.
 fn beside(param: &VariedParam, error: EngineError) -> EngineError {
     let name = &param.name;
@@ -355,7 +272,7 @@ fn fixed(param: &VariedParam) -> EngineError {
     )
 }
 
-fn other_positions(param: &VariedParam) -> EngineError {
+pub(crate) fn other_positions(param: &VariedParam) -> EngineError {
     EngineError::new(
         "E0792",
         format!("the number of positions or outputs depends on `{}`", param.name),

@@ -2,18 +2,23 @@
 
 use super::{AnalysisOptions, Event, Observer, Steps};
 use crate::observables::Observe;
-use crate::scene::Scene;
-use crate::sensitivity::{Base, Sensitivity};
-use calyx_model::observed::{Observed, OutputRequest};
+use crate::rows::StepRow;
+use crate::sensitivity::{
+    Kind, Neighbour, Neighbours, Sensitivity, SensitivityRequest, Stencil, VariedParam, narrowed,
+    other_positions, statistics_of,
+};
+use crate::summary::mean_of;
+use calyx_model::observed::Observed;
 use calyx_model::structure_building::structure_keys;
 use calyx_numerics::error::EngineError;
 use calyx_solve::step::{ContactState, StepResult};
+use rayon::prelude::*;
 use std::time::Instant;
 
 /// Name of the stage in which outputs are differentiated.
 const SENSITIVITIES: &str = "sensitivities";
 
-impl<'s> Steps<'s> {
+impl Steps<'_> {
     /// Computes the derivatives that the options request.
     pub(super) fn differentiate(
         &mut self,
@@ -39,7 +44,7 @@ impl<'s> Steps<'s> {
     }
 
     /// Returns the options of the analysis itself, without those of its results.
-    pub(crate) fn options(&self) -> AnalysisOptions {
+    fn options(&self) -> AnalysisOptions {
         AnalysisOptions {
             fidelity: self.plan.fidelity,
             structure: self.structure,
@@ -49,18 +54,8 @@ impl<'s> Steps<'s> {
         }
     }
 
-    /// Returns the scene.
-    pub(crate) fn scene(&self) -> &'s Scene {
-        self.scene
-    }
-
-    /// Returns the requested outputs.
-    pub(crate) fn outputs(&self) -> &'s [OutputRequest] {
-        self.outputs
-    }
-
     /// Returns whether all structures of the plan equal those of another analysis.
-    pub(crate) fn has_structures_of(&self, other: &Steps<'_>) -> bool {
+    fn has_structures_of(&self, other: &Steps<'_>) -> bool {
         let stiffness = |steps: &Steps<'_>| {
             let connections = steps.system.elastic_connections.iter();
             connections.map(|connection| connection.stiffness.clone()).collect::<Vec<_>>()
@@ -71,7 +66,7 @@ impl<'s> Steps<'s> {
 
     /// Solves a position in a state of contact, or finds the state without a given one. Returns the
     /// outputs; `None` if the state cannot be kept.
-    pub(crate) fn outputs_in_state(
+    fn outputs_in_state(
         &self,
         position: usize,
         state: Option<&ContactState>,
@@ -95,4 +90,86 @@ impl<'s> Steps<'s> {
 /// Returns the state of contact of a position; `None` at a change of the state.
 pub(super) fn state_of(step: &StepResult) -> Option<ContactState> {
     (!step.is_at_change_of_state()).then(|| step.contact_state())
+}
+
+/// Solved positions whose outputs are differentiated.
+struct Base<'a, 's> {
+    /// The finished analysis.
+    steps: &'a Steps<'s>,
+    rows: Vec<StepRow>,
+    /// State of contact by position; `None` at a change of the state.
+    states: Vec<Option<ContactState>>,
+}
+
+impl Base<'_, '_> {
+    /// Differentiates all outputs with respect to each requested param. `begin` receives the index
+    /// of each param before its turn.
+    ///
+    /// # Errors
+    /// Those of the interrupt and of `begin`.
+    fn sensitivities(
+        &self,
+        request: &SensitivityRequest,
+        mut begin: impl FnMut(usize) -> Result<(), EngineError>,
+    ) -> Result<Vec<Sensitivity>, EngineError> {
+        let mean = |output: usize, values: &[f64]| {
+            mean_of(&self.rows, &self.steps.outputs[output], self.steps.scene, values)
+        };
+        let mut all = Vec::with_capacity(request.params.len());
+        for (index, param) in request.params.iter().enumerate() {
+            begin(index)?;
+            let neighbours = request.neighbours.as_ref();
+            let differences = |stencil: &Stencil| self.differences(neighbours, param, stencil);
+            let mut found = narrowed(param, differences, || self.steps.resources.interrupt.check())?;
+            if found.failure.is_none() {
+                found.statistics = statistics_of(&self.rows, &found.positions, mean);
+            }
+            all.push(found);
+        }
+        Ok(all)
+    }
+
+    /// Differentiates with differences of one width.
+    fn differences(
+        &self,
+        neighbours: &dyn Neighbours,
+        param: &VariedParam,
+        stencil: &Stencil,
+    ) -> Result<Sensitivity, EngineError> {
+        let models = stencil.values().into_iter().map(|value| neighbours.at(param.index, value));
+        let models = models.collect::<Result<Vec<Neighbour>, EngineError>>()?;
+        let options = self.steps.options();
+        let count = self.rows.len();
+        let fits = |model: &Neighbour| {
+            model.positions.len() == count && model.outputs.len() == self.steps.outputs.len()
+        };
+        if !models.iter().all(fits) {
+            return Err(other_positions(param));
+        }
+        let built = models.iter().map(|model| of_neighbour(model, &options));
+        let built = built.collect::<Result<Vec<Steps<'_>>, EngineError>>()?;
+        let same = built.iter().all(|steps| steps.has_structures_of(self.steps));
+        let solve = |position: usize| {
+            let state = self.states[position].as_ref();
+            let values = built.iter().map(|steps| steps.outputs_in_state(position, state));
+            let values = values.collect::<Result<Vec<_>, EngineError>>()?;
+            Ok(stencil.derivatives(&self.rows[position].outputs, &values))
+        };
+        let all = || (0..count).into_par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
+        let positions = options.resources.install(all)?;
+        Ok(Sensitivity {
+            param: param.clone(),
+            width: stencil.width(),
+            kind: if same { Kind::SameStructures } else { Kind::ChangedStructures },
+            positions,
+            statistics: Vec::new(),
+            failure: None,
+        })
+    }
+}
+
+/// Plans and builds the analysis of a neighbouring model.
+fn of_neighbour<'n>(model: &'n Neighbour, options: &AnalysisOptions) -> Result<Steps<'n>, EngineError> {
+    let Neighbour { scene, positions, outputs } = model;
+    Steps::new(scene, positions, outputs, options)
 }

@@ -1,8 +1,7 @@
 //! Derivatives of the statistics of outputs over the positions.
 
-use super::{Base, Derivative};
+use super::Derivative;
 use crate::rows::StepRow;
-use crate::summary::mean_of;
 
 /// Difference of two positions, relative to the largest magnitude, at which both are the extreme.
 const TIE: f64 = 1e-10;
@@ -32,15 +31,17 @@ impl StatisticDerivatives {
     }
 }
 
-/// Returns the derivatives of the statistics by output from those by position and output.
-pub(super) fn of(base: &Base<'_, '_>, derivatives: &[Vec<Derivative>]) -> Vec<StatisticDerivatives> {
-    let rows = &base.rows;
+/// Returns the derivatives of the statistics by output from those by position and output. `mean`
+/// returns the mean of values at the positions of the output of an index.
+pub(crate) fn of(
+    rows: &[StepRow],
+    derivatives: &[Vec<Derivative>],
+    mean: impl Fn(usize, &[f64]) -> f64,
+) -> Vec<StatisticDerivatives> {
     let of_output = |output: usize| {
         let all: Vec<Derivative> = derivatives.iter().map(|row| row[output]).collect();
         let (max, min) = (extreme(rows, output, &all, true), extreme(rows, output, &all, false));
-        let mean_of_values =
-            |values: Vec<f64>| mean_of(rows, &base.steps.outputs()[output], base.steps.scene(), &values);
-        let mean_of = |of: fn(&Derivative) -> f64| mean_of_values(all.iter().map(of).collect());
+        let mean_of = |of: fn(&Derivative) -> f64| mean(output, &all.iter().map(of).collect::<Vec<f64>>());
         let mean = Derivative {
             sides: [mean_of(|one| one.sides[0]), mean_of(|one| one.sides[1])],
             least: [0.0; 2],
@@ -55,7 +56,7 @@ pub(super) fn of(base: &Base<'_, '_>, derivatives: &[Vec<Derivative>]) -> Vec<St
         };
         StatisticDerivatives { min, max, mean, peak_to_peak }
     };
-    (0..base.steps.outputs().len()).map(of_output).collect()
+    (0..derivatives.first().map_or(0, Vec::len)).map(of_output).collect()
 }
 
 /// Returns the derivative of the largest or smallest value over the positions: that of the position
