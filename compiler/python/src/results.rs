@@ -19,6 +19,9 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Duration;
 
+/// Output, statistic, param, unit, derivatives of both sides, estimated error, new structures.
+type SensitivityRow = (String, String, String, String, [f64; 2], f64, bool);
+
 /// Results of a run; immutable.
 #[pyclass(frozen, module = "calyx._calyx", name = "Results")]
 pub struct Results {
@@ -117,7 +120,7 @@ impl Results {
     /// Returns the derivatives of all statistics in the units of the model: output, statistic,
     /// param, unit, derivatives towards smaller and larger values, estimated error, and whether
     /// structures were built again.
-    fn sensitivities(&self) -> Vec<(String, String, String, String, [f64; 2], f64, bool)> {
+    fn sensitivities(&self) -> Vec<SensitivityRow> {
         let all = self.sensitivity_table();
         let mut rows = Vec::new();
         for &output in &all.shown {
