@@ -1,6 +1,6 @@
 //! Universal files (UNV): exchange of meshes, results and measured functions with other programs.
 //!
-//! [`read`] and [`write`] handle text datasets 55, 58, 82, 151, 164, 2411, 2412 and 2414. The reader
+//! [`read`] and [`write()`] handle text datasets 55, 58, 82, 151, 164, 2411, 2412 and 2414. The reader
 //! lists other datasets as skipped. Quantities stay in the units of the file;
 //! [`UnvFile::length_factor`] converts lengths.
 
