@@ -1,6 +1,6 @@
-//! Cost of the derivatives of all outputs with respect to a param, as a ratio to a plain run: a load
-//! and a flank modification, which keep all structures. Differences of the same order by separate
-//! runs take four runs per param: `cargo bench -p calyx --bench sensitivities`.
+//! Cost of the derivatives of all outputs with respect to a param, as a ratio to a plain run: a
+//! load and a flank modification, which keep all structures. Differences of the same order by
+//! separate runs take four runs per param: `cargo bench -p calyx --bench sensitivities`.
 
 use calyx::{Engine, Module};
 use std::time::Instant;

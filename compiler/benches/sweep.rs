@@ -1,8 +1,8 @@
 //! Cost of a case of a sweep of 1,000 cases that differ in loads and flanks only: the time per case
 //! less that of the analysis, the speed-up of two threads, and the number of structures that were
-//! built: `cargo bench -p calyx --bench sweep`. The first model has two equal gears and few positions
-//! at the fidelity "rigid", so that the overhead shows; the second one is `examples/spur_pair.cx` at
-//! the fidelity "plane".
+//! built: `cargo bench -p calyx --bench sweep`. The first model has two equal gears and few
+//! positions at the fidelity "rigid", so that the overhead shows; the second one is
+//! `examples/spur_pair.cx` at the fidelity "plane".
 
 use calyx::rt::sweep::{Axis, Sweep};
 use calyx::rt::{Override, ParamAssignment};

@@ -252,7 +252,8 @@ fn known_solutions_are_found() {
     }
 }
 
-/// An interrupted optimization knows its designs, with the numbers of their searches, and continues.
+/// An interrupted optimization knows its designs, with the numbers of their searches, and
+/// continues.
 #[test]
 fn interrupted_optimizations_know_their_designs() {
     let Known { model, study, .. } = &KNOWN[1];
@@ -321,8 +322,8 @@ fn files_are_the_same_at_any_number_of_threads_and_after_a_kill() {
     assert!((shown - best).abs() <= 1e-12 * best, "{shown} {best}");
 }
 
-/// Tip relief and lead crown of the example at three torques: five repetitions with other starts and
-/// samples end at the same optimum, which is better than the best of 2,000 designs of a Latin
+/// Tip relief and lead crown of the example at three torques: five repetitions with other starts
+/// and samples end at the same optimum, which is better than the best of 2,000 designs of a Latin
 /// hypercube.
 #[test]
 #[ignore = "long; part of .ci/full"]

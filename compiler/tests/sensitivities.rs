@@ -73,7 +73,7 @@ fn outputs_at(instance: &mut Instance, param: &str, value: f64) -> Vec<Vec<f64>>
     rows.iter().map(|row| row.outputs.iter().map(|output| output.value).collect()).collect()
 }
 
-/// Independent route: central differences of separate runs, which find the state of contact anew.
+/// Independent route: central differences of separate runs, which find the state of contact again.
 #[test]
 fn derivatives_agree_with_differences_of_separate_runs() {
     let params = ["torque", "relief", "distance"];

@@ -142,8 +142,9 @@ fn failed_cases_and_those_of_changed_tables_are_solved_again() {
     assert_eq!((status, &largest[..]), (Some(0), &["3".to_owned(), "11".to_owned()][..]), "{told}");
 }
 
-/// Cases that differ in loads and flanks share the structures of the two gears. Gears without profile
-/// modifications have their own: theirs take half the time. The benchmark `sweep` has 1,000 cases.
+/// Cases that differ in loads and flanks share the structures of the two gears. Gears without
+/// profile modifications have their own: theirs take half the time. The benchmark `sweep` has 1,000
+/// cases.
 #[test]
 fn cases_that_differ_in_loads_and_flanks_share_structures() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/spur_pair.cx");
@@ -236,8 +237,8 @@ fn intervals_of_studies_contain_the_results_of_larger_ones() {
         }
         println!("{method}: {contained:?} of {counts:?} moments and percentiles");
         let share = contained[1] as f64 / counts[1] as f64;
-        // The percentiles of a sample depend on each other: if it has too few large values of a param,
-        // it misses the percentile 99 of all outputs that follow this param.
+        // The percentiles of a sample depend on each other: if it has too few large values of a
+        // param, it misses the percentile 99 of all outputs that follow this param.
         assert!(share >= if method == "random" { 0.85 } else { 0.95 }, "{method}: {share}");
     }
 }

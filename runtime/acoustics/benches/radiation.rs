@@ -1,6 +1,6 @@
 //! Time and memory of boundary elements at one frequency, and time of 500 speeds with eight mesh
-//! harmonics from transfer vectors that are interpolated over the frequency. Ratios are to a plain fill of a dense complex matrix with exp(-ikr)/r between all
-//! centroids, in the same run.
+//! harmonics from transfer vectors that are interpolated over the frequency. Ratios are to a plain
+//! fill of a dense complex matrix with exp(-ikr)/r between all centroids, in the same run.
 //!
 //! `cargo bench -p calyx-acoustics` solves a sphere of 5,120 elements with dense matrices;
 //! `-- LEVEL` one of 20 · 4^LEVEL elements, `-- hierarchical` with hierarchical matrices.

@@ -103,7 +103,7 @@ impl<'s> Contraction<'s> {
         changed
     }
 
-    /// Whether a vertex may move to a neighbour.
+    /// Returns whether a vertex may move to a neighbour.
     fn is_contractible(&self, from: usize, to: usize) -> bool {
         let shared = self.around[from]
             .iter()

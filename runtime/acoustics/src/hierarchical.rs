@@ -1,6 +1,7 @@
 //! Hierarchical matrices: dense blocks near the diagonal, blocks of low rank elsewhere.
 //!
-//! Blocks of low rank come from adaptive cross approximation with partial pivoting (Bebendorf 2000).
+//! Blocks of low rank come from adaptive cross approximation with partial pivoting (Bebendorf
+//! 2000).
 
 use crate::cluster::ClusterTree;
 use crate::error::AcousticError;

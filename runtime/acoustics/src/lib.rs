@@ -1,10 +1,10 @@
 //! Sound that vibrating surfaces radiate into a fluid.
 //!
 //! A [`RadiationModel`] is a closed [`SurfaceMesh`] in a [`Fluid`], in free space or in front of a
-//! [`RigidPlane`]. Its [`Equations`] at a frequency give the surface pressure for normal velocities,
-//! the radiated power, pressures at points, and acoustic transfer vectors. The modules [`rayleigh`]
-//! and [`radiation`] have estimates that need no equations. The theory manual derives the method on
-//! its page about radiated sound.
+//! [`RigidPlane`]. Its [`Equations`] at a frequency give the surface pressure for normal
+//! velocities, the radiated power, pressures at points, and acoustic transfer vectors. The modules
+//! [`rayleigh`] and [`radiation`] have estimates that need no equations. The theory manual derives
+//! the method on its page about radiated sound.
 
 #![warn(missing_docs)]
 

@@ -73,8 +73,8 @@ impl PointQuadrature {
         }
     }
 
-    /// Returns the row of the far field in a direction (a unit vector): the limit of the pressure at
-    /// the distance r, times r exp(ikr). Parts as for [`PointQuadrature::row`].
+    /// Returns the row of the far field in a direction (a unit vector): the limit of the pressure
+    /// at the distance r, times r exp(ikr). Parts as for [`PointQuadrature::row`].
     pub fn far_row(&self, operators: &Operators, direction: Vector) -> (Vec<c64>, Vec<c64>) {
         let mut pressure = vec![c64::new(0.0, 0.0); operators.nodes];
         let mut derivative = vec![c64::new(0.0, 0.0); operators.panels.len()];

@@ -1,7 +1,7 @@
 //! Rayleigh integral: sound of a plane source in a rigid baffle.
 //!
-//! On other surfaces, every element radiates as if it were in a plane baffle of its own. Shading and
-//! diffraction by the body are omitted.
+//! On other surfaces, every element radiates as if it were in a plane baffle of its own. Shading
+//! and diffraction by the body are omitted.
 
 use crate::error::AcousticError;
 use crate::fluid::Fluid;

@@ -145,7 +145,8 @@ pub struct ResultKind {
     pub analysis: i64,
     /// Data characteristic: 1 scalar, 2 vector, 3 vector of six components.
     pub characteristic: i64,
-    /// Result type or specific data type: 8 displacement, 11 velocity, 12 acceleration, 15 pressure.
+    /// Result type or specific data type: 8 displacement, 11 velocity, 12 acceleration, 15
+    /// pressure.
     pub quantity: i64,
 }
 

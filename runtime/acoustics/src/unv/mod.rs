@@ -1,7 +1,7 @@
 //! Universal files (UNV): exchange of meshes, results and measured functions with other programs.
 //!
-//! [`read`] and [`write()`] handle text datasets 55, 58, 82, 151, 164, 2411, 2412 and 2414. The reader
-//! lists other datasets as skipped. Quantities stay in the units of the file;
+//! [`read`] and [`write()`] handle text datasets 55, 58, 82, 151, 164, 2411, 2412 and 2414. The
+//! reader lists other datasets as skipped. Quantities stay in the units of the file;
 //! [`UnvFile::length_factor`] converts lengths.
 
 mod dataset;

@@ -68,7 +68,7 @@ fn number(name: &str, line: usize) -> Result<u32> {
     }
     name.parse().map_err(|_| {
         let short: String = name.chars().take(30).collect();
-        UnvError::new(line, format!("`{short}` is no number of a dataset"), "export the file again")
+        UnvError::new(line, format!("`{short}` is not the number of a dataset"), "export the file again")
     })
 }
 

@@ -70,8 +70,12 @@ impl Derivative {
     }
 
     pub(crate) fn is_better_than(&self, other: &Derivative) -> bool {
-        // Narrow differences show whether a kink of wide ones lies at the value itself.
-        other.error.is_nan() || (other.is_kink() && !self.is_kink()) || self.error < other.error
+        if other.is_kink() && !self.is_kink() {
+            // Narrow differences show whether a kink of wide ones lies at the value itself, unless
+            // their noise hides it.
+            return NOISE * self.error < (other.sides[1] - other.sides[0]).abs();
+        }
+        other.error.is_nan() || self.error < other.error
     }
 }
 
@@ -203,6 +207,14 @@ mod tests {
         let found = differentiated(|x| if x < 1.0 { 2.0 * x } else { 3.0 * x - 1.0 }, 1.0, 1e-3, UNBOUNDED);
         assert!(found.is_kink());
         assert!((found.sides[0] - 2.0).abs() < 1e-9 && (found.sides[1] - 3.0).abs() < 1e-9, "{found:?}");
+    }
+
+    #[test]
+    fn noise_of_narrow_differences_does_not_hide_a_kink() {
+        let kink = Derivative { sides: [2.0, 3.0], error: 1e-6, ..Derivative::smooth(0.0, 0.0) };
+        assert!(!Derivative::smooth(2.5, 0.1).is_better_than(&kink));
+        assert!(Derivative::smooth(2.0, 1e-3).is_better_than(&kink), "the kink is next to the value");
+        assert!(kink.is_better_than(&Derivative::smooth(f64::NAN, f64::NAN)));
     }
 
     #[test]
