@@ -94,7 +94,8 @@ impl Debug for SensitivityRequest {
 /// How derivatives with respect to a param were computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The param changes no structure: all stored structures and the state of contact are kept.
+    /// The param changes no structure, or closed forms only: all stored structures and the state of
+    /// contact are kept.
     SameStructures,
     /// The param changes structures, which are built again at each value (semi-analytic).
     ChangedStructures,

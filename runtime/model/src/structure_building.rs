@@ -110,13 +110,13 @@ pub fn build_structures(
 }
 
 /// Returns the keys of the structures that the plan requires, by body; `None` for bodies without a
-/// structure. Returns `None` if a structure has no key.
-pub fn structure_keys(scene: &Mechanism, plan: &Plan) -> Option<Vec<Option<Key>>> {
+/// structure and for structures that are not stored, such as closed forms.
+pub fn structure_keys(scene: &Mechanism, plan: &Plan) -> Vec<Option<Key>> {
     let modelled = plan.structures(scene);
     let key = |((number, body), planned): ((Option<usize>, &Body), &BodyPlan)| {
         let (prototype, solid) = (body.prototype.as_ref(), plan.three_dimensional);
         let requested = RequestedStructure { prototype, options: planned.options, solid };
-        number.map_or(Some(None), |_| requested.key().map(Some))
+        number.and_then(|_| requested.key())
     };
     modelled.into_iter().zip(&scene.bodies).zip(&plan.bodies).map(key).collect()
 }
