@@ -67,7 +67,7 @@ fn direct(text: &str) -> impl Fn() -> f64 {
     let unsolved = format!("{model}var cycle = gears.mesh_cycle(mesh, steps);");
     let module = Module::from_text(&Engine::default(), "spur_pair.cx", &unsolved).expect("it compiles");
     let program = module.as_program();
-    let mut context = Context::new(Box::new(ModelHost::new(&module.description().units)));
+    let mut context = Context::new(Box::new(ModelHost::new(module.description())));
     context.kernels = program.kernels();
     let steps =
         [calyx::ParamAssignment::value("steps", STEPS), calyx::ParamAssignment::text("fidelity", "plane")];

@@ -153,7 +153,7 @@ impl Module {
     /// If a name is unknown, a value cannot be read or is out of range, or a default fails.
     pub fn param_values(&self, given: &[(&str, &str)]) -> Result<Vec<f64>, KernelError> {
         let given: Vec<_> = given.iter().map(|(name, text)| ParamAssignment::text(*name, *text)).collect();
-        let mut context = Context::new(Box::new(ModelHost::new(&self.description().units)));
+        let mut context = Context::new(Box::new(ModelHost::new(self.description())));
         calyx_rt::apply(self.as_program().as_ref(), &given, &mut context).map_err(KernelError::Param)?;
         Ok(context.params)
     }

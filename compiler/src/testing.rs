@@ -12,7 +12,7 @@ use calyx_gears::host::ModelHost;
 use calyx_lang::ast::{Stmt, StmtKind};
 use calyx_lang::check_program;
 use calyx_lang::diagnostic::{Diagnostic, Severity};
-use calyx_lang::ir::{Program, SourceFile};
+use calyx_lang::ir::SourceFile;
 use calyx_lang::parser::parse;
 use calyx_lang::span::{FileId, Span};
 use calyx_lower::interpret::CallSites;
@@ -133,7 +133,7 @@ fn test_text(name: &str, text: &str, loader: &ModelLoader, filter: &str) -> Test
     };
     let sites = CallSites::new(program);
     let outcomes = names.into_iter().enumerate().map(|(index, name)| {
-        let (lines, ended) = run(&interpreted, program, index);
+        let (lines, ended) = run(&interpreted, index);
         let failure = ended.err().map(|error| failure(error, &sites, text.len() as u32));
         Outcome { name, failure, lines }
     });
@@ -178,10 +178,10 @@ fn runs(kind: &StmtKind) -> bool {
 }
 
 /// Runs one test in its own context; returns the printed lines and the result.
-fn run(interpreted: &Interpreted, program: &Program, test: usize) -> (Vec<String>, Result<(), RuntimeError>) {
+fn run(interpreted: &Interpreted, test: usize) -> (Vec<String>, Result<(), RuntimeError>) {
     let lines = Arc::new(Mutex::new(Vec::new()));
     let printed = lines.clone();
-    let host = ModelHost { checking: true, ..ModelHost::new(&program.units) };
+    let host = ModelHost { checking: true, ..ModelHost::new(interpreted.description()) };
     let mut context = Context::new(Box::new(host));
     context.fuel = FUEL;
     context.limits.memory = Some(MEMORY);

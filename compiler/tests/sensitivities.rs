@@ -192,3 +192,40 @@ fn the_end_of_a_range_has_one_side() {
         assert!(off <= row[0].error + expected[0].error, "{:?} {:?}", row[0], expected[0]);
     }
 }
+
+/// Requests of a model give the same derivatives as those of a program.
+#[test]
+fn a_model_requests_derivatives() {
+    let requests = "gears.sensitivity(\"transmission_error\", \"torque\");
+gears.sensitivity(\"pressure\", \"relief\");
+analyze(";
+    let text = PAIR.replace("analyze(", requests);
+    let results = instance(&text).solve().expect("it is solved");
+    let table = results.model_sensitivities().expect("the model requests derivatives");
+    let shown: Vec<&str> = table.shown.iter().map(|&output| table.outputs[output].name.as_str()).collect();
+    assert_eq!(shown, ["transmission_error", "pressure"]);
+    let all = solved(PAIR, &["torque", "relief"]);
+    assert_eq!(format!("{:?}", results.sensitivities()), format!("{:?}", all.sensitivities()));
+    assert!(all.model_sensitivities().is_none(), "the model requests none");
+    // A request of the program replaces those of the model.
+    let replaced = solved(&text, &["distance"]);
+    assert_eq!(replaced.sensitivities().len(), 1);
+    assert_eq!(replaced.sensitivities()[0].param.name, "distance");
+}
+
+/// A calculation has no analysis, but derivatives.
+#[test]
+fn a_calculation_requests_derivatives() {
+    let text = "import gears;
+units mm_N_s;
+param torque = 120.5 N*m;
+output squared := torque^2;
+gears.sensitivity(\"squared\", \"torque\");
+";
+    let results = instance(text).solve().expect("it is calculated");
+    let rows = results.model_sensitivities().expect("derivatives").rows();
+    assert_eq!(rows.len(), 1);
+    let derivative = rows[0].derivative.expect("smooth");
+    // In N*mm, the unit of the model, by N*m.
+    assert!((derivative / (2.0 * 120.5e3 * 1e3) - 1.0).abs() < 1e-9, "{:?}", rows[0]);
+}

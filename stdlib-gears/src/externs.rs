@@ -180,13 +180,16 @@ calyx_abi::externs! {
         structure.check().map_err(engine)?;
         let structure = overrides.structure(structure);
         overrides.override_grids(&mut host.scene);
-        let options =
-            AnalysisOptions { fidelity, structure, highest_frequency, error_estimates, ..host.analysis.clone() };
+        let sensitivities = crate::sensitivity_externs::requested(host);
+        let options = AnalysisOptions {
+            fidelity, structure, highest_frequency, error_estimates, sensitivities, ..host.analysis.clone()
+        };
         let positions = overrides.sample(entry(&host.positions, over)?.clone());
         let rayleigh = [rayleigh_mass, rayleigh_stiffness];
         let arguments = Arguments { over, positions, newmark: &newmark, rayleigh, start: &start };
         let analysis = analyses::create(host, &method, arguments)?;
         crate::signal_externs::check(host)?;
+        crate::sensitivity_externs::check(host)?;
         let in_time = analysis.has_inertia();
         if in_time && overrides.every.is_some() {
             return Err(RuntimeError::new("E0795", "of a motion in time no step can be left out",
@@ -210,7 +213,7 @@ calyx_abi::externs! {
                 return Err(engine(without_tolerance()));
             }
         }
-        if options.sensitivities.is_some() {
+        if options.sensitivities.is_some() || !host.requested_sensitivities.is_empty() {
             check_differentiable(in_time, searched.is_some()).map_err(engine)?;
         }
         if host.checking {

@@ -20,6 +20,7 @@ use crate::shafts::ModelShaft;
 use crate::shaper::Shaper;
 use crate::tables::Table;
 use crate::tabulated::prototype::TabulatedGear;
+use calyx_abi::description::{ModelDescription, ParamDescription};
 use calyx_abi::externs::Handle;
 use calyx_abi::{RuntimeError, SymbolicValue};
 use calyx_runtime::analyses::Analysis;
@@ -34,6 +35,7 @@ use calyx_runtime::material::Material;
 use calyx_runtime::observables::Gauge;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Prototype, Scene, StructureOptions};
+use calyx_runtime::sensitivity::SensitivityRequest;
 use calyx_runtime::settings_override::Override;
 use calyx_runtime::shaft::ShaftSegment;
 use calyx_runtime::signal::{Signal, SignalRequest};
@@ -231,6 +233,13 @@ pub struct ModelHost {
     pub asked_signals: Vec<RequestedSignal>,
     /// Results of these requests, after the analysis.
     pub signals: Vec<Signal>,
+    /// Requested derivatives.
+    pub requested_sensitivities: Vec<RequestedSensitivity>,
+    /// The model at other values of its params, and all params with respect to which outputs can be
+    /// differentiated; `None` if the model is only checked.
+    pub differentiable: Option<SensitivityRequest>,
+    /// Params of the model.
+    pub params: Vec<ParamDescription>,
     /// Findings in addition to the one that stopped the model, if any.
     pub findings: Vec<Finding>,
     /// Observer of the analysis, if any.
@@ -256,9 +265,13 @@ pub struct ModelHost {
 }
 
 impl ModelHost {
-    /// Creates the state of a model whose results are printed in this unit system.
-    pub fn new(system: &str) -> ModelHost {
-        ModelHost { length_unit: LengthUnit::of_system(system), ..ModelHost::default() }
+    /// Creates the state of a model with these params and this unit system.
+    pub fn new(model: &ModelDescription) -> ModelHost {
+        ModelHost {
+            length_unit: LengthUnit::of_system(&model.units),
+            params: model.params.clone(),
+            ..ModelHost::default()
+        }
     }
 
     /// Returns the gear of the body that is given as an argument.
@@ -468,6 +481,17 @@ impl ModelHost {
 pub struct RequestedSignal {
     /// The request.
     pub request: SignalRequest,
+    /// Source location of the call.
+    pub place: (u32, u32, u32),
+}
+
+/// Requested derivative of an output with respect to a param, with the location of its call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RequestedSensitivity {
+    /// Name of the output.
+    pub output: String,
+    /// Name of the param.
+    pub param: String,
     /// Source location of the call.
     pub place: (u32, u32, u32),
 }

@@ -176,6 +176,7 @@ pub mod rolling_externs;
 mod root_finding;
 pub mod roughing;
 pub mod sector_mesh;
+pub mod sensitivity_externs;
 pub mod shaft_externs;
 pub mod shafts;
 pub mod shaper;

@@ -86,6 +86,7 @@ const TABLES: &[&[Extern]] = &[
     crate::rolling_externs::EXTERNS,
     crate::shaft_externs::EXTERNS,
     crate::signal_externs::EXTERNS,
+    crate::sensitivity_externs::EXTERNS,
     crate::stated_geometry::EXTERNS,
     crate::tables::EXTERNS,
     crate::tabulated_externs::EXTERNS,

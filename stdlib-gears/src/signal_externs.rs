@@ -111,20 +111,31 @@ pub fn check(host: &ModelHost) -> Result<(), RuntimeError> {
             _ => None,
         };
         for (argument, name) in [("output", &request.of)].into_iter().chain(ahead) {
-            if output(host, name).is_some() {
-                continue;
-            }
-            let known: Vec<&str> = host.outputs.iter().map(|output| output.name.as_str()).collect();
-            let message = format!("the model has no output called \"{name}\"");
-            let help = match known.is_empty() {
-                true => "declare one, such as `output te := gears.transmission_error(mesh);`".to_owned(),
-                false => format!("its outputs are {}", known.join(", ")),
-            };
-            let error = refusal("E0775", argument, &message, &help);
-            return Err(RuntimeError { place: Some(*place), ..error });
+            check_output(host, (argument, name), *place)?;
         }
     }
     Ok(())
+}
+
+/// Checks that the output whose name is an argument exists.
+///
+/// # Errors
+/// E0775: it does not.
+pub(crate) fn check_output(
+    host: &ModelHost,
+    (argument, name): (&str, &str),
+    place: (u32, u32, u32),
+) -> Result<(), RuntimeError> {
+    if output(host, name).is_some() {
+        return Ok(());
+    }
+    let known: Vec<&str> = host.outputs.iter().map(|output| output.name.as_str()).collect();
+    let message = format!("the model has no output called \"{name}\"");
+    let help = match known.is_empty() {
+        true => "declare one, such as `output te := gears.transmission_error(mesh);`".to_owned(),
+        false => format!("its outputs are {}", known.join(", ")),
+    };
+    Err(RuntimeError { place: Some(place), ..refusal("E0775", argument, &message, &help) })
 }
 
 fn output(host: &ModelHost, name: &str) -> Option<usize> {

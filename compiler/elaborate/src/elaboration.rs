@@ -15,6 +15,7 @@ use calyx_gears::calculation::calculate;
 use calyx_gears::data_block::DataBlock;
 use calyx_gears::externs::{check_plan, check_unrestrained};
 use calyx_gears::host::ModelHost;
+use calyx_gears::sensitivity_externs::check as check_sensitivities;
 use calyx_gears::signal_externs::check as check_signals;
 use calyx_lang::diagnostic::{Diagnostic, Severity};
 use calyx_lang::ir::{Program, SiteId};
@@ -361,6 +362,7 @@ fn check_analysis(
     // An analysis checks this itself, but the model may not have one yet.
     if host.asked.is_none() {
         errors.extend(check_signals(host).err());
+        errors.extend(check_sensitivities(host).err());
         errors.extend(calculate(host).err());
     }
     (planned, errors)
@@ -372,7 +374,7 @@ fn checking_context(interpreted: &Interpreted, params: Params, cancel: &Cancel) 
         Params::Defaults => Override::default(),
         Params::Given(_, overrides, _) => overrides,
     };
-    let host = ModelHost { checking: true, overrides, ..ModelHost::new(&interpreted.description().units) };
+    let host = ModelHost { checking: true, overrides, ..ModelHost::new(interpreted.description()) };
     let mut context = Context::new(Box::new(host));
     context.cancel = cancel.clone();
     context.fuel = FUEL;

@@ -189,7 +189,7 @@ fn retrace<R>(
 }
 
 fn context(interpreted: &Interpreted) -> Context {
-    let host = ModelHost { checking: true, ..ModelHost::new(&interpreted.description().units) };
+    let host = ModelHost { checking: true, ..ModelHost::new(interpreted.description()) };
     let mut context = Context::new(Box::new(host));
     context.kernels = interpreted.kernels();
     context.print = Box::new(|_| {});

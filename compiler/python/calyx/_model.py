@@ -176,6 +176,7 @@ class Model:
         cancel: Cancel | None = None,
         host: Mapping[str, Callable[..., Any]] | None = None,
         sensitivities: Iterable[str] = (),
+        sensitivities_of: Iterable[str] = (),
         **named: Value,
     ) -> Results:
         """Solves the model and returns its results.
@@ -201,8 +202,10 @@ class Model:
             cancel: Handle that cancels the run from another thread.
             host: Functions that replace host functions of the model, by name. Numbers are in SI units;
                 vectors and arrays are lists. Threads of the run call them one at a time.
-            sensitivities: Names of params with respect to which all outputs are differentiated, see
-                `Results.sensitivities`.
+            sensitivities: Names of params with respect to which outputs are differentiated, see
+                `Results.sensitivities`. Without names, those that the model requests.
+            sensitivities_of: Names of the outputs to differentiate, which takes less time; without
+                names, all.
 
         Raises:
             ParamError: a param, unit or setting is wrong, or a value is out of range.
@@ -235,6 +238,7 @@ class Model:
             "cancel": cancel,
             "host": list((host or {}).items()),
             "sensitivities": [str(name) for name in sensitivities],
+            "sensitivities_of": [str(name) for name in sensitivities_of],
         }
         try:
             raw = self._raw.run(self._assignments(params, named), options)
@@ -268,7 +272,9 @@ class Model:
             RunError: no derivative with respect to a param exists.
         """
         names = [str(name) for name in (params if by is None else by)]
-        results = self.run(params, sensitivities=names, **options)
+        # An objective is an output, or an output with a statistic.
+        of = (objective, objective.rpartition(".")[0])
+        results = self.run(params, sensitivities=names, sensitivities_of=of, **options)
         return results.value(objective), results.gradient(objective)
 
     def run_many(

@@ -51,6 +51,8 @@ struct Options<'py> {
     host: host::Functions<'py>,
     /// Params with respect to which the outputs are differentiated.
     sensitivities: Vec<String>,
+    /// Names of the outputs to differentiate; empty for all.
+    sensitivities_of: Vec<String>,
 }
 
 #[pymethods]
@@ -159,8 +161,12 @@ impl Model {
             instance.request_parts(true);
             instance.request_bodies(details.vtu);
         }
-        let requested = instance.request_sensitivities(&options.sensitivities);
-        requested.map_err(|error| errors::of_run(py, &self.module, &error))?;
+        // Without names, the requests of the model remain.
+        if !options.sensitivities.is_empty() {
+            let requested = instance.request_sensitivities(&options.sensitivities);
+            requested.map_err(|error| errors::of_run(py, &self.module, &error))?;
+            instance.limit_sensitivities(options.sensitivities_of);
+        }
         let positions = keep_positions(&mut instance);
         let callbacks = Callbacks { progress: options.progress, print: options.print };
         let solved = solve(py, instance, &cancel, &callbacks)?;

@@ -179,7 +179,7 @@ impl Results {
 
 impl Results {
     fn sensitivity_table(&self) -> SensitivityTable {
-        self.results.sensitivity_table((0..self.results.description().outputs.len()).collect())
+        self.results.sensitivity_table(self.results.differentiated().to_vec())
     }
 
     fn finished(&self, details: Details) -> FinishedRun<'_> {

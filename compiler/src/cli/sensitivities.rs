@@ -15,7 +15,6 @@ use calyx::rt::sensitivity::{
 use calyx::rt::settings_override::OverrideArguments;
 use calyx::rt::{
     Error, Instance, InvalidParam, ModelDescription, ParamAssignment, Results, RunError, interrupt,
-    is_continuous,
 };
 use calyx::{Module, check_run_within};
 use calyx_runtime::estimate::Estimates;
@@ -124,6 +123,7 @@ impl Sensitivities {
         let requested =
             if self.to.is_empty() { all_params(instance.description())? } else { self.to.clone() };
         instance.request_sensitivities(&requested)?;
+        instance.limit_sensitivities(self.of.iter().cloned());
         // The names of array elements are known after the run.
         if instance.description().declared_outputs.is_empty() {
             self.of.iter().try_for_each(|name| instance.output(name.as_str()).map(drop))?;
@@ -177,7 +177,7 @@ fn all_params(description: &ModelDescription) -> Result<Vec<String>, Error> {
     let names: Vec<String> = description
         .params
         .iter()
-        .filter(|param| is_continuous(param))
+        .filter(|param| param.is_continuous())
         .map(|param| param.name.clone())
         .collect();
     if names.is_empty() {

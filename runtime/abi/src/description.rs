@@ -125,6 +125,14 @@ pub struct ParamDescription {
     pub independent: bool,
 }
 
+impl ParamDescription {
+    /// Returns whether the param takes decimal numbers, so that outputs can be differentiated with
+    /// respect to it.
+    pub fn is_continuous(&self) -> bool {
+        self.repr == Repr::Number && !self.integral
+    }
+}
+
 /// Value of a param.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]

@@ -76,13 +76,23 @@ impl VariedParam {
     }
 }
 
-/// Request for the derivatives of all outputs with respect to some params.
+/// Request for the derivatives of outputs with respect to some params.
 #[derive(Clone)]
 pub struct SensitivityRequest {
     /// Source of the models.
     pub neighbours: Arc<dyn Neighbours>,
     /// The params.
     pub params: Vec<VariedParam>,
+    /// Names of the outputs to differentiate; empty for all. The derivatives of others are NaN.
+    pub outputs: Vec<String>,
+}
+
+impl SensitivityRequest {
+    /// Returns for each output of a list whether it is differentiated.
+    pub fn differentiated(&self, outputs: &[OutputRequest]) -> Vec<bool> {
+        let is_requested = |output: &OutputRequest| self.outputs.contains(&output.name);
+        outputs.iter().map(|output| self.outputs.is_empty() || is_requested(output)).collect()
+    }
 }
 
 impl Debug for SensitivityRequest {
@@ -129,6 +139,7 @@ pub fn of_calculation(
     at: impl Fn(usize, f64) -> Result<Vec<Observed>, EngineError>,
     interrupt: impl Fn() -> Result<(), EngineError>,
 ) -> Result<Vec<Sensitivity>, EngineError> {
+    let all = vec![true; values.len()];
     let of_param = |param: &VariedParam| {
         let differences = |stencil: &Stencil| {
             let beside = stencil.values().into_iter().map(|value| at(param.index, value).map(Some));
@@ -143,16 +154,17 @@ pub fn of_calculation(
                 failure: None,
             })
         };
-        let found = narrowed(param, differences, &interrupt)?;
+        let found = narrowed(param, &all, differences, &interrupt)?;
         let statistics = found.positions.iter().flatten().map(StatisticDerivatives::of_constant).collect();
         Ok(Sensitivity { statistics, ..found })
     };
     params.iter().map(of_param).collect()
 }
 
-/// Differentiates with narrowing differences until they are accurate.
+/// Differentiates with narrowing differences until those of the `requested` outputs are accurate.
 pub(crate) fn narrowed(
     param: &VariedParam,
+    requested: &[bool],
     differences: impl Fn(&Stencil) -> Result<Sensitivity, EngineError>,
     interrupt: impl Fn() -> Result<(), EngineError>,
 ) -> Result<Sensitivity, EngineError> {
@@ -173,12 +185,12 @@ pub(crate) fn narrowed(
                 continue;
             }
         };
-        let former = best.as_ref().map(Sensitivity::largest_relative_error);
+        let former = best.as_ref().map(|best| best.largest_relative_error(requested));
         let found = match best.take() {
             Some(best) => best.with_better(found),
             None => found,
         };
-        let error = found.largest_relative_error();
+        let error = found.largest_relative_error(requested);
         best = Some(found);
         if error <= ACCURATE || relative == WIDE {
             break;
@@ -219,10 +231,9 @@ impl Sensitivity {
         self
     }
 
-    /// Returns the largest estimated error of a derivative beyond rounding, relative to the largest
-    /// derivative of its output over all positions.
-    fn largest_relative_error(&self) -> f64 {
-        let outputs = self.positions.first().map_or(0, Vec::len);
+    /// Returns the largest estimated error of a derivative of the `requested` outputs beyond rounding,
+    /// relative to the largest derivative of its output over all positions.
+    fn largest_relative_error(&self, requested: &[bool]) -> f64 {
         let of_output = |output: usize| {
             let all = || self.positions.iter().map(move |row| &row[output]);
             let largest = all().map(Derivative::magnitude).fold(0.0, f64::max);
@@ -234,7 +245,8 @@ impl Sensitivity {
             }
             if error == 0.0 { 0.0 } else { error / largest }
         };
-        (0..outputs).map(of_output).fold(0.0, f64::max)
+        let outputs = (0..requested.len()).filter(|&output| requested[output]);
+        outputs.map(of_output).fold(0.0, f64::max)
     }
 
     /// Replaces derivatives by those of another width that have smaller estimated errors.

@@ -2,7 +2,7 @@
 
 mod neighbours;
 
-pub use neighbours::is_continuous;
+pub(crate) use neighbours::NO_PARAMS;
 
 use crate::adapted::AdaptedProgram;
 use crate::engine::Engine;
@@ -25,6 +25,7 @@ use calyx_gears::calculation;
 #[cfg(feature = "command")]
 use calyx_gears::files::ModelFile;
 use calyx_gears::host::ModelHost;
+use calyx_gears::sensitivity_externs;
 use calyx_runtime::analysis::Event;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
@@ -82,8 +83,11 @@ struct Setup {
     bodies: bool,
     parts: bool,
     component_loads: bool,
-    /// Indices of the params with respect to which outputs are differentiated.
-    sensitivities: Vec<usize>,
+    /// Indices of the params with respect to which outputs are differentiated; `None`: those that the
+    /// model requests.
+    sensitivities: Option<Vec<usize>>,
+    /// Names of the outputs whose derivatives the program requests; empty for all.
+    differentiated_outputs: Vec<String>,
     overrides: Override,
 }
 
@@ -107,7 +111,8 @@ impl Instance {
             bodies: false,
             parts: false,
             component_loads: false,
-            sensitivities: Vec::new(),
+            sensitivities: None,
+            differentiated_outputs: Vec::new(),
             overrides: Override::default(),
         };
         Instance { setup, time_limit: None, memory_limit: None, cancel: Cancel::default() }
@@ -386,7 +391,7 @@ struct Job {
 
 impl Job {
     fn context(&self) -> Context {
-        let mut context = Context::new(Box::new(ModelHost::new(&self.setup.program.description().units)));
+        let mut context = Context::new(Box::new(ModelHost::new(self.setup.program.description())));
         context.limits = self.limits;
         context.cancel = self.cancel.clone();
         let print = self.setup.print.clone();
@@ -467,10 +472,9 @@ impl Job {
         context.kernels = seen.watched(self.setup.program.kernels());
         params::resolve(self.setup.program.as_ref(), &self.setup.settings, &mut context)?;
         let params = params::values(self.setup.program.description(), &context);
-        let sensitivities = self.sensitivities(&mut context)?;
-        let differentiated = sensitivities.as_ref().map(|request| (self.again(), request.params.clone()));
+        self.provide_sensitivities(&mut context)?;
+        let again = self.again();
         if let Some(host) = context.host::<ModelHost>() {
-            host.analysis.sensitivities = sensitivities;
             host.observer = Some(Box::new(Watcher {
                 program: self.setup.program.clone(),
                 shape: self.setup.shape,
@@ -500,8 +504,9 @@ impl Job {
             }
         }
         let calculated = calculate(&mut context)?;
-        let derivatives = match (&calculated, differentiated) {
-            (Some(solved), Some((job, params))) => job.differentiated(&params, solved)?,
+        let requested = context.host::<ModelHost>().and_then(|host| sensitivity_externs::requested(host));
+        let derivatives = match (&calculated, requested) {
+            (Some(solved), Some(requested)) => again.differentiated(&requested.params, solved)?,
             _ => Vec::new(),
         };
         let time = started.elapsed();

@@ -88,7 +88,7 @@ pub use former_names::overriding;
 #[expect(deprecated, reason = "former names work for one version")]
 pub use former_names::{Given, GivenValue, Refused, Seen, given, seen};
 pub use host::Host;
-pub use instance::{Instance, Progress, is_continuous};
+pub use instance::{Instance, Progress};
 pub use names::{Output, OutputName, Param, ParamName};
 pub use nan_log::NanLog;
 pub use param_assignment::{AssignedValue, ParamAssignment};

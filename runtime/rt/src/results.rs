@@ -12,6 +12,7 @@ use calyx_abi::units::from_si;
 use calyx_gears::data_block::DataBlock;
 use calyx_gears::host::{Finding, ModelHost};
 use calyx_gears::power_flow::PowerFlow;
+use calyx_gears::sensitivity_externs;
 #[cfg(feature = "command")]
 use calyx_report::flank_tables::FlankTables;
 use calyx_runtime::contact::problem::Certificate;
@@ -34,6 +35,10 @@ pub struct Results {
     calculated: Option<Calculated>,
     findings: Vec<Finding>,
     signals: Vec<Signal>,
+    /// Indices of the outputs that are differentiated.
+    differentiated: Vec<usize>,
+    /// True if the model requests the derivatives, not the program that runs it.
+    of_model: bool,
     gear_data: DataBlock,
     power_flows: Vec<PowerFlow>,
     #[cfg(feature = "command")]
@@ -78,7 +83,7 @@ impl Results {
         #[cfg(feature = "command")]
         let flanks = context.host::<ModelHost>().map(|host| MeshedFlanks::of(host));
         let (mut gear_data, mut tables) = (DataBlock::default(), Vec::new());
-        let mut power_flows = Vec::new();
+        let (mut power_flows, mut differentiated, mut of_model) = (Vec::new(), Vec::new(), false);
         if let Some(host) = context.host::<ModelHost>() {
             gear_data = DataBlock::of(host);
             power_flows = std::mem::take(&mut host.power_flows);
@@ -86,6 +91,8 @@ impl Results {
             analysis = host.result.take();
             findings = std::mem::take(&mut host.findings);
             signals = std::mem::take(&mut host.signals);
+            differentiated = sensitivity_externs::differentiated(host);
+            of_model = host.analysis.sensitivities.is_none();
         }
         let calculated = calculated.map(|(solved, derivatives)| Calculated::new(solved.row, derivatives));
         Results {
@@ -96,6 +103,8 @@ impl Results {
             calculated,
             findings,
             signals,
+            differentiated,
+            of_model,
             gear_data,
             power_flows,
             #[cfg(feature = "command")]
@@ -228,6 +237,16 @@ impl Results {
         }
     }
 
+    /// Returns the indices of the outputs that are differentiated.
+    pub fn differentiated(&self) -> &[usize] {
+        &self.differentiated
+    }
+
+    /// Returns whether the model requests the derivatives, not the program that runs it.
+    pub(crate) fn are_derivatives_of_model(&self) -> bool {
+        self.of_model
+    }
+
     /// Returns the largest residuals over all positions; `None` for a model without an analysis.
     pub fn certificate(&self) -> Option<&Certificate> {
         self.analysis.as_ref().map(|result| &result.certificate)
@@ -270,6 +289,10 @@ impl Results {
         }
         let response = self.analysis.as_ref().and_then(|result| result.forced_response.as_ref());
         all.extend(response.map_or(Vec::new(), ForcedResponse::warnings));
+        let failures = self.sensitivities().iter().filter_map(|own| Some((own, own.failure.as_ref()?)));
+        all.extend(failures.map(|(own, why)| {
+            format!("{}: no derivative with respect to `{}`: {}", why.code, own.param.name, why.message)
+        }));
         all
     }
 }

@@ -19,6 +19,9 @@ use calyx_report::directory::{
     write_unfinished,
 };
 use calyx_report::journal::FoundJournal;
+use calyx_report::sensitivity::{
+    SENSITIVITIES, SENSITIVITIES_BY_POSITION, text, write_positions, write_table,
+};
 use calyx_report::{
     bearing_loads, body_pictures, campbell, contact_pattern, field_tables, flank_tables, forced_response,
     journal, modes_table, page, signals, stress_range, summary_table, view, vtu,
@@ -170,8 +173,9 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     };
     let (shown, printed) = (progress.clone(), progress.clone());
     instance.on_progress(move |now| match now.total {
-        Some(count) => shown.step(now.done - 1, count),
-        None => shown.stage(now.stage),
+        Some(count) if now.done > 0 => shown.step(now.done - 1, count),
+        // A stage that begins.
+        _ => shown.stage(now.stage),
     });
     instance.on_print(move |line| printed.print(line));
     let chosen = progress.clone();
@@ -306,6 +310,11 @@ fn write_results(
         directory.claim(forced_response::MODES)?;
         forced_response::write(path, response)?;
     }
+    if let Some(table) = results.model_sensitivities() {
+        directory.claim_all([SENSITIVITIES, SENSITIVITIES_BY_POSITION])?;
+        write_table(&path.join(SENSITIVITIES), &table)?;
+        write_positions(&path.join(SENSITIVITIES_BY_POSITION), &table)?;
+    }
     results.flank_tables().write(path)?;
     directory.claim_all(signals::files(results.signals()))?;
     signals::write(path, description, results.signals())?;
@@ -329,7 +338,8 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
             || summary_table::values(description, results.rows()),
             |result| summary_table::summary(description, result),
         ) + &modes.map(modes_table::summary).unwrap_or_default()
-            + &signals::summary(description, results.signals()),
+            + &signals::summary(description, results.signals())
+            + &results.model_sensitivities().map(|table| format!("\n{}", text(&table))).unwrap_or_default(),
         warnings: ignored.chain(results.warnings()).collect(),
         findings: results.findings().to_vec(),
         tolerance_missed: result

@@ -35,7 +35,13 @@ impl Steps<'_> {
         let mut states = resolved.collect::<Result<Vec<_>, EngineError>>()?;
         states.append(&mut self.states);
         let rows = self.solved.iter().map(|solved| solved.row.clone()).collect();
-        let base = Base { steps: self, rows, states };
+        let requested = request.differentiated(self.outputs);
+        let of_observable = |index: usize| {
+            let own = self.outputs.iter().zip(&requested).filter(|(_, requested)| **requested);
+            own.into_iter().any(|(output, _)| output.observes(|observed| observed == index))
+        };
+        let observed = (0..self.scene.observables.len()).map(of_observable).collect();
+        let base = Base { steps: self, rows, states, requested, observed };
         let count = request.params.len();
         let begin = |index| observer.observe(Event::Differentiated { index, count });
         let found = base.sensitivities(&request, begin)?;
@@ -66,11 +72,12 @@ impl Steps<'_> {
     }
 
     /// Solves a position in a state of contact, or finds the state without a given one. Returns the
-    /// outputs; `None` if the state cannot be kept.
+    /// outputs; `None` if the state cannot be kept. `observed` are the observables that are evaluated.
     fn outputs_in_state(
         &self,
         position: usize,
         state: Option<&ContactState>,
+        observed: &[bool],
     ) -> Result<Option<Vec<Observed>>, EngineError> {
         self.resources.interrupt.check()?;
         let time = self.positions[position].time;
@@ -82,7 +89,7 @@ impl Steps<'_> {
         if !self.system.rigid && state.is_some_and(|state| step.contact_state() != *state) {
             return Ok(None);
         }
-        let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
+        let observed = self.system.values_of(&step, self.plan.fidelity, &self.scene.observables, observed);
         self.resources.interrupt.check()?;
         Ok(Some(self.outputs.iter().map(|output| output.evaluate(time, &observed)).collect()))
     }
@@ -100,6 +107,10 @@ struct Base<'a, 's> {
     rows: Vec<StepRow>,
     /// State of contact by position; `None` at a change of the state.
     states: Vec<Option<ContactState>>,
+    /// Outputs to differentiate.
+    requested: Vec<bool>,
+    /// Observables of these outputs.
+    observed: Vec<bool>,
 }
 
 impl Base<'_, '_> {
@@ -121,7 +132,8 @@ impl Base<'_, '_> {
             begin(index)?;
             let neighbours = request.neighbours.as_ref();
             let differences = |stencil: &Stencil| self.differences(neighbours, param, stencil);
-            let mut found = narrowed(param, differences, || self.steps.resources.interrupt.check())?;
+            let mut found =
+                narrowed(param, &self.requested, differences, || self.steps.resources.interrupt.check())?;
             if found.failure.is_none() {
                 found.statistics = statistics_of(&self.rows, &found.positions, mean);
             }
@@ -152,7 +164,7 @@ impl Base<'_, '_> {
         let same = built.iter().all(|steps| steps.has_structures_of(self.steps));
         let solve = |position: usize| {
             let state = self.states[position].as_ref();
-            let values = built.iter().map(|steps| steps.outputs_in_state(position, state));
+            let values = built.iter().map(|steps| steps.outputs_in_state(position, state, &self.observed));
             let values = values.collect::<Result<Vec<_>, EngineError>>()?;
             Ok(stencil.derivatives(&self.rows[position].outputs, &values))
         };

@@ -233,11 +233,25 @@ pub trait Observe {
         fidelity: Fidelity,
         observables: &[Arc<dyn Observable>],
     ) -> Vec<Observed> {
-        let value = |observable: &Arc<dyn Observable>| match observable.needs() > fidelity.supports() {
-            true => Observed::number(f64::NAN),
-            false => self.value(step, observable.as_ref()),
+        self.values_of(step, fidelity, observables, &vec![true; observables.len()])
+    }
+
+    /// Evaluates the `wanted` observables at a solved position, as [`Observe::values`] does; NaN for
+    /// the others.
+    fn values_of(
+        &self,
+        step: &StepResult,
+        fidelity: Fidelity,
+        observables: &[Arc<dyn Observable>],
+        wanted: &[bool],
+    ) -> Vec<Observed> {
+        let value = |(observable, wanted): (&Arc<dyn Observable>, &bool)| match *wanted
+            && observable.needs() <= fidelity.supports()
+        {
+            true => self.value(step, observable.as_ref()),
+            false => Observed::number(f64::NAN),
         };
-        observables.iter().map(value).collect()
+        observables.iter().zip(wanted).map(value).collect()
     }
 
     /// Returns the contact forces on a body's frame, see [`Equilibrium::contact_force`].

@@ -119,6 +119,7 @@ fn page(run: &Run) -> Markup {
         ("power-flow", "Power flow", power_flow::section(run)),
         ("outputs", "Outputs", summary(run)),
         ("accuracy", "Error estimates", accuracy::section(run)),
+        ("sensitivities", "Sensitivities", sensitivity::section(run)),
         ("cycle", plots_heading(run), plots(run)),
         ("flanks", "Flanks", flanks::section(run, units)),
         ("tooth-contact", "Tooth contact", projection::section(run, units)),

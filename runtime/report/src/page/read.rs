@@ -11,6 +11,7 @@ use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
 use crate::flank_tables::FlankTables;
 use crate::forced_response::{self, ResponseRow};
 use crate::former_keys::{self, ResultFile};
+use crate::sensitivity::{DerivativeRow, read_table};
 use crate::stress_range::{self, StressExtremes};
 use crate::{journal, modes_table};
 use base64::Engine as _;
@@ -64,6 +65,8 @@ pub struct Run {
     pub natural_frequencies: Vec<f64>,
     /// Table of modes with its header.
     pub modes: Vec<Vec<String>>,
+    /// Derivatives that the model requests.
+    pub sensitivities: Vec<DerivativeRow>,
     /// Results of the trade-off command for this model.
     pub tradeoff: Option<Value>,
     /// Names of the files in the directory.
@@ -297,6 +300,7 @@ impl Run {
             forced_response: forced_response::read(directory)?,
             natural_frequencies: forced_response::read_modes(directory)?,
             modes: table(&directory.join(modes_table::NAME))?,
+            sensitivities: read_table(directory)?,
             tradeoff: tradeoff(directory),
             files: files(directory)?,
             head,

@@ -1,9 +1,11 @@
-//! `sensitivities.html`: the sensitivities of a model as one self-contained page.
+//! `sensitivities.html`: the sensitivities of a model as one self-contained page; and those that a
+//! model requests in the report of its run.
 
 use super::chart::{Axis, COLOURS, Curve, WIDE, curves};
+use super::read::Run;
 use super::{document, figure};
 use crate::sample::Statistic;
-use crate::sensitivity::{CHANGE, Entry, SensitivityTable, shown_derivative, shown_relative};
+use crate::sensitivity::{CHANGE, DerivativeRow, Entry, SensitivityTable};
 use crate::summary_table::number;
 use calyx_abi::units::from_si;
 use maud::{Markup, PreEscaped, html};
@@ -38,7 +40,7 @@ fn page(all: &SensitivityTable) -> Markup {
         @for own in &all.sensitivities { @if let Some(failure) = &own.failure {
             p.notice { "No derivative with respect to " code { (own.param.name) } ": " (failure.message) ". " (failure.help) "." }
         } }
-        (explanation(all))
+        section { h2 { "About the derivatives" } (notes(&all.rows())) }
     };
     document(&format!("Sensitivities of {}", all.model), header, main)
 }
@@ -47,44 +49,59 @@ fn unit(unit: &str) -> &str {
     if unit == "1" { "" } else { unit }
 }
 
-/// Shows the derivatives of a statistic, with a bar for the effect of each param.
+/// Shows the derivatives of a statistic, or states that it has no value.
 fn statistic_table(all: &SensitivityTable, output: usize, statistic: Statistic) -> Markup {
-    let column = &all.outputs[output];
-    let title = if all.is_single() { "value" } else { statistic.described() };
-    let Some(value) = all.value(output, statistic) else {
+    if all.value(output, statistic).is_none() {
+        let title = if all.is_single() { "value" } else { statistic.described() };
         return html! { p.note { (title) ": none" } };
-    };
-    let entries = all.entries(output, statistic);
-    let largest = entries.iter().map(|entry| entry.effect.abs()).fold(0.0, f64::max);
+    }
+    rows_table(&all.rows_of(output, statistic))
+}
+
+/// Shows the derivatives of a statistic, with a bar for the effect of each param.
+fn rows_table(rows: &[DerivativeRow]) -> Markup {
+    let Some(first) = rows.first() else { return PreEscaped(String::new()) };
+    let effect = |row: &DerivativeRow| row.effect_of_1_percent.unwrap_or(f64::NAN);
+    let largest = rows.iter().map(|row| effect(row).abs()).fold(0.0, f64::max);
+    let title = Statistic::named(&first.statistic).map_or("value", Statistic::described);
     html! {
-        h3 { (title) ": " (number(value)) " " (unit(&column.unit)) }
+        h3 { (title) @if let Some(value) = first.value { ": " (number(value)) " " (unit(&first.unit)) } }
         table.numbers {
             thead { tr {
                 th { "param" } th { "value" } th { "derivative" } th { "" }
-                th { "effect of +1 %" br; (unit(&column.unit)) } th { "in %" } th { "" } th { "" }
+                th { "effect of +1 %" br; (unit(&first.unit)) } th { "in %" } th { "" } th { "" }
             } }
-            tbody { @for entry in &entries {
-                @let param = &all.params[entry.param];
-                tr {
-                    td.word { (param.name) }
-                    td { (number(all.param_value(entry.param))) " " (unit(&param.unit)) }
-                    td { (shown_derivative(entry)) }
-                    td.word { (all.unit(output, entry.param)) }
-                    td { @if entry.is_zero() { "0" } @else { (number(entry.effect)) } }
-                    td { @if !entry.is_zero() { (shown_relative(entry, value)) } }
-                    td { (bar(entry, largest)) }
-                    td.word { (all.remarks(entry).join(", ")) }
-                }
-            } }
+            tbody { @for row in rows { tr {
+                td.word { (row.param) }
+                td { (number(row.param_value)) " " (unit(&row.param_unit)) }
+                td { (row.shown_derivative()) }
+                td.word { (row.derivative_unit) }
+                td { (row.shown_effect()) }
+                td { (row.shown_relative()) }
+                td { (bar(if row.is_zero() { 0.0 } else { effect(row) / largest })) }
+                td.word { (row.remarks().join(", ")) }
+            } } }
         }
     }
 }
 
-/// Draws the effect of a param as a bar from the middle.
-fn bar(entry: &Entry, largest: f64) -> Markup {
-    let part = if largest > 0.0 && entry.effect.is_finite() { entry.effect / largest } else { 0.0 };
+/// Section of a run's report: the derivatives that the model requests.
+pub(super) fn section(run: &Run) -> Markup {
+    let outputs = run.sensitivities.chunk_by(|one, other| one.output == other.output);
+    html! {
+        @for rows in outputs {
+            h3 { (rows[0].output) }
+            @for rows in rows.chunk_by(|one, other| one.statistic == other.statistic) { (rows_table(rows)) }
+        }
+        @if !run.sensitivities.is_empty() { (notes(&run.sensitivities)) }
+    }
+}
+
+/// Draws a part of the largest effect, from -1 to 1, as a bar from the middle.
+fn bar(part: f64) -> Markup {
     let (half, height) = (60.0, 12.0);
-    let width = (half * part.abs()).max(if entry.is_zero() { 0.0 } else { 0.5 });
+    let part = if part.is_finite() { part } else { 0.0 };
+    let width = half * part.abs();
     let left = if part < 0.0 { half - width } else { half };
     let colour = COLOURS[usize::from(part < 0.0)];
     let fill = format!("#{:02x}{:02x}{:02x}", colour.0, colour.1, colour.2);
@@ -131,20 +148,12 @@ fn course(all: &SensitivityTable, output: usize) -> Markup {
     figure(&curves(WIDE, &x, &y, &drawn, &[]), &caption)
 }
 
-fn explanation(all: &SensitivityTable) -> Markup {
-    let any = |remark: &str| {
-        all.shown.iter().any(|&output| {
-            let statistics = all.shown_statistics().into_iter();
-            let mut entries = statistics.flat_map(|statistic| all.entries(output, statistic));
-            entries.any(|entry| all.remarks(&entry).iter().any(|one| one == remark))
-        })
-    };
+/// Explains the remarks that some rows have.
+fn notes(rows: &[DerivativeRow]) -> Markup {
+    let any = |remark: &str| rows.iter().any(|row| row.remarks().iter().any(|one| one == remark));
     html! {
-        section {
-            h2 { "About the derivatives" }
-            p.note { "Derivatives keep the state of contact: the cells that carry force. Their errors are estimated from differences of two widths; errors below 0.01 % are not shown." }
-            @if any("kink") { p.note { "At a kink, the derivatives towards smaller and larger values of the param differ, because a tooth pair comes into contact, or the largest value moves to another position." } }
-            @if any("new structures") { p.note { "New structures: the param changes the stiffness of a body, which was computed again at each value." } }
-        }
+        p.note { "Derivatives keep the state of contact: the cells that carry force. Their errors are estimated from differences of two widths; errors below 0.01 % are not shown." }
+        @if any("kink") { p.note { "At a kink, the derivatives towards smaller and larger values of the param differ, because a tooth pair comes into contact, or the largest value moves to another position." } }
+        @if any("new structures") { p.note { "New structures: the param changes the stiffness of a body, which was computed again at each value." } }
     }
 }

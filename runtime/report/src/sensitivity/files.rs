@@ -1,9 +1,8 @@
 //! Sensitivities as tables with all digits.
 
-use super::{Entry, SensitivityTable};
+use super::{DerivativeRow, SensitivityTable};
 use crate::sweep::exact;
 use calyx_abi::units::from_si;
-use calyx_runtime::sensitivity::Kind;
 use std::io;
 use std::path::Path;
 
@@ -18,58 +17,23 @@ pub const SENSITIVITIES_BY_POSITION: &str = "sensitivities_by_position.csv";
 /// The file cannot be written.
 pub fn write_table(path: &Path, all: &SensitivityTable) -> io::Result<()> {
     let mut table = csv::Writer::from_path(path)?;
-    table.write_record([
-        "output",
-        "statistic",
-        "value",
-        "unit",
-        "param",
-        "param_value",
-        "param_unit",
-        "derivative",
-        "derivative_below",
-        "derivative_above",
-        "derivative_unit",
-        "estimated_error",
-        "effect_of_1_percent",
-        "structures",
-    ])?;
-    for &output in &all.shown {
-        for statistic in all.shown_statistics() {
-            let value = all.value(output, statistic).map(exact).unwrap_or_default();
-            let statistic_name = if all.is_single() { "" } else { statistic.name() };
-            for entry in all.entries(output, statistic) {
-                let Entry { param, sides, error, effect, .. } = entry;
-                let column = &all.params[param];
-                let known = |value: f64| if value.is_nan() { String::new() } else { exact(value) };
-                table.write_record([
-                    all.outputs[output].name.clone(),
-                    statistic_name.to_owned(),
-                    value.clone(),
-                    all.outputs[output].unit.clone(),
-                    column.name.clone(),
-                    exact(all.param_value(param)),
-                    column.unit.clone(),
-                    known(entry.value()),
-                    known(sides[0]),
-                    known(sides[1]),
-                    all.unit(output, param),
-                    known(error),
-                    known(effect),
-                    structures(all, param).to_owned(),
-                ])?;
-            }
-        }
+    for row in all.rows() {
+        table.serialize(row)?;
     }
     table.flush()
 }
 
-/// States whether a param changes structures.
-fn structures(all: &SensitivityTable, param: usize) -> &'static str {
-    match all.sensitivities[param].kind {
-        Kind::SameStructures => "same",
-        Kind::ChangedStructures => "new",
+/// Reads the rows of a table; none if the file does not exist.
+///
+/// # Errors
+/// The file cannot be read.
+pub fn read_table(directory: &Path) -> io::Result<Vec<DerivativeRow>> {
+    let path = directory.join(SENSITIVITIES);
+    if !path.exists() {
+        return Ok(Vec::new());
     }
+    let rows = csv::Reader::from_path(path)?.deserialize().collect::<Result<Vec<DerivativeRow>, _>>();
+    Ok(rows?)
 }
 
 /// Writes a row per position, output and param.

@@ -2,19 +2,19 @@
 //! units of the model, ranked by the effect of equal relative changes.
 
 mod files;
+mod row;
 mod text;
 
-pub use files::{SENSITIVITIES, SENSITIVITIES_BY_POSITION, write_positions, write_table};
+pub use files::{SENSITIVITIES, SENSITIVITIES_BY_POSITION, read_table, write_positions, write_table};
+pub use row::DerivativeRow;
 pub use text::text;
-#[cfg(feature = "pages")]
-pub(crate) use text::{derivative as shown_derivative, relative as shown_relative};
 
 pub use crate::sample::Statistic;
 
 use crate::sweep::{Column, Statistics};
 use calyx_abi::units::from_si;
 use calyx_runtime::position::Position;
-use calyx_runtime::sensitivity::{Derivative, Kind, Sensitivity, StatisticDerivatives};
+use calyx_runtime::sensitivity::{Derivative, Sensitivity, StatisticDerivatives};
 
 /// Relative change of a param whose effect ranks the params.
 pub const CHANGE: f64 = 0.01;
@@ -124,27 +124,6 @@ impl SensitivityTable {
     /// Returns the values of a param in its unit.
     pub fn param_value(&self, param: usize) -> f64 {
         self.params[param].reversible(self.sensitivities[param].param.value)
-    }
-
-    /// Returns remarks about a derivative: a kink, structures that were built again, its error.
-    pub fn remarks(&self, entry: &Entry) -> Vec<String> {
-        let mut all = Vec::new();
-        if entry.value().is_nan() {
-            all.push("the state of contact changes next to this value".to_owned());
-        }
-        if entry.is_kink {
-            all.push("kink".to_owned());
-        }
-        if self.sensitivities[entry.param].kind == Kind::ChangedStructures {
-            all.push("new structures".to_owned());
-        }
-        let relative = entry.error / entry.sides[0].abs().max(entry.sides[1].abs());
-        if entry.is_zero() && entry.error > 0.0 {
-            all.push("zero within its error".to_owned());
-        } else if relative > 1e-4 {
-            all.push(format!("±{:.1} %", 100.0 * relative));
-        }
-        all
     }
 }
 

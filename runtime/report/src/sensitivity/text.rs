@@ -1,6 +1,6 @@
 //! Sensitivities as text.
 
-use super::{Entry, SensitivityTable};
+use super::SensitivityTable;
 use crate::sample::Statistic;
 use crate::summary_table::{align, number};
 
@@ -20,7 +20,7 @@ pub fn text(all: &SensitivityTable) -> String {
             let unit = if unit == "1" { "" } else { unit };
             text += format!("{} = {} {unit}", all.name(output, statistic), number(value)).trim_end();
             text.push('\n');
-            text += &table(all, output, statistic, value);
+            text += &table(all, output, statistic);
             text.push('\n');
         }
     }
@@ -32,38 +32,22 @@ pub fn text(all: &SensitivityTable) -> String {
     text
 }
 
-fn table(all: &SensitivityTable, output: usize, statistic: Statistic, value: f64) -> String {
+fn table(all: &SensitivityTable, output: usize, statistic: Statistic) -> String {
     let unit = &all.outputs[output].unit;
     let effect = if unit == "1" { "per +1 %".to_owned() } else { format!("per +1 % [{unit}]") };
     let head = ["  param", "unit", "value", "derivative", "", &effect, "in %", ""];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
-    for entry in all.entries(output, statistic) {
-        let column = &all.params[entry.param];
+    for row in all.rows_of(output, statistic) {
         rows.push(vec![
-            format!("  {}", column.name),
-            if column.unit == "1" { String::new() } else { column.unit.clone() },
-            number(all.param_value(entry.param)),
-            derivative(&entry),
-            all.unit(output, entry.param),
-            if entry.is_zero() { "0".to_owned() } else { number(entry.effect) },
-            if entry.is_zero() { String::new() } else { relative(&entry, value) },
-            all.remarks(&entry).join(", "),
+            format!("  {}", row.param),
+            if row.param_unit == "1" { String::new() } else { row.param_unit.clone() },
+            number(row.param_value),
+            row.shown_derivative(),
+            row.derivative_unit.clone(),
+            row.shown_effect(),
+            row.shown_relative(),
+            row.remarks().join(", "),
         ]);
     }
     align(&rows)
-}
-
-/// Formats a derivative, at a kink those of both sides.
-pub(crate) fn derivative(entry: &Entry) -> String {
-    match entry.sides {
-        _ if entry.is_zero() => "0".to_owned(),
-        [below, above] if entry.is_kink => format!("{} below, {} above", number(below), number(above)),
-        [value, _] => number(value),
-    }
-}
-
-/// Formats the effect of a change relative to the value.
-pub(crate) fn relative(entry: &Entry, value: f64) -> String {
-    let part = 100.0 * entry.effect / value.abs();
-    if part.is_finite() { format!("{part:+.3}") } else { String::new() }
 }

@@ -9,7 +9,7 @@ use crate::watcher::interrupt;
 use calyx_abi::description::ParamDescription;
 use calyx_abi::error::codes;
 use calyx_abi::limits::Limits;
-use calyx_abi::{Cancel, Context, Repr, RuntimeError, Status, stack};
+use calyx_abi::{Cancel, Context, RuntimeError, Status, stack};
 use calyx_gears::calculation;
 use calyx_gears::host::ModelHost;
 use calyx_runtime::error::EngineError;
@@ -19,9 +19,12 @@ use calyx_runtime::sensitivity::{
 };
 use std::sync::Arc;
 
+/// No params, for [`Instance::request_sensitivities`].
+pub(crate) const NO_PARAMS: [&str; 0] = [];
+
 impl Instance {
     /// Requests the derivatives of all outputs with respect to params as part of the results of a
-    /// quasi-static analysis.
+    /// quasi-static analysis, in place of those that the model requests with `gears.sensitivity`.
     ///
     /// # Errors
     /// There is no such param, or it takes no decimal numbers.
@@ -33,7 +36,7 @@ impl Instance {
         for param in params {
             let index = param.index_in(self.names())?;
             let param = &self.description().params[index];
-            if !is_continuous(param) {
+            if !param.is_continuous() {
                 return Err(Error::given(
                     format!("`{}` takes no decimal numbers, so no derivatives exist", param.name),
                     differentiable(&self.description().params),
@@ -41,19 +44,21 @@ impl Instance {
             }
             requested.push(index);
         }
-        self.setup.sensitivities = requested;
+        self.setup.sensitivities = Some(requested);
         Ok(())
     }
-}
 
-/// Returns whether outputs can be differentiated with respect to a param.
-pub fn is_continuous(param: &ParamDescription) -> bool {
-    param.repr == Repr::Number && !param.integral
+    /// Limits the derivatives that [`Instance::request_sensitivities`] requests to the outputs of
+    /// some names, which takes less time; those of others are NaN. Without names, all outputs are
+    /// differentiated.
+    pub fn limit_sensitivities<S: Into<String>>(&mut self, outputs: impl IntoIterator<Item = S>) {
+        self.setup.differentiated_outputs = outputs.into_iter().map(Into::into).collect();
+    }
 }
 
 fn differentiable(params: &[ParamDescription]) -> String {
     let names: Vec<&str> =
-        params.iter().filter(|param| is_continuous(param)).map(|param| param.name.as_str()).collect();
+        params.iter().filter(|param| param.is_continuous()).map(|param| param.name.as_str()).collect();
     match names.as_slice() {
         [] => "the model has no params with decimal numbers".to_owned(),
         names => format!("choose among {}", names.join(", ")),
@@ -68,23 +73,36 @@ struct ModelNeighbours {
 }
 
 impl Job {
-    /// Returns the request for the derivatives with respect to the requested params, whose values are
-    /// in a context; `None` without any.
-    pub(super) fn sensitivities(&self, context: &mut Context) -> Result<Option<SensitivityRequest>, Error> {
-        if self.setup.sensitivities.is_empty() {
-            return Ok(None);
-        }
+    /// Provides the requested derivatives, or all params for the requests of the model. The context
+    /// has the values of the params.
+    pub(super) fn provide_sensitivities(&self, context: &mut Context) -> Result<(), Error> {
         let program = self.setup.program.clone();
-        let mut all = Vec::new();
-        for &index in &self.setup.sensitivities {
-            let param = &program.description().params[index];
-            let (low, high) = params::range(program.as_ref(), index, param, context)?;
+        let params = &program.description().params;
+        let indices = match &self.setup.sensitivities {
+            Some(requested) => requested.clone(),
+            None => (0..params.len()).filter(|&index| params[index].is_continuous()).collect(),
+        };
+        if indices.is_empty() {
+            return Ok(());
+        }
+        let mut varied = Vec::new();
+        for index in indices {
+            let (low, high) = params::range(program.as_ref(), index, &params[index], context)?;
             let range = [low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY)];
-            all.push(VariedParam { index, name: param.name.clone(), value: context.params[index], range });
+            let (name, value) = (params[index].name.clone(), context.params[index]);
+            varied.push(VariedParam { index, name, value, range });
         }
         let (setup, limits, cancel) = (self.setup.clone(), self.limits, self.cancel.clone());
         let neighbours = Arc::new(ModelNeighbours { setup, limits, cancel });
-        Ok(Some(SensitivityRequest { neighbours, params: all }))
+        let outputs = self.setup.differentiated_outputs.clone();
+        let request = Some(SensitivityRequest { neighbours, params: varied, outputs });
+        if let Some(host) = context.host::<ModelHost>() {
+            match self.setup.sensitivities {
+                Some(_) => host.analysis.sensitivities = request,
+                None => host.differentiable = request,
+            }
+        }
+        Ok(())
     }
 }
 

@@ -4,7 +4,7 @@ use super::functions::{self, Shape};
 use super::problem::{deviated, variable_of};
 use super::{Optimizer, Problem, State};
 use crate::error::Error;
-use crate::instance::Instance;
+use crate::instance::{Instance, NO_PARAMS};
 use crate::results::Results;
 use crate::run::RunError;
 use crate::sweep::journal::{self, Journal, fingerprint};
@@ -493,6 +493,7 @@ impl<'o> Evaluator<'o> {
         let Optimizer { program, given, overrides, problem, engine, cancel, .. } = self.optimizer;
         let description = program.description();
         let mut instance = Instance::new(engine, program.clone());
+        instance.request_sensitivities(NO_PARAMS)?;
         for given in given {
             instance.give(given)?;
         }

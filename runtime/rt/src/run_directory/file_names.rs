@@ -37,7 +37,7 @@ pub(super) const FILES_OF_SENSITIVITIES: [&str; 3] =
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-pub(super) const FILES_OF_A_RUN: [&str; 34] = [
+pub(super) const FILES_OF_A_RUN: [&str; 36] = [
     view::page::NAME,
     "run.json",
     "journal.jsonl",
@@ -70,6 +70,8 @@ pub(super) const FILES_OF_A_RUN: [&str; 34] = [
     "forced_response.csv",
     "forced_response_modes.csv",
     "modes.csv",
+    SENSITIVITIES,
+    SENSITIVITIES_BY_POSITION,
     REPORT,
     "report.html.part",
 ];

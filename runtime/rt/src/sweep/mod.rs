@@ -29,7 +29,7 @@ pub use varied::{FIDELITY, Varied};
 
 use crate::engine::Engine;
 use crate::error::Error;
-use crate::instance::Instance;
+use crate::instance::{Instance, NO_PARAMS};
 use crate::param_assignment::ParamAssignment;
 use crate::params::InvalidParam;
 use crate::program::Program;
@@ -221,6 +221,8 @@ impl Sweep {
             instance.give(given)?;
         }
         instance.override_analysis(self.overrides);
+        // The tables of a sweep do not contain derivatives.
+        instance.request_sensitivities(NO_PARAMS)?;
         instance.set_cancel(self.cancel.clone());
         Ok(instance)
     }

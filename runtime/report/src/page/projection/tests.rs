@@ -154,6 +154,7 @@ fn run(left: bool) -> Run {
         forced_response: Vec::new(),
         natural_frequencies: Vec::new(),
         modes: Vec::new(),
+        sensitivities: Vec::new(),
         tradeoff: None,
         files: Vec::new(),
     }

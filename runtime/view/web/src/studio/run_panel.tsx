@@ -14,7 +14,7 @@ export function RunPanel({ studio }: { studio: Studio }): JSX.Element | null {
   return (
     <section class="panel" aria-labelledby="run-heading">
       <h2 id="run-heading">Run</h2>
-      <PlanSummary studio={studio} />
+      <div class="plan-summary"><PlanSummary studio={studio} /></div>
       <div class="run-row">
         <button type="button" class="primary" disabled={!studio.canRun} onClick={() => void studio.run()}>Run</button>
         <label class="switch">
