@@ -5,8 +5,8 @@
 use calyx_contact::active_set::solve_until;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    Grid, GridOptions, PatchCells, PlacedSurface, Pose, Side, build_grid, compliance, find_contact_line,
-    first_guess,
+    Entries, Grid, GridOptions, PatchCells, PlacedSurface, Pose, Side, build_grid, compliance,
+    find_contact_line, first_guess,
 };
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Chart;
@@ -84,7 +84,7 @@ fn problem(grid: &Grid, body: &HalfSpaceBody) -> ContactProblem {
     let side = |number| Side { body: number, structure: body, chart, pose: Pose::IDENTITY };
     let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
     ContactProblem {
-        compliance: compliance(&[patch], None, &Interrupt::never()).expect("nothing interrupts it"),
+        compliance: compliance(&[patch], Entries::All, &Interrupt::never()).expect("nothing interrupts it"),
         arms: vec![1.0; grid.cells.len()],
         gaps: grid.cells.iter().map(|cell| cell.gap).collect(),
         stiffness: vec![0.0],

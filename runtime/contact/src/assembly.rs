@@ -44,6 +44,18 @@ pub struct FormerCompliance<'a> {
     pub unchanged: &'a [bool],
 }
 
+/// Entries of a compliance matrix that are computed.
+#[derive(Clone, Copy)]
+pub enum Entries<'a> {
+    /// All.
+    All,
+    /// Those of blocks of two patches of which at least one has changed; the others are copied.
+    Changed(FormerCompliance<'a>),
+    /// Those between cells that are wanted, by patch. The others are zero, except for a positive
+    /// diagonal, and of no meaning.
+    Between(&'a [Vec<bool>]),
+}
+
 impl FormerCompliance<'_> {
     /// Returns the block of two patches, row-major, if both are unchanged.
     fn block(&self, p: usize, q: usize) -> Option<Vec<f64>> {
@@ -60,22 +72,55 @@ impl FormerCompliance<'_> {
 }
 
 /// Computes A, row-major, with the cells in the order of the patches: growth of a cell's average
-/// gap per force on a cell, m/(N/m). Blocks of unchanged patches are copied from the `former`
-/// matrix. Each row of a block is a checkpoint.
+/// gap per force on a cell, m/(N/m). Each row of a block is a checkpoint.
 ///
 /// # Errors
 /// Those of the interrupt.
 pub fn compliance(
     patches: &[PatchCells],
-    former: Option<FormerCompliance>,
+    entries: Entries,
     interrupt: &Interrupt,
 ) -> Result<Vec<f64>, EngineError> {
+    let former = match entries {
+        Entries::All => None,
+        Entries::Changed(former) => Some(former),
+        Entries::Between(wanted) => {
+            let kept: Vec<Vec<Cell>> =
+                patches.iter().zip(wanted).map(|(patch, wanted)| kept(patch.cells, wanted)).collect();
+            let reduced: Vec<PatchCells> = patches
+                .iter()
+                .zip(&kept)
+                .map(|(patch, cells)| PatchCells { cells: cells.as_slice(), ..*patch })
+                .collect();
+            return Ok(spread(&compliance(&reduced, Entries::All, interrupt)?, wanted));
+        }
+    };
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
     symmetric_of_blocks(&sizes, former, interrupt, |p, q| {
         let block = block(&patches[p], &patches[q], p == q, interrupt)?;
         debug_assert!(p != q || is_symmetric(&block, sizes[q]), "a structure's compliance is not symmetric");
         Ok(block)
     })
+}
+
+/// Returns the cells that are wanted.
+pub(crate) fn kept<C: Clone>(cells: &[C], wanted: &[bool]) -> Vec<C> {
+    cells.iter().zip(wanted).filter(|(_, wanted)| **wanted).map(|(cell, _)| cell.clone()).collect()
+}
+
+/// Returns the matrix of all cells from that of the wanted ones, see [`Entries::Between`].
+pub(crate) fn spread(reduced: &[f64], wanted: &[Vec<bool>]) -> Vec<f64> {
+    let all: Vec<bool> = wanted.iter().flatten().copied().collect();
+    let places: Vec<usize> = (0..all.len()).filter(|&cell| all[cell]).collect();
+    let (n, k) = (all.len(), places.len());
+    let largest = (0..k).map(|i| reduced[i * k + i]).fold(0.0, f64::max);
+    let diagonal = if largest > 0.0 { largest } else { 1.0 };
+    let mut matrix = vec![0.0; n * n];
+    (0..n).for_each(|cell| matrix[cell * n + cell] = diagonal);
+    for (row, &i) in reduced.chunks_exact(k.max(1)).zip(&places) {
+        row.iter().zip(&places).for_each(|(value, &j)| matrix[i * n + j] = *value);
+    }
+    matrix
 }
 
 /// Assembles a symmetric matrix, row-major. `block(p, q)` returns the block, row-major, of the

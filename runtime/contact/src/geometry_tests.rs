@@ -2,7 +2,7 @@
 
 use super::Placement;
 use super::approach::{PlacedProfile, closest_approach};
-use super::assembly::{FormerCompliance, PatchCells, Side, compliance};
+use super::assembly::{Entries, FormerCompliance, PatchCells, Side, compliance};
 use super::grid::{Cell, GridOptions, Width, assess, build_grid};
 use super::test_profiles::{Arcs, HalfPlaneBody, Involute};
 use calyx_numerics::error::EngineError;
@@ -215,7 +215,7 @@ fn a_grid_is_wider_than_rounding_errors() {
         let options = GridOptions { half_count: 24, width, contact_modulus: 1e11, search_edges: true };
         let grid = build_grid(first, second, &approach, &options);
         let patches = [PatchCells { sides: [side(0), side(1)], cells: &grid.cells }];
-        let matrix = compliance(&patches, None, &Interrupt::never()).expect("no interrupt");
+        let matrix = compliance(&patches, Entries::All, &Interrupt::never()).expect("no interrupt");
         assert!(grid.cells.len() == 49 && matrix.iter().all(|value| value.is_finite()), "{width:?}");
         // One loaded cell asks for a narrower grid, but not for one below the smallest width.
         let mut pressures = vec![0.0; 49];
@@ -288,10 +288,10 @@ fn the_compliance_of_many_cells_can_be_interrupted() {
             false => Err(EngineError::new("E0704", "enough", "")),
         })
     };
-    compliance(&patches, None, &counting(usize::MAX)).expect("nothing ends it");
+    compliance(&patches, Entries::All, &counting(usize::MAX)).expect("nothing ends it");
     let rows = asked.load(Relaxed);
     assert!(rows >= 2 * grid.cells.len(), "{rows} checkpoints for {} cells", grid.cells.len());
-    let ended = compliance(&patches, None, &counting(10)).expect_err("it is ended");
+    let ended = compliance(&patches, Entries::All, &counting(10)).expect_err("it is ended");
     assert_eq!((ended.code, asked.load(Relaxed)), ("E0704", 11));
 }
 
@@ -324,7 +324,7 @@ fn compliance_is_symmetric_bit_for_bit_across_patches() {
         // Shares no body, although the structure is the same.
         PatchCells { sides: [side(2, 0), side(3, 0)], cells: &one.cells },
     ];
-    let matrix = compliance(&patches, None, &Interrupt::never()).expect("no interrupt");
+    let matrix = compliance(&patches, Entries::All, &Interrupt::never()).expect("no interrupt");
     let n = 9 + 13 + 9;
     for i in 0..n {
         for j in 0..n {
@@ -352,21 +352,32 @@ fn blocks_of_unchanged_patches_are_kept() {
     let [before, after, second, third] = [4, 5, 6, 7].map(grid);
     let body = HalfPlaneBody { surface_modulus: 2e11 };
     let side = |number| Side { body: number, structure: &body, chart: Chart { tooth: 0, surface: 0 } };
-    let compliance = |cells: [&[Cell]; 3], former: Option<FormerCompliance>| {
+    let compliance = |cells: [&[Cell]; 3], entries: Entries| {
         let patches = cells.map(|cells| PatchCells { sides: [side(0), side(1)], cells });
-        compliance(&patches, former, &Interrupt::never()).expect("no interrupt")
+        compliance(&patches, entries, &Interrupt::never()).expect("no interrupt")
     };
-    let mut known = compliance([&before, &second, &third], None);
-    let fresh = compliance([&after, &second, &third], None);
+    let mut known = compliance([&before, &second, &third], Entries::All);
+    let fresh = compliance([&after, &second, &third], Entries::All);
     let (sizes, unchanged) = ([9, 13, 15], [false, true, true]);
     let again = |matrix: &[f64]| {
         compliance(
             [&after, &second, &third],
-            Some(FormerCompliance { matrix, sizes: &sizes, unchanged: &unchanged }),
+            Entries::Changed(FormerCompliance { matrix, sizes: &sizes, unchanged: &unchanged }),
         )
     };
     assert_eq!(again(&known), fresh);
     // A mark in the block of the second and third patch is still there.
     known[9 * 37 + 9 + 13] = 7.0;
     assert_eq!(again(&known)[11 * 39 + 11 + 13], 7.0);
+    // Entries between some cells of each patch are those of the whole matrix.
+    let wanted = [11, 13, 15].map(|count| (0..count).map(|cell| cell % 3 == 1).collect::<Vec<bool>>());
+    let some = compliance([&after, &second, &third], Entries::Between(&wanted));
+    let wanted: Vec<bool> = wanted.concat();
+    for (entry, value) in some.iter().enumerate() {
+        let [row, column] = [entry / 39, entry % 39];
+        match wanted[row] && wanted[column] {
+            true => assert_eq!(*value, fresh[entry], "{row} {column}"),
+            false => assert_eq!(*value > 0.0, row == column, "{row} {column}"),
+        }
+    }
 }

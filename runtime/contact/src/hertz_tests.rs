@@ -3,7 +3,7 @@
 use super::Placement;
 use super::active_set::solve;
 use super::approach::{PlacedProfile, closest_approach};
-use super::assembly::{PatchCells, Side, compliance};
+use super::assembly::{Entries, PatchCells, Side, compliance};
 use super::grid::{Grid, GridOptions, Width, assess, build_grid, contact_modulus, pressures};
 use super::pressure::{half_width, peak};
 use super::problem::ContactProblem;
@@ -52,7 +52,7 @@ fn press(
     let patch = PatchCells { sides: [side(0), side(1)], cells: &grid.cells };
     let n = grid.cells.len();
     let problem = ContactProblem {
-        compliance: compliance(&[patch], None, &Interrupt::never()).expect("no interrupt"),
+        compliance: compliance(&[patch], Entries::All, &Interrupt::never()).expect("no interrupt"),
         arms: vec![grid.frame.translation_arm(1, grid.frame.normal); n],
         gaps: grid.cells.iter().map(|cell| cell.gap).collect(),
         stiffness: vec![0.0],

@@ -22,7 +22,7 @@ mod plane;
 mod relinearization;
 mod solid;
 
-pub use contact_state::{ContactState, PatchCells};
+pub use contact_state::{ContactState, GridState, PatchCells};
 pub use participation::Participating;
 pub use patch::{ContactGrid, ContactPatch};
 
@@ -55,6 +55,8 @@ pub struct StepResult {
     pub problem: ContactProblem,
     /// Active set: indices of the loaded cells.
     pub active: Vec<usize>,
+    /// Grids that were solved one after the other, of which the last one is that of the solution.
+    pub grids: Vec<GridState>,
     /// Modal coordinates, body by body; empty without modes.
     pub modal: Vec<f64>,
     /// Rates of the DOFs and of the modal coordinates, per second; empty in equilibrium.
@@ -90,8 +92,10 @@ impl System<'_> {
     }
 
     /// Solves the equilibrium at a time (s) in a given state of contact: with the cells that carry
-    /// force there, as a smooth continuation of a neighbouring scene. If the patches differ, the
-    /// state is found as usual; compare it with [`StepResult::contact_state`].
+    /// force there, as a smooth continuation of a neighbouring scene. Only influence coefficients
+    /// between these cells are computed, so that the gaps of others and the certificate have no
+    /// meaning. If the patches differ, the state is found as usual; compare it with
+    /// [`StepResult::contact_state`].
     ///
     /// # Errors
     /// Those of [`System::solve`].

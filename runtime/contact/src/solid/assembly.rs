@@ -10,7 +10,7 @@ use super::image::{Images, PlacedMirror};
 use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
 use super::strips::add_influence;
-use crate::assembly::{FormerCompliance, is_symmetric, symmetric_of_blocks};
+use crate::assembly::{Entries, is_symmetric, kept, spread, symmetric_of_blocks};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Chart;
@@ -43,16 +43,31 @@ pub struct PatchCells<'a> {
 }
 
 /// Computes A, row-major, with the cells in the order of the patches: growth of a cell's average
-/// gap per force on a cell, m/N. Blocks of unchanged patches are copied from the `former` matrix.
-/// Each block has checkpoints.
+/// gap per force on a cell, m/N. Each block has checkpoints. Between
+/// wanted cells, images at curved side faces are those of all cells only if the slices at the ends
+/// are wanted as a whole.
 ///
 /// # Errors
 /// Those of the interrupt.
 pub fn compliance(
     patches: &[PatchCells],
-    former: Option<FormerCompliance>,
+    entries: Entries,
     interrupt: &Interrupt,
 ) -> Result<Vec<f64>, EngineError> {
+    let former = match entries {
+        Entries::All => None,
+        Entries::Changed(former) => Some(former),
+        Entries::Between(wanted) => {
+            let kept: Vec<Vec<Cell>> =
+                patches.iter().zip(wanted).map(|(patch, wanted)| kept(patch.cells, wanted)).collect();
+            let reduced: Vec<PatchCells> = patches
+                .iter()
+                .zip(&kept)
+                .map(|(patch, cells)| PatchCells { cells: cells.as_slice(), ..*patch })
+                .collect();
+            return Ok(spread(&compliance(&reduced, Entries::All, interrupt)?, wanted));
+        }
+    };
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
     symmetric_of_blocks(&sizes, former, interrupt, |p, q| {
         let mut block = structural(&patches[p], &patches[q], interrupt)?;

@@ -204,7 +204,7 @@ fn images_lie_in_the_side_face_where_the_patch_meets_it() {
         let chart = Chart { tooth: 0, surface: 0 };
         let side = |body, structure| Side { body, structure, chart, pose: Pose::IDENTITY };
         let sides = [side(0, &rigid as &dyn SolidStructure), side(1, structure)];
-        compliance(&[PatchCells { sides, frame: &frame, cells: &cells }], None, &Interrupt::never())
+        compliance(&[PatchCells { sides, frame: &frame, cells: &cells }], Entries::All, &Interrupt::never())
             .expect("a matrix")
     };
     let body = || HalfSpaceBody::half_space(Vec::new(), 1, 2e11);

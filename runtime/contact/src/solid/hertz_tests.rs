@@ -74,7 +74,7 @@ impl Press {
             let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
             let n = grid.cells.len();
             let problem = ContactProblem {
-                compliance: compliance(&[patch], None, &Interrupt::never()).expect("no interrupt"),
+                compliance: compliance(&[patch], Entries::All, &Interrupt::never()).expect("no interrupt"),
                 arms: vec![grid.frame.translation_arm(1, grid.frame.normal); n],
                 gaps: grid.cells.iter().map(|cell| cell.gap).collect(),
                 stiffness: vec![0.0],

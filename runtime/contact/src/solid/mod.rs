@@ -23,6 +23,7 @@ mod strips;
 mod surface_curvature;
 mod transverse_approach;
 
+pub use crate::assembly::Entries;
 pub use active_set_guess::first_guess;
 pub use assembly::{PatchCells, Side, compliance};
 pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};

@@ -5,10 +5,11 @@ use super::ContactPatch;
 use super::friction::Action;
 use crate::modal::Modes;
 use crate::system::Teeth;
-use calyx_contact::assembly::FormerCompliance;
+use calyx_contact::assembly::Entries;
 use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
+use std::ops::Range;
 
 /// Tooth pair that may come into contact, before the solution.
 pub(super) struct Candidate<S> {
@@ -109,13 +110,17 @@ pub(super) trait ContactGeometry: Sync {
     /// Returns the point of action of the closest approach, if there is no grid.
     fn approaching(&self, candidate: &Candidate<Self::Site>) -> Action;
 
-    /// Computes the compliance matrix, see [`ContactProblem::compliance`]. Blocks of unchanged
-    /// grids are copied from the `former` matrix.
+    /// Computes the compliance matrix, see [`ContactProblem::compliance`].
     fn compliance(
         &self,
         laid: &[(&Candidate<Self::Site>, &Self::Grid)],
-        former: Option<FormerCompliance>,
+        entries: Entries,
     ) -> Result<Vec<f64>, EngineError>;
+
+    /// Returns the cells whose gaps matter for the size of the grid although they carry no force.
+    fn observed_cells(&self, _grid: &Self::Grid) -> Vec<Range<usize>> {
+        Vec::new()
+    }
 
     /// Returns the growth of the gap of each cell by the forces on the flanks of all spline teeth;
     /// none in three dimensions. There is a checkpoint before each side of a patch.

@@ -6,7 +6,7 @@
 
 use super::StepResult;
 use super::contact_geometry::{Approach, Candidate, ContactGeometry};
-use super::contact_state::ContactState;
+use super::contact_state::{ContactState, GridState};
 use super::nonlinear_bearings::NonlinearBearings;
 use super::relinearization::{ContactReference, farthest};
 use crate::modal::ModalElimination;
@@ -79,21 +79,23 @@ impl<S: ContactGeometry> Solver<'_, S> {
     /// relinearizes where the load displaces bodies far, until this converges.
     pub(super) fn solve(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
         let start = self.start(time, load)?;
-        let mut laid = self.solve_from(time, load, &start)?;
+        let mut grids = Vec::new();
+        let mut laid = self.solve_from(time, load, &start, &mut grids)?;
         if laid.step.problem.gaps.is_empty() && self.on_general_axes() {
             return Ok(self.touching(time, load, laid).step);
         }
+        let with_grids = |step: StepResult, grids| StepResult { grids, ..step };
         let LaidOutContact { step, references } = &laid;
         if farthest(self.system, time, references, &difference(&step.motion, &step.start)).0 <= MOST_SHIFT {
-            return Ok(laid.step);
+            return Ok(with_grids(laid.step, grids));
         }
         for _ in 0..PLACES {
             let next = self.carried(time, load, &laid.step)?;
             let moved = difference(&next, &laid.step.start);
             if farthest(self.system, time, &laid.references, &moved).0 <= SETTLED {
-                return Ok(laid.step);
+                return Ok(with_grids(laid.step, grids));
             }
-            laid = match self.solve_from(time, load, &next) {
+            laid = match self.solve_from(time, load, &next, &mut grids) {
                 Ok(laid) => laid,
                 // At the position under load, teeth are out of contact or the problem cannot be
                 // solved.
@@ -108,15 +110,22 @@ impl<S: ContactGeometry> Solver<'_, S> {
         {
             step.warnings.push(reference.lost(self.system.scene, relative_shift));
         }
-        Ok(step)
+        Ok(with_grids(step, grids))
     }
 
     /// Solves with the contact grid created at the deviations `start` from the prescribed motions.
-    fn solve_from(&self, time: f64, load: &[f64], start: &[f64]) -> Result<LaidOutContact, EngineError> {
+    /// Solved grids are added to `grids`.
+    fn solve_from(
+        &self,
+        time: f64,
+        load: &[f64],
+        start: &[f64],
+        grids: &mut Vec<GridState>,
+    ) -> Result<LaidOutContact, EngineError> {
         let candidates = self.space.candidates(time, start)?;
         // Motions are relative to this position, at which springs are already strained.
         let (springs, load) = self.under.springs.from(start, load);
-        self.under(&springs, start).solve_at_layout(time, &load, candidates)
+        self.under(&springs, start).solve_at_layout(time, &load, candidates, grids)
     }
 
     /// Solves with contact between these candidates at the solver's start, to which springs and
@@ -126,6 +135,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         time: f64,
         load: &[f64],
         candidates: Vec<Candidate<S::Site>>,
+        grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
         let start = self.under.start;
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
@@ -137,7 +147,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         loop {
             let used: Vec<&Candidate<S::Site>> =
                 candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c).collect();
-            let LaidOutContact { step, references } = self.solve_candidates(time, load, &used)?;
+            let LaidOutContact { step, references } = self.solve_candidates(time, load, &used, grids)?;
             // Add teeth that were left out and that the solution would make overlap.
             let mut closed = false;
             for (candidate, used) in candidates.iter().zip(&mut chosen).filter(|(_, used)| !**used) {
@@ -157,7 +167,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
     /// Solves a time step.
     pub(super) fn take(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
         let candidates = self.space.candidates(time, self.under.start)?;
-        Ok(self.solve_at_layout(time, load, candidates)?.step)
+        Ok(self.solve_at_layout(time, load, candidates, &mut Vec::new())?.step)
     }
 
     /// Returns the position of the bodies under load: springs and stops with their present
@@ -194,7 +204,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             if difference(&step.motion, &step.start).iter().all(|moved| moved.abs() <= TOUCHING_AT) {
                 break;
             }
-            match self.solve_from(time, load, &step.motion) {
+            match self.solve_from(time, load, &step.motion, &mut Vec::new()) {
                 Ok(next) if next.step.problem.gaps.is_empty() => laid = next,
                 _ => break,
             }

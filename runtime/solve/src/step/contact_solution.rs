@@ -3,13 +3,13 @@
 
 use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells};
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
-use super::contact_state::PatchCells;
+use super::contact_state::{GridState, PatchCells};
 use super::nonlinear_bearings::{NonlinearBearings, NonlinearIteration};
 use super::relinearization::ContactReference;
 use super::{ContactPatch, StepResult};
 use crate::restraint_check::{self, spins_freely};
 use crate::system::System;
-use calyx_contact::assembly::FormerCompliance;
+use calyx_contact::assembly::{Entries, FormerCompliance};
 use calyx_contact::friction::{ActiveSet, solve_with_friction};
 use calyx_contact::problem::{ContactError, ContactProblem, Solution};
 use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
@@ -59,6 +59,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         time: f64,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
+        solved: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
         // Fully constrained or sprung bodies may overlap and press on each other without any load.
         // In a time step inertia balances these forces.
@@ -88,26 +89,28 @@ impl<S: ContactGeometry> Solver<'_, S> {
         // Active set of the grids without the rotation of their normals by the deflection.
         let mut active: Option<Vec<usize>> = None;
         let (drags, problem, modal, solution) = loop {
-            let (problem, modal, compliance) = self.problem(load, candidates, &grids, known.as_ref())?;
+            let patches = self.patch_cells(candidates, &grids);
+            let given = self.given_state(solved.len(), &patches);
+            let (problem, modal, compliance) =
+                self.problem(load, candidates, &grids, (known.as_ref(), given))?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let deflected = active.is_some();
+            let former = active.take();
             // Corrected grids start with the bearings of the former grids.
             let laid = (candidates, &grids[..]);
-            // With a given state of contact, its active set replaces that of the last grids.
-            let given = self.given_active_set(candidates, &grids);
-            let repeated = given.map(|given| (given, problem.clone()));
-            let guess = given.map(<[usize]>::to_vec).or_else(|| active.take());
-            let guess = guess.unwrap_or_else(|| self.guess(load, candidates, &problem, &grids));
-            let (problem, solution) = self.solve_problem(problem, &works, guess, laid, &mut iteration)?;
-            let in_given_state = |solved: (ContactProblem, Solution), iteration: &mut _| match repeated {
-                Some((given, problem)) if solved.1.active != given => {
-                    self.solve_in_state(problem, &works, given, laid, iteration)
+            let (problem, solution) = match given {
+                Some(given) => {
+                    let set = ActiveSet::Given(&given.active);
+                    self.solve_problem(problem, &works, set, laid, &mut iteration)?
                 }
-                _ => Ok(solved),
+                None => {
+                    let guess = former.unwrap_or_else(|| self.guess(load, candidates, &problem, &grids));
+                    self.solve_problem(problem, &works, ActiveSet::Estimate(&guess), laid, &mut iteration)?
+                }
             };
+            solved.push(GridState { patches, active: solution.active.clone() });
             if deflected {
-                let (problem, solution) = in_given_state((problem, solution), &mut iteration)?;
                 break (drags, problem, modal, solution);
             }
             // Sizes that are not prescribed follow the forces of the patches.
@@ -116,11 +119,12 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let unchanged: Vec<bool> = better.iter().map(|size| rounds == 0 || size.is_none()).collect();
             let converged = !unchanged.contains(&false);
             let counts = grids.iter().map(|grid| self.space.count(grid)).collect();
-            known = Some(KnownCompliance { matrix: compliance, sizes: counts, unchanged });
+            // A given state has some of the entries only.
+            known =
+                given.is_none().then_some(KnownCompliance { matrix: compliance, sizes: counts, unchanged });
             if converged {
                 let laid: Vec<_> = candidates.iter().copied().zip(&grids).collect();
                 let Some(rotated) = self.space.with_deflected_normals(&laid, &solution.forces)? else {
-                    let (problem, solution) = in_given_state((problem, solution), &mut iteration)?;
                     break (drags, problem, modal, solution);
                 };
                 (grids, active) = (rotated, Some(solution.active));
@@ -185,6 +189,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             start: Vec::new(),
             problem,
             active: solution.active,
+            grids: Vec::new(),
             stops,
             certificate: solution.certificate,
             warnings,
@@ -192,60 +197,46 @@ impl<S: ContactGeometry> Solver<'_, S> {
         LaidOutContact { step, references }
     }
 
-    /// Solves a contact problem, with nonlinear bearings in equilibrium; `guess` is an initial
-    /// active set.
+    /// Solves a contact problem, with nonlinear bearings in equilibrium.
     fn solve_problem(
         &self,
         problem: ContactProblem,
         works: &[f64],
-        guess: Vec<usize>,
+        active: ActiveSet<'_>,
         (candidates, grids): (&[&Candidate<S::Site>], &[S::Grid]),
         iteration: &mut Option<NonlinearIteration>,
     ) -> Result<(ContactProblem, Solution), EngineError> {
         let solve = |problem, guess: &[usize]| {
-            let estimate = ActiveSet::Estimate(guess);
-            let solved = solve_with_friction(problem, works, estimate, &self.system.interrupt);
+            let active = match active {
+                ActiveSet::Given(given) => ActiveSet::Given(given),
+                ActiveSet::Estimate(_) => ActiveSet::Estimate(guess),
+            };
+            let solved = solve_with_friction(problem, works, active, &self.system.interrupt);
             solved.map_err(|error| self.explain_on(candidates, grids, &error))
         };
+        let (ActiveSet::Given(first) | ActiveSet::Estimate(first)) = active;
         match (self.under.nonlinear, iteration) {
             (Some(bearings), Some(iteration)) => {
-                bearings.equilibrium(iteration, problem, self.under.start, guess, solve)
+                bearings.equilibrium(iteration, problem, self.under.start, first.to_vec(), solve)
             }
-            _ => solve(problem, &guess),
+            _ => solve(problem, first),
         }
     }
 
-    /// Returns the active set of the given state of contact, if there is one and the grids are its
-    /// own.
-    fn given_active_set(&self, candidates: &[&Candidate<S::Site>], grids: &[S::Grid]) -> Option<&[usize]> {
-        let state = self.under.state?;
+    /// Returns the patches of grids.
+    fn patch_cells(&self, candidates: &[&Candidate<S::Site>], grids: &[S::Grid]) -> Vec<PatchCells> {
         let cells = |(candidate, grid): (&&Candidate<S::Site>, &S::Grid)| PatchCells {
             pair: candidate.teeth.0,
             teeth: candidate.teeth.1,
             cells: self.space.count(grid),
         };
-        candidates.iter().zip(grids).map(cells).eq(state.patches.iter().copied()).then_some(&state.active)
+        candidates.iter().zip(grids).map(cells).collect()
     }
 
-    /// Solves a contact problem with a given active set, with nonlinear bearings in equilibrium.
-    fn solve_in_state(
-        &self,
-        problem: ContactProblem,
-        works: &[f64],
-        given: &[usize],
-        (candidates, grids): (&[&Candidate<S::Site>], &[S::Grid]),
-        iteration: &mut Option<NonlinearIteration>,
-    ) -> Result<(ContactProblem, Solution), EngineError> {
-        let solve = |problem, _: &[usize]| {
-            let solved = solve_with_friction(problem, works, ActiveSet::Given(given), &self.system.interrupt);
-            solved.map_err(|error| self.explain_on(candidates, grids, &error))
-        };
-        match (self.under.nonlinear, iteration) {
-            (Some(bearings), Some(iteration)) => {
-                bearings.equilibrium(iteration, problem, self.under.start, given.to_vec(), solve)
-            }
-            _ => solve(problem, given),
-        }
+    /// Returns the state of contact that is given for the grids of an index, if their patches are the
+    /// same.
+    fn given_state(&self, index: usize, patches: &[PatchCells]) -> Option<&GridState> {
+        self.under.state?.grids.get(index).filter(|given| given.patches == patches)
     }
 
     /// Rigid-body limit as the load that springs do not carry vanishes: rigid contact at the
@@ -305,6 +296,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             start,
             problem,
             active,
+            grids: Vec::new(),
             stops,
             certificate,
             warnings,
@@ -416,18 +408,21 @@ impl<S: ContactGeometry> Solver<'_, S> {
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
         grids: &[S::Grid],
-        known: Option<&KnownCompliance>,
+        (known, given): (Option<&KnownCompliance>, Option<&GridState>),
     ) -> Result<(ContactProblem, Modal, Vec<f64>), EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
         let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
         let _room =
             self.system.interrupt.reserve_memory(MATRICES * (count * count * size_of::<f64>()) as u64)?;
-        let former = known.map(|KnownCompliance { matrix, sizes, unchanged }| FormerCompliance {
-            matrix,
-            sizes,
-            unchanged,
-        });
-        let compliance = self.space.compliance(&laid, former)?;
+        let wanted = given.map(|given| given.wanted(|patch| self.space.observed_cells(&grids[patch])));
+        let entries = match (&wanted, known) {
+            (Some(wanted), _) => Entries::Between(wanted),
+            (None, Some(KnownCompliance { matrix, sizes, unchanged })) => {
+                Entries::Changed(FormerCompliance { matrix, sizes, unchanged })
+            }
+            (None, None) => Entries::All,
+        };
+        let compliance = self.space.compliance(&laid, entries)?;
         let cells = ContactProblem {
             compliance: compliance.clone(),
             arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),

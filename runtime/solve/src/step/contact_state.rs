@@ -3,6 +3,7 @@
 //! state changes.
 
 use super::StepResult;
+use std::ops::Range;
 
 /// Force, relative to the largest, or gap, relative to the terms of the gap equations, below which
 /// a cell is at the boundary between contact and separation.
@@ -19,13 +20,50 @@ pub struct PatchCells {
     pub cells: usize,
 }
 
-/// State of contact of a solved position.
+/// State of contact on the grids of a position.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ContactState {
+pub struct GridState {
     /// Patches, in order.
     pub patches: Vec<PatchCells>,
     /// Cells of all patches, followed by stops of bearings and spline teeth, that carry force.
     pub active: Vec<usize>,
+}
+
+impl GridState {
+    /// Returns by patch the cells whose influence coefficients matter: those that carry force, their
+    /// neighbours, which take part in the tangent stiffness, and `observed` ones.
+    pub(super) fn wanted(&self, observed: impl Fn(usize) -> Vec<Range<usize>>) -> Vec<Vec<bool>> {
+        let mut first = 0;
+        let mut of_patch = |(index, patch): (usize, &PatchCells)| {
+            let mut wanted = vec![false; patch.cells];
+            let own = self.active.iter().filter_map(|cell| cell.checked_sub(first));
+            for cell in own.filter(|&cell| cell < patch.cells) {
+                wanted[cell.saturating_sub(1)..(cell + 2).min(patch.cells)].fill(true);
+            }
+            observed(index).into_iter().for_each(|cells| wanted[cells].fill(true));
+            first += patch.cells;
+            wanted
+        };
+        self.patches.iter().enumerate().map(&mut of_patch).collect()
+    }
+}
+
+/// State of contact of a solved position.
+#[derive(Clone, Debug)]
+pub struct ContactState {
+    /// Grids that were solved one after the other until their sizes and places were suitable.
+    pub grids: Vec<GridState>,
+    /// Patches of the solution, in order.
+    pub patches: Vec<PatchCells>,
+    /// Its cells, followed by stops of bearings and spline teeth, that carry force.
+    pub active: Vec<usize>,
+}
+
+/// The grids before the last ones do not matter.
+impl PartialEq for ContactState {
+    fn eq(&self, other: &ContactState) -> bool {
+        self.patches == other.patches && self.active == other.active
+    }
 }
 
 impl StepResult {
@@ -36,7 +74,8 @@ impl StepResult {
             teeth: patch.teeth,
             cells: patch.forces.len(),
         };
-        ContactState { patches: self.patches.iter().map(patch).collect(), active: self.active.clone() }
+        let patches = self.patches.iter().map(patch).collect();
+        ContactState { grids: self.grids.clone(), patches, active: self.active.clone() }
     }
 
     /// Returns whether a cell is at the boundary between contact and separation: it touches without

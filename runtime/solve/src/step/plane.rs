@@ -7,7 +7,7 @@ use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
 use crate::system::{PlaneBodies, System};
 use calyx_contact::approach::{self, PlacedProfile, closest_approach};
-use calyx_contact::assembly::{self, FormerCompliance, compliance};
+use calyx_contact::assembly::{self, Entries, compliance};
 use calyx_contact::grid::{self, Grid, GridOptions, Width, assess, build_grid, pressures};
 use calyx_contact::zone::ENDLESS;
 use calyx_contact::{ContactFrame, Placement};
@@ -152,7 +152,7 @@ impl ContactGeometry for Plane<'_> {
     fn compliance(
         &self,
         laid: &[(&Candidate<Site>, &Grid)],
-        former: Option<FormerCompliance>,
+        entries: Entries,
     ) -> Result<Vec<f64>, EngineError> {
         let mut patches = Vec::with_capacity(laid.len());
         for (candidate, grid) in laid {
@@ -167,7 +167,7 @@ impl ContactGeometry for Plane<'_> {
                 patches.push(assembly::PatchCells { sides: [first, second], cells: &grid.cells });
             }
         }
-        compliance(&patches, former, &self.system.interrupt)
+        compliance(&patches, entries, &self.system.interrupt)
     }
 
     fn by_spline_teeth(&self, laid: &[(&Candidate<Site>, &Grid)]) -> Result<Mat<f64>, EngineError> {

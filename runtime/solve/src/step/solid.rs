@@ -6,7 +6,7 @@ use super::friction::Action;
 use super::patch::solid_arm;
 use super::{ContactGrid, ContactPatch};
 use crate::system::{SolidBodies, System};
-use calyx_contact::assembly::FormerCompliance;
+use calyx_contact::assembly::Entries;
 use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
@@ -23,6 +23,7 @@ use calyx_structure::solid::SolidStructure;
 use calyx_structure::surface::Surface;
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Largest factor by which a correction enlarges a grid.
@@ -135,11 +136,17 @@ impl ContactGeometry for Solid<'_> {
     fn compliance(
         &self,
         laid: &[(&Candidate<Site>, &Grid)],
-        former: Option<FormerCompliance>,
+        entries: Entries,
     ) -> Result<Vec<f64>, EngineError> {
         let patches: Vec<PatchCells> =
             laid.iter().filter_map(|(candidate, grid)| self.patch_cells(candidate, grid)).collect();
-        compliance(&patches, former, &self.system.interrupt)
+        compliance(&patches, entries, &self.system.interrupt)
+    }
+
+    /// The slices at the ends, beyond which contact may be separate.
+    fn observed_cells(&self, grid: &Grid) -> Vec<Range<usize>> {
+        let ends = [grid.slices.first(), grid.slices.last()];
+        ends.into_iter().flatten().map(|slice| slice.cells.clone()).collect()
     }
 
     fn with_deflected_normals(
