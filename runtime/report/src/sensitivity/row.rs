@@ -2,8 +2,9 @@
 
 use super::{Entry, SensitivityTable, Statistic};
 use crate::summary_table::number;
+use crate::sweep::exact;
 use calyx_runtime::sensitivity::Kind;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Relative error above which a derivative shows its error.
 const SHOWN_ERROR: f64 = 1e-4;
@@ -20,29 +21,45 @@ pub struct DerivativeRow {
     /// Name of the statistic; empty if there is a single position.
     pub statistic: String,
     /// Value of the statistic.
+    #[serde(serialize_with = "exact_if_known")]
     pub value: Option<f64>,
     /// Unit of the output.
     pub unit: String,
     /// Name of the param.
     pub param: String,
     /// Value of the param.
+    #[serde(serialize_with = "exact_number")]
     pub param_value: f64,
     /// Unit of the param.
     pub param_unit: String,
     /// Derivative, at a kink the mean of both sides; `None` where the state of contact is lost.
+    #[serde(serialize_with = "exact_if_known")]
     pub derivative: Option<f64>,
     /// Derivative towards smaller values of the param.
+    #[serde(serialize_with = "exact_if_known")]
     pub derivative_below: Option<f64>,
     /// Derivative towards larger values of the param.
+    #[serde(serialize_with = "exact_if_known")]
     pub derivative_above: Option<f64>,
     /// Unit of the derivatives.
     pub derivative_unit: String,
     /// Estimated error of the derivative.
+    #[serde(serialize_with = "exact_if_known")]
     pub estimated_error: Option<f64>,
     /// Change of the statistic if the param grows by one percent.
+    #[serde(serialize_with = "exact_if_known")]
     pub effect_of_1_percent: Option<f64>,
     /// `same` or `new`: whether the param changes structures.
     pub structures: String,
+}
+
+/// Writes all digits, as in the other tables.
+fn exact_number<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    exact(*value).serialize(serializer)
+}
+
+fn exact_if_known<S: Serializer>(value: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    value.map(exact).serialize(serializer)
 }
 
 impl SensitivityTable {
