@@ -254,6 +254,29 @@ fn known_solutions_are_found() {
 
 /// An interrupted optimization knows its designs, with the numbers of their searches, and
 /// continues.
+/// The journal contains the derivatives at which SLSQP has asked for them, of each load case.
+#[test]
+fn gradients_are_those_of_the_formula() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = "param x = 0.5 in -2 .. 2; param y = 0.5 in -2 .. 2; param p = 1.5 in 0 .. 9;
+        output f := p * (x - 1)^2 + y^4;";
+    let study = "objective = \"min f\"\n[variables]\nx = \"-2..2\"\ny = \"-2..2\"\n[axes]\np = [1.5, 2.5]\n";
+    let found = optimized(directory.path(), model, study, 2);
+    assert!(found.best().is_some());
+    let journal = fs::read_to_string(directory.path().join("evaluations.jsonl")).unwrap();
+    let lines = journal.lines().skip(1).map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
+    let mut count = 0;
+    for line in lines.filter(|line| !line["slopes"].is_null()) {
+        let [x, y, p] = [0, 1, 2].map(|param| line["params"][param].as_f64().unwrap());
+        for (variable, expected) in [("x", 2.0 * p * (x - 1.0)), ("y", 4.0 * y.powi(3))] {
+            let slope = line["slopes"]["slopes"][variable]["statistics"]["f"]["max"].as_f64().unwrap();
+            assert!((slope - expected).abs() < 1e-7, "{variable} {slope} {expected}");
+        }
+        count += 1;
+    }
+    assert!(count >= 4, "{count}");
+}
+
 #[test]
 fn interrupted_optimizations_know_their_designs() {
     let Known { model, study, .. } = &KNOWN[1];

@@ -1,28 +1,24 @@
 //! Evaluation of designs: all load cases and samples of each, and the journal of them.
 
+mod cases;
+
 use super::functions::{self, Shape};
-use super::problem::{deviated, variable_of};
 use super::{Optimizer, Problem, State};
-use crate::error::Error;
-use crate::instance::{Instance, NO_PARAMS};
-use crate::results::Results;
 use crate::run::RunError;
 use crate::sweep::journal::{self, Journal, fingerprint};
-use crate::sweep::{Sweep, Varied, fidelity_of};
-use calyx_abi::Status;
+use crate::sweep::{Sweep, Varied};
 use calyx_abi::description::ParamValue;
 use calyx_report::directory::text_hash;
 use calyx_report::optimization::{Constraint, Design, FEASIBLE, Measure, Search, Values, compare};
 use calyx_report::study::Statistic;
 use calyx_report::sweep::{Case, Column, Statistics};
-use calyx_runtime::estimate::Estimates;
-use calyx_runtime::scene::Fidelity;
+use cases::{KnownSlopes, Line};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::json;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, HashMap};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// File name of the journal.
 pub const EVALUATIONS: &str = "evaluations.jsonl";
@@ -50,21 +46,6 @@ impl CaseValues {
     pub fn statistic(&self, output: &str, statistic: Statistic) -> f64 {
         self.statistics.get(output).and_then(|all| all.get(statistic)).unwrap_or(f64::NAN)
     }
-}
-
-/// Line of the journal.
-#[derive(Clone, Serialize, Deserialize)]
-struct Line {
-    /// Hash of the model and the settings: a journal keeps the lines of others, so that a return to
-    /// them solves nothing again.
-    subject: String,
-    /// Values of all params, SI.
-    params: Value,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    fidelity: Option<String>,
-    /// Content of each table that the case has read, by name.
-    tables: BTreeMap<String, String>,
-    values: CaseValues,
 }
 
 /// Functions of a design, each divided by its scale.
@@ -97,6 +78,9 @@ pub struct Evaluator<'o> {
     journal: Journal,
     subject: String,
     known: Mutex<HashMap<String, CaseValues>>,
+    known_slopes: Mutex<HashMap<String, KnownSlopes>>,
+    /// Names of the variables with exact derivatives, once they have been found.
+    exact: OnceLock<Vec<String>>,
     memo: Mutex<Memo>,
     designs: Mutex<Vec<Design>>,
     state: Mutex<State>,
@@ -141,9 +125,15 @@ impl<'o> Evaluator<'o> {
                 && line.tables.iter().all(|(table, known)| fingerprint(directory.as_deref(), table) == *known)
                 && outputs.iter().all(|output| line.values.positions.contains_key(output))
         };
-        let lines = lines.into_iter().filter(current);
-        let known = lines.map(|line| (journal::key(&line.params, line.fidelity.as_deref()), line.values));
-        let known = Mutex::new(known.collect());
+        let (mut known, mut known_slopes) = (HashMap::new(), HashMap::new());
+        for line in lines.into_iter().filter(current) {
+            let key = journal::key(&line.params, line.fidelity.as_deref());
+            if let Some(slopes) = line.slopes {
+                known_slopes.insert(key.clone(), slopes);
+            }
+            known.insert(key, line.values);
+        }
+        let (known, known_slopes) = (Mutex::new(known), Mutex::new(known_slopes));
         let state = State { designs: 0, searches: [0, problem.effort.starts], best: None };
         Ok(Evaluator {
             optimizer,
@@ -153,6 +143,8 @@ impl<'o> Evaluator<'o> {
             journal,
             subject,
             known,
+            known_slopes,
+            exact: OnceLock::new(),
             memo: Mutex::default(),
             designs: Mutex::default(),
             state: Mutex::new(state),
@@ -209,27 +201,12 @@ impl<'o> Evaluator<'o> {
     }
 
     fn functions_of(&self, design: &Evaluated, shape: Shape, scale: f64) -> Functions {
-        let Problem { objective, over_cases, over_samples, constraints, .. } = self.problem();
-        let upper = !objective.maximize;
-        let sign = if upper { 1.0 } else { -1.0 };
-        let solutions = design.cases.iter().map(Vec::len).sum();
-        let of_case = |cases: &[CaseValues], statistic, upper: bool, output: &str| -> Vec<f64> {
-            let all =
-                cases.iter().map(|case| functions::of(statistic, upper, (case, solutions), output, shape));
-            match over_samples {
-                Measure::Worst => all.flatten().collect(),
-                measure => {
-                    let sign = if upper { 1.0 } else { -1.0 };
-                    let all = cases.iter().map(|case| sign * case.statistic(output, statistic));
-                    vec![measure.of(&all.collect::<Vec<_>>())]
-                }
-            }
-        };
+        let Problem { objective, over_cases, constraints, .. } = self.problem();
+        let sign = if objective.maximize { -1.0 } else { 1.0 };
         let (mut own, mut cases) = (Vec::new(), Vec::new());
         match over_cases {
             Measure::Worst => {
-                for (k, case) in design.cases.iter().enumerate() {
-                    let all = of_case(case, objective.statistic, upper, &objective.output);
+                for (k, all) in self.objective_functions(&design.cases, shape).into_iter().enumerate() {
                     cases.resize(cases.len() + all.len(), k);
                     own.extend(all.into_iter().map(|value| value / scale));
                 }
@@ -242,14 +219,66 @@ impl<'o> Evaluator<'o> {
         let mut bounds = Vec::new();
         for (index, constraint) in constraints.iter().enumerate() {
             let sign = if constraint.at_most { 1.0 } else { -1.0 };
-            for (k, case) in design.cases.iter().enumerate() {
-                let all = of_case(case, constraint.statistic, constraint.at_most, &constraint.output);
+            let functions = self.constraint_functions(constraint, &design.cases, shape);
+            for (k, all) in functions.into_iter().enumerate() {
                 let scaled =
                     all.into_iter().map(|value| (value - sign * constraint.bound) / self.scale(constraint));
                 bounds.extend(scaled.map(|value| ((index, k), value)));
             }
         }
         Functions { objective: own, constraints: bounds, cases }
+    }
+
+    /// Returns the functions of the objective by load case, without scale.
+    fn objective_functions(&self, cases: &[Vec<CaseValues>], shape: Shape) -> Vec<Vec<f64>> {
+        let Problem { objective, .. } = self.problem();
+        let of = (objective.statistic, !objective.maximize, objective.output.as_str());
+        self.case_functions(of, cases, shape)
+    }
+
+    /// Returns the functions of a constraint by load case, without bound and scale.
+    fn constraint_functions(
+        &self,
+        constraint: &Constraint,
+        cases: &[Vec<CaseValues>],
+        shape: Shape,
+    ) -> Vec<Vec<f64>> {
+        let of = (constraint.statistic, constraint.at_most, constraint.output.as_str());
+        self.case_functions(of, cases, shape)
+    }
+
+    fn case_functions(
+        &self,
+        (statistic, upper, output): (Statistic, bool, &str),
+        cases: &[Vec<CaseValues>],
+        shape: Shape,
+    ) -> Vec<Vec<f64>> {
+        let solutions = cases.iter().map(Vec::len).sum();
+        let of_case = |cases: &Vec<CaseValues>| -> Vec<f64> {
+            let all =
+                cases.iter().map(|case| functions::of(statistic, upper, (case, solutions), output, shape));
+            match self.problem().over_samples {
+                Measure::Worst => all.flatten().collect(),
+                measure => {
+                    let sign = if upper { 1.0 } else { -1.0 };
+                    let all = cases.iter().map(|case| sign * case.statistic(output, statistic));
+                    vec![measure.of(&all.collect::<Vec<_>>())]
+                }
+            }
+        };
+        cases.iter().map(of_case).collect()
+    }
+
+    /// Returns the functions of the objective and then those of the constraints, as in
+    /// [`Evaluator::functions`] but without bounds, of values that replace those of the load cases.
+    pub(super) fn linear_functions(&self, cases: &[Vec<CaseValues>], shape: Shape, scale: f64) -> Vec<f64> {
+        let mut all: Vec<f64> =
+            self.objective_functions(cases, shape).into_iter().flatten().map(|value| value / scale).collect();
+        for constraint in &self.problem().constraints {
+            let functions = self.constraint_functions(constraint, cases, shape);
+            all.extend(functions.into_iter().flatten().map(|value| value / self.scale(constraint)));
+        }
+        all
     }
 
     /// Returns the magnitude of a constraint.
@@ -431,106 +460,17 @@ impl<'o> Evaluator<'o> {
         Some(Values { objective, cases: own, constraints: constrained, violation })
     }
 
-    /// Solves a load case and sample of a design, unless the journal has it.
-    fn solve_case(
-        &self,
-        variables: &[f64],
-        case: usize,
-        sample: usize,
-    ) -> Result<Result<CaseValues, String>, Stop> {
-        if self.optimizer.cancel.is_cancelled() {
-            return Err(Stop::Cancelled);
-        }
-        let prepared = self.instance(variables, case, sample).and_then(|instance| {
-            let params = json!(instance.params()?);
-            Ok((instance, params))
-        });
-        let (instance, params) = match prepared {
-            Ok(prepared) => prepared,
-            Err(error) => return Ok(Err(reason(&error))),
-        };
-        let fidelity = fidelity_of(&self.varied, &self.cases[case]).map(str::to_owned);
-        let key = journal::key(&params, fidelity.as_deref());
-        if let Some(known) = locked(&self.known).get(&key) {
-            return Ok(Ok(known.clone()));
-        }
-        let results = match instance.solve() {
-            Ok(results) => results,
-            Err(Error::Model(error)) if error.status() == Status::Cancelled => return Err(Stop::Cancelled),
-            Err(error) => return Ok(Err(reason(&error))),
-        };
-        let values = self.case_values(&results);
-        let directory = self.optimizer.program.directory();
-        let table = |name: &String| (name.clone(), fingerprint(directory.as_deref(), name));
-        let tables = results.tables().iter().map(table).collect();
-        let line = Line { subject: self.subject.clone(), params, fidelity, tables, values: values.clone() };
-        if let Err(error) = self.journal.write(&line) {
-            let path = self.optimizer.directory.join(EVALUATIONS);
-            locked(&self.error).get_or_insert(RunError::Io { path, error });
-            return Err(Stop::Unwritable);
-        }
-        locked(&self.known).insert(key, values.clone());
-        Ok(Ok(values))
+    /// Returns the names of the variables with exact derivatives.
+    pub(super) fn exact_variables(&self) -> &[String] {
+        self.exact.get().map_or(&[], Vec::as_slice)
     }
 
-    fn case_values(&self, results: &Results) -> CaseValues {
-        let outputs = &results.description().outputs;
-        let statistics = outputs.iter().zip(results.summaries());
-        let statistics = statistics.map(|(output, summary)| (output.name.clone(), Statistics::of(summary)));
-        let positions = |name: &String| {
-            let all: Vec<f64> = results.steps().filter_map(|step| step.si(name.as_str()).ok()).collect();
-            let is_whole = all.len() == results.steps().len() && all.iter().all(|value| value.is_finite());
-            (name.clone(), if is_whole { all } else { Vec::new() })
-        };
-        CaseValues {
-            statistics: statistics.collect(),
-            positions: self.outputs.iter().map(positions).collect(),
-        }
+    pub(super) fn set_exact_variables(&self, names: Vec<String>) {
+        self.exact.get_or_init(|| names);
     }
 
-    /// Returns the instance of a load case and sample of a design.
-    fn instance(&self, variables: &[f64], case: usize, sample: usize) -> Result<Instance, Error> {
-        let Optimizer { program, given, overrides, problem, engine, cancel, .. } = self.optimizer;
-        let description = program.description();
-        let mut instance = Instance::new(engine, program.clone());
-        instance.request_sensitivities(NO_PARAMS)?;
-        for given in given {
-            instance.give(given)?;
-        }
-        let case = &self.cases[case];
-        for (&varied, value) in self.varied.iter().zip(&case.values) {
-            if let Varied::Param(index) = varied {
-                instance.set(description.params[index].name.as_str(), value.clone())?;
-            }
-        }
-        let mut values = variables.to_vec();
-        if let Some(all) = &problem.sample {
-            for (&varied, value) in all.params.iter().zip(&all.points[sample]) {
-                match (variable_of(&problem.params, varied), varied) {
-                    (Some(k), _) => values[k] = deviated(values[k], value),
-                    (None, Varied::Param(index)) => {
-                        instance.set(description.params[index].name.as_str(), value.clone())?;
-                    }
-                    (None, Varied::Fidelity) => {}
-                }
-            }
-        }
-        for (&index, value) in problem.params.iter().zip(&values) {
-            instance.set_si(description.params[index].name.as_str(), *value)?;
-        }
-        let mut own = *overrides;
-        own.fidelity = fidelity_of(&self.varied, case).and_then(Fidelity::named).or(overrides.fidelity);
-        // Estimates of errors cost more than the values.
-        own.error_estimates = own.error_estimates.or(Some(Estimates::None));
-        instance.override_analysis(own);
-        instance.set_cancel(cancel.clone());
-        Ok(instance)
-    }
-}
-
-fn reason(error: &Error) -> String {
-    match error {
-        Error::Model(error) => format!("{}: {}", error.code, error.message),
-        Error::Given(why) => why.message.clone(),
+    /// Returns the number of load cases.
+    pub(super) fn case_count(&self) -> usize {
+        self.cases.len()
     }
 }

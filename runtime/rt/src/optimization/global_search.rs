@@ -43,6 +43,7 @@ pub fn run(evaluator: &Evaluator<'_>, initial: &[f64]) -> Result<Vec<Search>, St
     let effort = evaluator.problem().effort;
     let starts = first_starts(evaluator, initial)?;
     let values = evaluator.values(0, initial)?;
+    evaluator.find_exact_variables(initial)?;
     let initial = values.ok().map(|values| values.objective);
     let mut searches = local_searches(evaluator, 0, &starts, FIRST_RADIUS)?;
     for round in 1..effort.rounds {

@@ -1,14 +1,15 @@
-//! Local search in the unit cube of the variables: COBYLA, then SLSQP from its result, repeated until
-//! neither improves it.
+//! Local search in the unit cube of the variables: COBYLA, then SLSQP from its result, repeated
+//! until neither improves it.
 //!
 //! COBYLA interpolates linear models within a trust region, and tolerates kinks and designs that
 //! fail. It is slow where fewer functions are active than there are variables; there, the quadratic
-//! model of SLSQP converges fast. Its gradients are central differences. Both are those of the crate
-//! `basin`.
+//! model of SLSQP converges fast. Its gradients are derivatives of the outputs, or central
+//! differences. Both are those of the crate `basin`.
 //!
 //! M. J. D. Powell, "A direct search optimization method that models the objective and constraint
 //! functions by linear interpolation", Advances in Optimization and Numerical Analysis (1994),
-//! 51-67. D. Kraft, "A software package for sequential quadratic programming", DFVLR-FB 88-28 (1988).
+//! 51-67. D. Kraft, "A software package for sequential quadratic programming", DFVLR-FB 88-28
+//! (1988).
 
 use super::evaluation::{Evaluator, Stop};
 use super::functions::Shape;

@@ -17,6 +17,7 @@ mod local_search;
 mod minimax;
 mod optimality;
 mod problem;
+mod slopes;
 mod study;
 
 pub use calyx_report::optimization::{

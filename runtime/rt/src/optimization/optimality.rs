@@ -31,52 +31,52 @@ struct Active {
 pub fn certificate(evaluator: &Evaluator<'_>, at: &[f64], scale: f64) -> Result<Option<Optimality>, Stop> {
     let functions = |at: &[f64]| evaluator.functions(0, at, Shape::Positions, scale);
     let Some(center) = functions(at)? else { return Ok(None) };
-    let mut slopes: Vec<Differences> = Vec::new();
-    let is_alike = |found: &Functions| {
-        [found.objective.len(), found.constraints.len()] == [center.objective.len(), center.constraints.len()]
-    };
+    let exact = evaluator.slopes(at, Shape::Positions, scale)?.unwrap_or_default();
+    let values = all_of(&center);
+    let mut slopes: Vec<Vec<f64>> = Vec::new();
     for k in 0..at.len() {
+        let exact = exact.get(k).and_then(Option::as_ref).filter(|exact| exact.len() == values.len());
+        if let Some(exact) = exact {
+            slopes.push(exact.clone());
+            continue;
+        }
         // Central differences, and one-sided ones at the ends of the ranges.
         let ends = [-STEP, STEP].map(|step| (at[k] + step).clamp(0.0, 1.0));
         let moved = |end: f64| {
             let mut moved = at.to_vec();
             moved[k] = end;
-            functions(&moved)
+            Ok(functions(&moved)?.map(|found| all_of(&found)))
         };
         let (Some(below), Some(above)) = (moved(ends[0])?, moved(ends[1])?) else { return Ok(None) };
-        if !is_alike(&below) || !is_alike(&above) {
+        if below.len() != values.len() || above.len() != values.len() {
             return Ok(None);
         }
-        slopes.push(Differences { below, above, width: ends[1] - ends[0] });
+        let width = ends[1] - ends[0];
+        slopes.push(above.iter().zip(&below).map(|(above, below)| (above - below) / width).collect());
     }
     Ok(Some(balance(&active(at, &center, &slopes))))
 }
 
-/// Functions on both sides of a design, by one variable.
-struct Differences {
-    below: Functions,
-    above: Functions,
-    width: f64,
+/// Returns the functions of the objective and then those of the constraints.
+fn all_of(functions: &Functions) -> Vec<f64> {
+    let constraints = functions.constraints.iter().map(|(_, value)| *value);
+    functions.objective.iter().copied().chain(constraints).collect()
 }
 
-fn active(at: &[f64], center: &Functions, slopes: &[Differences]) -> Vec<Active> {
+/// `slopes` are the derivatives of all functions by each variable.
+fn active(at: &[f64], center: &Functions, slopes: &[Vec<f64>]) -> Vec<Active> {
+    let gradient = |function: usize| slopes.iter().map(|slopes| slopes[function]).collect::<Vec<f64>>();
     let largest = center.objective.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut all = Vec::new();
     for (index, value) in center.objective.iter().enumerate() {
         if largest - value <= NEAR {
-            let slope =
-                |one: &Differences| (one.above.objective[index] - one.below.objective[index]) / one.width;
-            let gradient = slopes.iter().map(slope).collect();
             let case = center.cases.get(index).copied().unwrap_or_default();
-            all.push(Active { constraint: None, case, is_bound: false, gradient });
+            all.push(Active { constraint: None, case, is_bound: false, gradient: gradient(index) });
         }
     }
     for (index, ((constraint, case), value)) in center.constraints.iter().enumerate() {
         if *value >= -NEAR {
-            let slope = |one: &Differences| {
-                (one.above.constraints[index].1 - one.below.constraints[index].1) / one.width
-            };
-            let gradient = slopes.iter().map(slope).collect();
+            let gradient = gradient(center.objective.len() + index);
             all.push(Active { constraint: Some(*constraint), case: *case, is_bound: false, gradient });
         }
     }
