@@ -23,12 +23,15 @@
 
 mod balance;
 mod basis;
+mod coordinates;
 mod growth;
 pub mod orders;
 pub mod sampling;
 
 use balance::{Coefficients, Couplings};
 use basis::Basis;
+use coordinates::Coordinates;
+pub use coordinates::Motion;
 use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, DVector};
 use orders::Orders;
@@ -104,6 +107,17 @@ pub struct ForcedVibration {
     quantities: Vec<ModalQuantity>,
     /// Amplitudes of the static values by quantity.
     static_values: Vec<Amplitudes>,
+    /// All coordinates, if they are requested.
+    coordinates: Option<Coordinates>,
+}
+
+/// Response at a speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Response {
+    /// Amplitudes by quantity.
+    pub quantities: Vec<Amplitudes>,
+    /// Vibration of all coordinates, if [`ForcedVibration::with_coordinates`] has prepared it.
+    pub motion: Option<Motion>,
 }
 
 /// Fourier coefficients by order from zero; those of negative orders are conjugate.
@@ -134,8 +148,8 @@ fn vector_coefficient(samples: &[DVector<f64>], sampling: &Sampling, order: i64)
 }
 
 fn matrix_coefficient(samples: &[DMatrix<f64>], sampling: &Sampling, order: i64) -> DMatrix<Complex<f64>> {
-    let size = samples.first().map_or(0, |first| first.nrows());
-    let mut found = DMatrix::zeros(size, size);
+    let (rows, columns) = samples.first().map_or((0, 0), |first| first.shape());
+    let mut found = DMatrix::zeros(rows, columns);
     for (weight, sample) in sampling.weights(order).into_iter().zip(samples) {
         found.zip_apply(sample, |sum: &mut Complex<f64>, value| *sum += weight * value);
     }
@@ -201,6 +215,24 @@ impl ForcedVibration {
         quantities: &[LinearQuantity],
         highest: f64,
     ) -> Option<ForcedVibration> {
+        Self::prepared(system, quantities, highest, false)
+    }
+
+    /// Prepares the response like [`ForcedVibration::new`], with the vibration of all coordinates.
+    pub fn with_coordinates(
+        system: &PeriodicSystem,
+        quantities: &[LinearQuantity],
+        highest: f64,
+    ) -> Option<ForcedVibration> {
+        Self::prepared(system, quantities, highest, true)
+    }
+
+    fn prepared(
+        system: &PeriodicSystem,
+        quantities: &[LinearQuantity],
+        highest: f64,
+        coordinates: bool,
+    ) -> Option<ForcedVibration> {
         let orders = system.orders.clone();
         let at = (&system.sampling, &orders);
         let all = Basis::of(&system.mass, &system.stiffness, highest_frequency(system, highest))?;
@@ -254,6 +286,7 @@ impl ForcedVibration {
             static_rates: [projected(&system.damping), projected(&system.gyroscopic)],
             quantities: quantities.iter().map(quantity).collect(),
             static_values: quantities.iter().map(|of| amplitudes(&of.statics, at)).collect(),
+            coordinates: coordinates.then(|| Coordinates::new(system, &all, &followed, &statics)),
             statics: projected(&system.mass),
             frequencies,
             orders,
@@ -284,11 +317,24 @@ impl ForcedVibration {
     /// Returns the amplitudes of all quantities at a speed relative to the reference speed. `None`
     /// if the response is not finite: an undamped resonance. At rest it is static.
     pub fn at(&self, speed: f64) -> Option<Vec<Amplitudes>> {
+        self.response(speed).map(|response| response.quantities)
+    }
+
+    /// Returns the response at a speed like [`ForcedVibration::at`], with the vibration of all
+    /// coordinates if it is prepared.
+    pub fn response(&self, speed: f64) -> Option<Response> {
         if speed == 0.0 {
-            return Some(self.static_values.clone());
+            return Some(Response {
+                quantities: self.static_values.clone(),
+                motion: self.motion(speed, None),
+            });
         }
         let deviation = self.deviation(speed)?;
-        Some((0..self.quantities.len()).map(|quantity| self.value(quantity, speed, &deviation)).collect())
+        let value = |quantity: usize| self.value(quantity, speed, &deviation);
+        Some(Response {
+            quantities: (0..self.quantities.len()).map(value).collect(),
+            motion: self.motion(speed, Some(&deviation)),
+        })
     }
 
     /// Returns the largest factor by which a disturbance grows within a cycle of a mesh at a speed
@@ -441,5 +487,7 @@ fn static_rates(
     orders.lines().map(amplitude).collect()
 }
 
+#[cfg(test)]
+mod coordinate_tests;
 #[cfg(test)]
 mod tests;

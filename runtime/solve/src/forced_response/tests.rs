@@ -21,7 +21,7 @@ fn uniform_amplitudes(samples: &[f64], orders: &Orders) -> Amplitudes {
 }
 
 /// One oscillator with constant stiffness, excited by harmonic static displacement.
-fn oscillator(damping_ratio: f64, harmonics: usize) -> PeriodicSystem {
+pub(super) fn oscillator(damping_ratio: f64, harmonics: usize) -> PeriodicSystem {
     let samples = sample_count(harmonics);
     let statics = |k: usize| 2e-6 + 3e-6 * (TAU * k as f64 / samples as f64).cos();
     PeriodicSystem {
@@ -38,7 +38,7 @@ fn oscillator(damping_ratio: f64, harmonics: usize) -> PeriodicSystem {
 }
 
 /// The coordinates themselves.
-fn coordinates(system: &PeriodicSystem) -> Vec<LinearQuantity> {
+pub(super) fn coordinates(system: &PeriodicSystem) -> Vec<LinearQuantity> {
     let size = system.mass.nrows();
     let coordinate = |at: usize| LinearQuantity {
         statics: system.statics.iter().map(|statics| statics[at]).collect(),
@@ -64,7 +64,7 @@ fn one_oscillator_has_the_closed_form() {
 }
 
 /// Two coupled rotors with gyroscopic terms and a stiffness that varies by a third.
-fn parametric(harmonics: usize) -> PeriodicSystem {
+pub(super) fn parametric(harmonics: usize) -> PeriodicSystem {
     let samples = sample_count(harmonics);
     let phase = |k: usize| TAU * k as f64 / samples as f64;
     let (stiffness, statics): (Vec<_>, Vec<_>) = (0..samples).map(|k| coefficients(phase(k))).unzip();
