@@ -2,7 +2,8 @@
 
 use crate::fluid::Fluid;
 use crate::mesh::SurfaceMesh;
-use faer::c64;
+use crate::transfer::RadiationImpedance;
+use faer::{Mat, c64};
 
 /// Pressure and normal velocity on a surface, as complex amplitudes with the time factor exp(iωt).
 #[derive(Clone, Debug, PartialEq)]
@@ -75,4 +76,21 @@ impl Radiation {
 pub fn equivalent_radiated_power(mesh: &SurfaceMesh, fluid: &Fluid, velocities: &[c64]) -> f64 {
     let sum: f64 = velocities.iter().zip(mesh.areas()).map(|(v, area)| v.norm_sqr() * area).sum();
     0.5 * fluid.impedance() * sum
+}
+
+/// Returns the impedance of real velocity patterns whose power is the equivalent radiated power. It
+/// does not depend on the frequency, which is infinite in the result. A pattern has the normal
+/// velocities of the triangles, m/s.
+pub fn equivalent_impedance(
+    mesh: &SurfaceMesh,
+    fluid: &Fluid,
+    patterns: &[Vec<f64>],
+) -> RadiationImpedance {
+    let product = |one: &[f64], other: &[f64]| -> f64 {
+        one.iter().zip(other).zip(mesh.areas()).map(|((one, other), area)| one * other * area).sum()
+    };
+    let impedance = Mat::from_fn(patterns.len(), patterns.len(), |i, j| {
+        c64::new(fluid.impedance() * product(&patterns[i], &patterns[j]), 0.0)
+    });
+    RadiationImpedance::new(f64::INFINITY, impedance)
 }

@@ -2,6 +2,7 @@
 
 use crate::error::AcousticError;
 use crate::mesh::{Face, SurfaceMesh};
+use crate::openings::{edges, sorted};
 use crate::plane::RigidPlane;
 use calyx_numerics::vec3::{Vector, cross, dot, minus, plus, scaled};
 use faer::c64;
@@ -58,7 +59,8 @@ impl Skin {
     ///
     /// Each lid closes an opening: it is a loop of nodes along edges of the skin. The skin is cut
     /// along the loops, and the part that reaches furthest is kept and closed by triangles from
-    /// each loop to its centre. A lid moves with its rim.
+    /// each loop to its centre. A lid moves with its rim. Loops on other parts, such as the inner
+    /// end of a bore, close nothing.
     ///
     /// # Errors
     /// An element has a node that does not exist, a loop does not follow edges of the skin, or the
@@ -102,7 +104,7 @@ impl Skin {
                 Face::Quadrilateral(corners) => Face::Quadrilateral(corners.map(&mut index)),
             };
         }
-        for lid in lids {
+        for lid in lids.iter().filter(|lid| lid.iter().any(|node| numbers.contains_key(node))) {
             let center = vertices.len();
             let sum = lid.iter().fold([0.0; 3], |sum, node| plus(sum, nodes[*node]));
             vertices.push(scaled(sum, 1.0 / lid.len() as f64));
@@ -150,7 +152,10 @@ fn not_on_skin(from: usize, to: usize) -> AcousticError {
 }
 
 /// Returns the faces that belong to one element only, with normals out of the elements.
-fn boundary(nodes: &[Vector], solids: &[Solid]) -> Result<Vec<Face>, AcousticError> {
+///
+/// # Errors
+/// An element has a node that does not exist.
+pub fn boundary(nodes: &[Vector], solids: &[Solid]) -> Result<Vec<Face>, AcousticError> {
     let mut count: HashMap<Vec<usize>, usize> = HashMap::new();
     let mut all: Vec<(Vec<usize>, Face)> = Vec::new();
     for (element, solid) in solids.iter().enumerate() {
@@ -174,16 +179,6 @@ fn boundary(nodes: &[Vector], solids: &[Solid]) -> Result<Vec<Face>, AcousticErr
         }
     }
     Ok(all.into_iter().filter(|(key, _)| count[key] == 1).map(|(_, face)| face).collect())
-}
-
-/// Directed edges of a face.
-fn edges(face: &Face) -> Vec<[usize; 2]> {
-    let corners = face.vertices();
-    (0..corners.len()).map(|at| [corners[at], corners[(at + 1) % corners.len()]]).collect()
-}
-
-fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// Returns the edges along the loops of the lids.
@@ -242,7 +237,7 @@ fn parts(faces: &[Face], rims: &HashSet<[usize; 2]>) -> Vec<Vec<Face>> {
 }
 
 /// Volume that faces enclose, m³.
-fn volume(nodes: &[Vector], faces: &[Face]) -> f64 {
+pub(crate) fn volume(nodes: &[Vector], faces: &[Face]) -> f64 {
     let Some(first) = faces.first() else {
         return 0.0;
     };
@@ -256,7 +251,7 @@ fn volume(nodes: &[Vector], faces: &[Face]) -> f64 {
 }
 
 /// Size of the bounding box of faces, m.
-fn extent(nodes: &[Vector], faces: &[Face]) -> f64 {
+pub(crate) fn extent(nodes: &[Vector], faces: &[Face]) -> f64 {
     let points: Vec<Vector> =
         faces.iter().flat_map(|face| face.vertices().iter().map(|node| nodes[*node])).collect();
     crate::check::size(&points)

@@ -5,6 +5,7 @@ mod meshes;
 mod plane_sources;
 mod resources;
 mod shapes;
+mod shells;
 mod skins;
 mod special_functions;
 mod spheres;

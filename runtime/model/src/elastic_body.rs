@@ -14,6 +14,7 @@ mod extent;
 mod finite_elements;
 mod given_matrices;
 mod recovery;
+mod radiating;
 mod rigid_links;
 
 pub(crate) use condensation::by_row;
@@ -21,6 +22,7 @@ pub use condensation::condense_model;
 pub use extent::{AttachmentExtent, CylinderAxis};
 pub use finite_elements::{BodyAttachment, FiniteElementBody};
 pub use given_matrices::MatrixBody;
+pub use radiating::{BodyMesh, MotionShapes, Opening};
 pub use recovery::{CellShape, DeformedElasticBody, Recovery};
 pub use rigid_links::rigid_links;
 
@@ -160,6 +162,26 @@ pub trait ElasticBody: Any + Send + Sync {
     /// attachments are known.
     fn outer_surface(&self) -> Option<OuterSurface> {
         None
+    }
+
+    /// Returns the mesh of the body, whose surface radiates sound; `None` if only its attachments
+    /// are known.
+    fn mesh(&self) -> Option<BodyMesh> {
+        None
+    }
+
+    /// Returns the displacements of nodes of its mesh by units of the unknowns of
+    /// [`ElasticBody::condense`]; `None` if only its attachments are known.
+    ///
+    /// # Errors
+    /// Those of [`ElasticBody::condense`].
+    fn motion_shapes(
+        &self,
+        _mass: MassReduction,
+        _nodes: &[usize],
+        _interrupt: &Interrupt,
+    ) -> Result<Option<MotionShapes>, EngineError> {
+        Ok(None)
     }
 
     /// Returns whether the body has mass.

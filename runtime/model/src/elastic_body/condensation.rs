@@ -1,9 +1,12 @@
 //! Condensation of a finite-element model onto its attachment nodes.
 
-use super::MassReduction;
+use super::recovery::in_basic_axes;
 use super::rigid_links::carried;
+use super::{MassReduction, MotionShapes};
 use calyx_elastic::assembly::System;
-use calyx_elastic::condensation::{Synthesis, component_modes, guyan, static_condensation};
+use calyx_elastic::condensation::{
+    CondensedBody, Synthesis, component_modes, guyan, static_condensation,
+};
 use calyx_elastic::{ElasticError, ElasticModel, Resources};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -25,36 +28,9 @@ pub fn condense_model(
     interrupt: &Interrupt,
 ) -> Result<AttachmentMatrices, EngineError> {
     let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
-    let condensed = System::new(model, &resources).and_then(|system| match mass {
-        MassReduction::None => static_condensation(&system, attachments, &[], &resources),
-        MassReduction::Static => guyan(&system, attachments, &resources),
-        MassReduction::ComponentModes(highest) => {
-            component_modes(&system, attachments, &[], Synthesis::FixedInterface, highest, &resources)
-        }
-    });
-    let condensed = condensed.map_err(engine_error)?;
-    if let Some((node, component)) = (0..6 * attachments.len())
-        .map(|row| (attachments[row / 6], row % 6))
-        .find(|dof| !condensed.components.contains(dof))
-    {
-        return Err(EngineError::new(
-            "E0992",
-            format!(
-                "the attachment node {} has no stiffness in component {}",
-                model.nodes[node].label,
-                component + 1
-            ),
-            "attach a region whose nodes are not on a line",
-        ));
-    }
-    // Row of each component, along the displacement axes of its node.
-    let place = |row: usize| {
-        let dof = (attachments[row / 6], row % 6);
-        condensed.components.iter().position(|other| *other == dof).unwrap_or_default()
-    };
-    let places: Vec<usize> = (0..6 * attachments.len()).map(place).collect();
-    let placed: Vec<_> =
-        attachments.iter().map(|&node| (model.nodes[node].position, model.nodes[node].axes)).collect();
+    let system = System::new(model, &resources).map_err(engine_error)?;
+    let Condensation { condensed, places, placed } =
+        Condensation::new(&system, model, attachments, mass, &resources)?;
     let transformed = |matrix: &Mat<f64>| {
         let ordered =
             DMatrix::from_fn(places.len(), places.len(), |row, column| matrix[(places[row], places[column])]);
@@ -76,6 +52,105 @@ pub fn condense_model(
         mass: condensed.mass.as_ref().map_or_else(Vec::new, transformed),
         modes,
     })
+}
+
+/// Condensed body with the order of its attachment components.
+struct Condensation {
+    condensed: CondensedBody,
+    /// Row of each component of each attachment, along the displacement axes of its node.
+    places: Vec<usize>,
+    /// Positions (m) and displacement axes of the attachments.
+    placed: Vec<([f64; 3], [[f64; 3]; 3])>,
+}
+
+impl Condensation {
+    fn new(
+        system: &System<'_>,
+        model: &ElasticModel,
+        attachments: &[usize],
+        mass: MassReduction,
+        resources: &Resources,
+    ) -> Result<Condensation, EngineError> {
+        let condensed = match mass {
+            MassReduction::None => static_condensation(system, attachments, &[], resources),
+            MassReduction::Static => guyan(system, attachments, resources),
+            MassReduction::ComponentModes(highest) => {
+                component_modes(system, attachments, &[], Synthesis::FixedInterface, highest, resources)
+            }
+        };
+        let condensed = condensed.map_err(engine_error)?;
+        if let Some((node, component)) = (0..6 * attachments.len())
+            .map(|row| (attachments[row / 6], row % 6))
+            .find(|dof| !condensed.components.contains(dof))
+        {
+            return Err(EngineError::new(
+                "E0992",
+                format!(
+                    "the attachment node {} has no stiffness in component {}",
+                    model.nodes[node].label,
+                    component + 1
+                ),
+                "attach a region whose nodes are not on a line",
+            ));
+        }
+        let place = |row: usize| {
+            let dof = (attachments[row / 6], row % 6);
+            condensed.components.iter().position(|other| *other == dof).unwrap_or_default()
+        };
+        let places = (0..6 * attachments.len()).map(place).collect();
+        let node = |&node: &usize| (model.nodes[node].position, model.nodes[node].axes);
+        let placed = attachments.iter().map(node).collect();
+        Ok(Condensation { condensed, places, placed })
+    }
+}
+
+/// Returns the displacements of nodes by units of the unknowns onto which [`condense_model`]
+/// condenses a model: of the components of all attachments along the basic axes, and of the
+/// component modes.
+///
+/// # Errors
+/// Those of [`condense_model`].
+pub(super) fn shapes_of_model(
+    model: &ElasticModel,
+    attachments: &[usize],
+    mass: MassReduction,
+    nodes: &[usize],
+    interrupt: &Interrupt,
+) -> Result<MotionShapes, EngineError> {
+    let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
+    let system = System::new(model, &resources).map_err(engine_error)?;
+    let Condensation { condensed, places, placed } =
+        Condensation::new(&system, model, attachments, mass, &resources)?;
+    let modes = condensed.eigenvalues.len();
+    let count = places.len() + modes;
+    let room = interrupt.reserve_memory((2 * 24 * count * nodes.len()) as u64)?;
+    let moved = |unknown: usize| -> Vec<[f64; 3]> {
+        let mut unit = vec![0.0; condensed.unknown_count()];
+        unit[unknown] = 1.0;
+        let all = condensed.displacements(&system, &unit).unwrap_or_default();
+        let at = |&node: &usize| {
+            let motion = all.get(node).copied().unwrap_or_default();
+            let [x, y, z, ..] = in_basic_axes((&motion, &model.nodes[node]));
+            [x, y, z]
+        };
+        nodes.iter().map(at).collect()
+    };
+    let along_axes: Vec<Vec<[f64; 3]>> = places.iter().map(|&place| moved(place)).collect();
+    let motions = relative_motions(&placed, false);
+    let of_attachment = |column: usize| {
+        let mut sum = vec![[0.0; 3]; nodes.len()];
+        for (row, own) in along_axes.iter().enumerate().filter(|(row, _)| motions[(*row, column)] != 0.0) {
+            let factor = motions[(row, column)];
+            for (sum, own) in sum.iter_mut().zip(own) {
+                (0..3).for_each(|k| sum[k] += factor * own[k]);
+            }
+        }
+        sum
+    };
+    let attached = condensed.components.len();
+    let mut displacements: Vec<Vec<[f64; 3]>> = (0..places.len()).map(of_attachment).collect();
+    displacements.extend((0..modes).map(|mode| moved(attached + mode)));
+    Ok(MotionShapes { displacements, eigenvalues: condensed.eigenvalues, _room: room })
 }
 
 /// Returns the entries of a matrix by row.

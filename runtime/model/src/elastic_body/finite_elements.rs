@@ -1,7 +1,10 @@
 //! Elastic body as finite elements with attachments.
 
-use super::condensation::condense_model;
-use super::{AttachmentExtent, CellShape, ElasticBody, ElasticBodySize, MassReduction, Recovery};
+use super::condensation::{condense_model, shapes_of_model};
+use super::{
+    AttachmentExtent, BodyMesh, CellShape, ElasticBody, ElasticBodySize, MassReduction, MotionShapes, Opening,
+    Recovery,
+};
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach_unnamed, on_a_line, rotating_nodes};
 use calyx_elastic::connectivity::parts_with_elements;
 use calyx_elastic::import::{MassProperties, mass_properties};
@@ -26,6 +29,7 @@ pub struct FiniteElementBody {
     content: Key,
     mass: MassProperties,
     attachments: Vec<BodyAttachment>,
+    openings: Vec<Opening>,
 }
 
 /// Attachment of a body with the nodes of its region.
@@ -48,7 +52,7 @@ impl FiniteElementBody {
     /// equal.
     pub fn new(model: Arc<ElasticModel>, content: Key) -> FiniteElementBody {
         let mass = mass_properties(&model);
-        FiniteElementBody { model, content, mass, attachments: Vec::new() }
+        FiniteElementBody { model, content, mass, attachments: Vec::new(), openings: Vec::new() }
     }
 
     /// Returns the model, without attachments.
@@ -78,6 +82,26 @@ impl FiniteElementBody {
         })?;
         self.attachments.push(found);
         Ok(&self.attachments[self.attachments.len() - 1])
+    }
+
+    /// Adds an opening that a lid closes where the surface of the body radiates sound: the nodes of
+    /// its rim, or of a bore between two rims.
+    ///
+    /// # Errors
+    /// E0991: the region contains fewer than three nodes.
+    pub fn close(&mut self, name: String, region: &Region) -> Result<(), EngineError> {
+        let refused = |message: String, help: String| {
+            EngineError::new("E0991", format!("opening \"{name}\": {message}"), help)
+        };
+        let nodes = region.nodes(&self.model).map_err(|error| refused(error.message, error.help))?;
+        if nodes.len() < 3 {
+            return Err(refused(
+                format!("its region has {} nodes, and a rim has at least three", nodes.len()),
+                "select all nodes of the rim".into(),
+            ));
+        }
+        self.openings.push(Opening { name, nodes });
+        Ok(())
     }
 
     fn found(&self, attachment: &Attachment) -> Result<BodyAttachment, ElementError> {
@@ -299,6 +323,28 @@ impl ElasticBody for FiniteElementBody {
             .attached(&self.attachments)
             .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
         Recovery::new(model, nodes, self.model.nodes.len(), interrupt).map(Some)
+    }
+
+    fn mesh(&self) -> Option<BodyMesh> {
+        let cell = |element: &Element| Some((CellShape::of(element)?, element.nodes.clone()));
+        Some(BodyMesh {
+            points: self.model.nodes.iter().map(|node| node.position).collect(),
+            labels: self.model.nodes.iter().map(|node| node.label).collect(),
+            cells: self.model.elements.iter().filter_map(cell).collect(),
+            openings: self.openings.clone(),
+        })
+    }
+
+    fn motion_shapes(
+        &self,
+        mass: MassReduction,
+        nodes: &[usize],
+        interrupt: &Interrupt,
+    ) -> Result<Option<MotionShapes>, EngineError> {
+        let (model, attached) = self
+            .attached(&self.attachments)
+            .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
+        shapes_of_model(&model, &attached, mass, nodes, interrupt).map(Some)
     }
 
     fn outer_surface(&self) -> Option<OuterSurface> {

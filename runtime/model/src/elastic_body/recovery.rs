@@ -202,7 +202,7 @@ impl Recovery {
 }
 
 /// Transforms the motion of a node from its displacement axes to the basic axes.
-fn in_basic_axes((motion, node): (&Six, &Node)) -> Six {
+pub(super) fn in_basic_axes((motion, node): (&Six, &Node)) -> Six {
     std::array::from_fn(|k| {
         let first = 3 * (k / 3);
         (0..3).map(|axis| motion[first + axis] * node.axes[axis][k % 3]).sum()
