@@ -93,7 +93,7 @@
 //! | [`elastic`] | finite-element models of bodies of any shape, and their import |
 //! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
 //! | [`rolling`] | rolling bearings with rigid rings |
-//! | [`acoustics`] | sound that vibrating surfaces radiate |
+//! | [`radiated_sound`], [`acoustics`] | sound of elastic bodies in a forced response, and of any vibrating surface |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
 //! | [`error`] | errors of the engine: code, message, remedy |
 //! | [`vec3`] | vectors in three dimensions |
@@ -125,7 +125,7 @@ mod former_names;
 pub use calyx_acoustics as acoustics;
 pub use calyx_analysis::{
     analyses, analysis, component_loads, cost, dynamic_options, dynamics, estimate, forced_response, method,
-    observables, options, results, rows, scene, sensitivity, settings_override, signal, summary, tolerance,
+    observables, options, radiated_sound, results, rows, scene, sensitivity, settings_override, signal, summary, tolerance,
     validate,
 };
 pub use calyx_contact as contact;

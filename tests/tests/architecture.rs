@@ -42,6 +42,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
         "calyx-analysis",
         "runtime/analysis",
         &[
+            "calyx-acoustics",
             "calyx-contact",
             "calyx-fe",
             "calyx-model",

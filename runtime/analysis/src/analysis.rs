@@ -12,6 +12,7 @@ use crate::method::QuasiStatic;
 use crate::observables::Observe;
 use crate::observables::{CampbellDiagram, Displayed, Equilibrium, Fields, MeshedBodies, ModesTable, parts};
 pub use crate::options::AnalysisOptions;
+use crate::radiated_sound;
 use crate::results::SearchProgress;
 use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
@@ -126,6 +127,7 @@ impl<'s> PlannedAnalysis<'s> {
             timing,
             system,
             recorder,
+            forced_response: None,
             ahead: VecDeque::new(),
             solving: Duration::ZERO,
             current: None,
@@ -162,6 +164,8 @@ pub struct Steps<'s> {
     timing: Timing,
     system: System<'s>,
     recorder: Option<ComponentRecorder>,
+    /// Forced response, if outputs need it.
+    forced_response: Option<ForcedResponse>,
     /// Following positions, solved in parallel with the requested one.
     ahead: VecDeque<Result<Found, EngineError>>,
     /// Time spent on positions.
@@ -273,13 +277,33 @@ impl<'s> Steps<'s> {
         })
     }
 
-    /// Computes the forced response that the scene requests.
+    /// Computes the forced response that the scene requests, unless it is known.
     fn forced_response(&mut self) -> Result<Option<ForcedResponse>, EngineError> {
-        let Some(request) = &self.scene.forced_response else { return Ok(None) };
-        let started = Instant::now();
-        let found = forced_response::forced_response(&self.system, self.scene, request, &self.resources)?;
-        self.timing.add(FORCED_RESPONSE, started.elapsed());
-        Ok(Some(found))
+        if let (None, Some(request)) = (&self.forced_response, &self.scene.forced_response) {
+            let started = Instant::now();
+            let modes = (&self.plan, self.highest_frequency);
+            let resources = &self.resources;
+            let found =
+                forced_response::with_sound(&self.system, self.scene, request, (modes, None), resources)?;
+            self.forced_response = Some(found);
+            self.timing.add(FORCED_RESPONSE, started.elapsed());
+        }
+        Ok(self.forced_response.take())
+    }
+
+    /// Computes the forced response before the positions if outputs have values of it.
+    ///
+    /// # Errors
+    /// Those of the forced response and of the sound.
+    fn prepare(&mut self) -> Result<(), EngineError> {
+        if self.needs_preparation() {
+            self.forced_response = self.forced_response()?;
+        }
+        Ok(())
+    }
+
+    fn needs_preparation(&self) -> bool {
+        !self.scene.sounds.is_empty() && radiated_sound::of_system(&self.system).is_none()
     }
 
     /// Computes the table of modes and the Campbell diagram about the first position. It solves
@@ -349,6 +373,10 @@ impl Iterator for Steps<'_> {
         }
         let positions = self.positions;
         let position = positions.get(self.solved.len())?;
+        if let Err(error) = self.prepare() {
+            self.failed = Some(error.clone());
+            return Some(Err(error));
+        }
         let started = Instant::now();
         let solved = self.solve(position);
         self.solving += started.elapsed();
@@ -376,8 +404,8 @@ pub(crate) const ERRORS: &str = "errors";
 pub enum Event<'a> {
     /// The scene is planned and has passed the restraint check.
     Planned(&'a Plan),
-    /// A stage begins: `structures`, `positions`, `forced response` if the scene requests it, or,
-    /// if errors are estimated, `errors`.
+    /// A stage begins: `structures`, `positions`, `forced response` if the scene requests it (before
+    /// `positions` if outputs are values of it), or, if errors are estimated, `errors`.
     Stage(&'static str),
     /// The tolerance search tries a setting.
     SearchProgress(&'a SearchProgress),
@@ -435,6 +463,10 @@ pub fn quasi_static(
     observer.observe(Event::Stage("structures"))?;
     let mut steps = planned.build()?;
     let displayed = steps.timing.displayed(scene, &steps.plan, options)?;
+    if steps.needs_preparation() {
+        observer.observe(Event::Stage(FORCED_RESPONSE))?;
+        steps.prepare()?;
+    }
     observer.observe(Event::Stage("positions"))?;
     while let Some(solved) = steps.next() {
         let solved = &solved?;
@@ -444,7 +476,7 @@ pub fn quasi_static(
         let fields = equilibrium.map(|at| at.fields_with(&displayed)).transpose()?;
         observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
     }
-    if scene.forced_response.is_some() {
+    if scene.forced_response.is_some() && scene.sounds.is_empty() {
         observer.observe(Event::Stage(FORCED_RESPONSE))?;
     }
     if options.error_estimates != Estimates::None {

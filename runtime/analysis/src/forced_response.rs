@@ -6,20 +6,28 @@
 mod excitation;
 mod quantities;
 
+pub(crate) use quantities::resists;
+
+use crate::radiated_sound::{Lines, RadiatedSound, Sound, SoundModels, SurfaceMotion};
+use crate::scene::Scene;
 use calyx_model::bearing::damping as bearing_damping;
 use calyx_model::fidelity::Fidelity;
-use calyx_model::ids::PairId;
+use calyx_model::ids::{BearingId, PairId};
 use calyx_model::mechanism::Mechanism;
+use calyx_model::plan::Plan;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_solve::forced_response::sampling::Sampling;
-use calyx_solve::forced_response::{Amplitudes, ForcedVibration, LinearQuantity, PeriodicSystem, unknowns};
+use calyx_solve::forced_response::{
+    Amplitudes, ForcedVibration, LinearQuantity, Motion, PeriodicSystem, Response, unknowns,
+};
 use calyx_solve::system::System;
 use excitation::Excitation;
 use nalgebra::{Complex, DMatrix, DVector};
-use quantities::{Sample, label, linear, measures, sample};
+use quantities::{Measure, Sample, label, linear, measures, sample};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Relative difference of the equilibrium after a period up to which it repeats, and of the mass
 /// and damping matrices of its positions above which they vary.
@@ -37,7 +45,7 @@ const PLACES: [f64; 4] = [0.11, 0.38, 0.59, 0.84];
 const LARGEST: usize = 10_000;
 /// Multiple of the difference from half of the positions that is the estimated error. The
 /// difference varies with the phase of the positions to the jumps of the stiffness.
-const CAUTION: f64 = 2.0;
+pub(crate) const CAUTION: f64 = 2.0;
 /// Growth of a disturbance within a mesh cycle above which a vibration is unstable: the spectral
 /// radius is known to a thousandth.
 const UNSTABLE: f64 = 1.002;
@@ -78,6 +86,8 @@ pub struct ForcedResponse {
     pub quantities: Vec<ResponseQuantity>,
     /// Response by speed.
     pub points: Vec<ForcedPoint>,
+    /// Sound that elastic bodies radiate, by request.
+    pub sounds: Vec<RadiatedSound>,
 }
 
 /// Spectral line of a forced response: a harmonic of a mesh frequency, or one of its sidebands.
@@ -154,6 +164,7 @@ impl ForcedResponse {
                 ));
             }
         }
+        all.extend(self.sounds.iter().flat_map(RadiatedSound::warnings));
         all
     }
 
@@ -177,24 +188,13 @@ impl ForcedResponse {
 }
 
 impl ForcedPoint {
-    /// Solves at a speed (rad/s) and its ratio to the reference speed, with all positions and with
-    /// every second one. `phases` are those of the first position by line, rad.
-    fn new(speed: f64, [fine, coarse]: &[ForcedVibration; 2], ratio: f64, phases: &[f64]) -> ForcedPoint {
-        let nothing = |values: &Amplitudes| vec![Complex::new(f64::NAN, f64::NAN); values.len()];
-        let at = |vibration: &ForcedVibration| {
-            let found = vibration.at(ratio);
-            let mut found = found.unwrap_or_else(|| vibration.static_values().iter().map(nothing).collect());
-            for (value, phase) in found.iter_mut().flat_map(|values| values.iter_mut().zip(phases)) {
-                *value *= Complex::from_polar(1.0, -phase);
-            }
-            found
-        };
-        let (amplitudes, coarse) = (at(fine), at(coarse));
+    /// Takes the responses at a speed (rad/s) with all positions and with every second one.
+    fn new(speed: f64, [fine, coarse]: [&[Amplitudes]; 2], growth: f64) -> ForcedPoint {
         let difference = |(fine, coarse): (&Amplitudes, &Amplitudes)| {
             fine.iter().zip(coarse).map(|(fine, coarse)| CAUTION * (fine - coarse).norm()).collect()
         };
-        let errors = amplitudes.iter().zip(&coarse).map(difference).collect();
-        ForcedPoint { speed, amplitudes, errors, growth: fine.growth(ratio) }
+        let errors = fine.iter().zip(coarse).map(difference).collect();
+        ForcedPoint { speed, amplitudes: fine.to_vec(), errors, growth }
     }
 
     /// Returns whether the response is not known.
@@ -221,6 +221,60 @@ impl ForcedPoint {
     pub fn rms(&self, quantity: usize) -> f64 {
         self.amplitudes[quantity].iter().skip(1).map(|c| 0.5 * c.norm_sqr()).sum::<f64>().sqrt()
     }
+}
+
+/// Returns the response at a ratio of the reference speed, NaN if there is none. `phases` are those
+/// of the first position by line, rad.
+fn response_at(vibration: &ForcedVibration, ratio: f64, phases: &[f64]) -> Response {
+    let nothing = Complex::new(f64::NAN, f64::NAN);
+    let mut found = vibration.response(ratio).unwrap_or_else(|| {
+        let quantities = vibration.static_values().iter().map(|values| vec![nothing; values.len()]);
+        let rest = vibration.response(0.0).and_then(|response| response.motion);
+        let unknown = |vectors: &[DVector<Complex<f64>>]| vectors.iter().map(|own| own.map(|_| nothing)).collect();
+        let motion = rest.map(|motion| Motion {
+            displacements: unknown(&motion.displacements),
+            damping_forces: unknown(&motion.damping_forces),
+        });
+        Response { quantities: quantities.collect(), motion }
+    });
+    let turns: Vec<Complex<f64>> = phases.iter().map(|phase| Complex::from_polar(1.0, -phase)).collect();
+    for (value, turn) in found.quantities.iter_mut().flat_map(|values| values.iter_mut().zip(&turns)) {
+        *value *= turn;
+    }
+    if let Some(motion) = &mut found.motion {
+        for vectors in [&mut motion.displacements, &mut motion.damping_forces] {
+            vectors.iter_mut().zip(&turns).for_each(|(own, turn)| *own *= *turn);
+        }
+    }
+    found
+}
+
+/// Amplitudes of bearing forces at a speed.
+pub(crate) struct BearingForceAmplitudes<'a> {
+    measures: &'a [Measure],
+    amplitudes: &'a [Amplitudes],
+}
+
+impl BearingForceAmplitudes<'_> {
+    /// Returns the amplitude of a component along the axes of a bearing, by line; `None` if it is
+    /// not linear.
+    pub fn at(&self, bearing: BearingId, component: usize, line: usize) -> Option<Complex<f64>> {
+        let is_it = |measure: &Measure| {
+            matches!(measure, Measure::BearingForce(other, axis) if *other == bearing && *axis == component)
+        };
+        let index = self.measures.iter().position(is_it)?;
+        self.amplitudes.get(index)?.get(line).copied()
+    }
+}
+
+/// Returns the highest frequency of a line over all speeds of a request and the speed of the scene,
+/// Hz; infinite if the request is rejected.
+pub(crate) fn highest_frequency(scene: &Mechanism, request: &ForcedResponseRequest) -> f64 {
+    Excitation::new(scene, request).map_or(f64::INFINITY, |excitation| {
+        let highest = excitation.orders.lines().map(|(order, _)| order).max().unwrap_or(0);
+        let ratio = (request.speeds[1] / excitation.speed).max(1.0);
+        highest as f64 * ratio / excitation.period
+    })
 }
 
 /// Checks that a scene can have a forced response at a fidelity level with component modes up to a
@@ -256,15 +310,32 @@ pub(crate) fn position_count(scene: &Mechanism, request: &ForcedResponseRequest)
     Excitation::new(scene, request).map_or(0, |excitation| excitation.sampling.count() + 2)
 }
 
-/// Computes the requested forced response.
+/// Computes the requested forced response with the sound of all requests. `modes` are the plan and
+/// the highest frequency of the component modes (Hz), and `shared` is the sound of a system with
+/// the same bodies.
 ///
 /// # Errors
 /// E0774: the equilibrium does not repeat, a matrix is not finite or varies, or the problem is too
-/// large. Also those of a position.
-pub(crate) fn forced_response(
+/// large. Also those of a position and of the sound.
+pub(crate) fn with_sound(
+    system: &System<'_>,
+    scene: &Scene,
+    request: &ForcedResponseRequest,
+    (modes, shared): ((&Plan, f64), Option<Arc<Sound>>),
+    resources: &Resources,
+) -> Result<ForcedResponse, EngineError> {
+    let models = match scene.sounds.is_empty() {
+        true => None,
+        false => Some(SoundModels::new(system, scene, modes, shared, resources)?),
+    };
+    forced_response(system, scene, request, (models, modes.1), resources)
+}
+
+fn forced_response(
     system: &System<'_>,
     scene: &Mechanism,
     request: &ForcedResponseRequest,
+    (sound, highest_sound): (Option<SoundModels>, f64),
     resources: &Resources,
 ) -> Result<ForcedResponse, EngineError> {
     let pair = &scene.pairs[request.mesh.0];
@@ -274,6 +345,8 @@ pub(crate) fn forced_response(
     let frequency = TAU / excitation.period;
     let own = excitation.speed;
     let highest = request.speeds[1] / own;
+    // Sound is that of the speed of the model, too.
+    let highest = if sound.is_some() { highest.max(1.0) } else { highest };
     let sampling = &excitation.sampling;
     let solve = |time: f64| -> Result<Sample, EngineError> {
         resources.interrupt.check()?;
@@ -332,27 +405,61 @@ pub(crate) fn forced_response(
         let used: Vec<&Sample> = used.iter().map(|&index| &samples[index]).collect();
         let quantities: Vec<LinearQuantity> =
             (0..measures.len()).map(|k| linear(&used, measures[k], k)).collect();
-        ForcedVibration::new(&periodic(&used, sampling), &quantities, highest).ok_or_else(singular)
+        let system = periodic(&used, sampling);
+        let vibration = match sound.is_some() {
+            true => ForcedVibration::with_coordinates(&system, &quantities, highest),
+            false => ForcedVibration::new(&system, &quantities, highest),
+        };
+        vibration.ok_or_else(singular)
     };
     let (coarse, kept) = sampling.every_second();
     let every: Vec<usize> = (0..sampling.count()).collect();
     let vibrations = [prepared(sampling, &every)?, prepared(&coarse, &kept)?];
     let orders = excitation.orders.lines().map(|(order, _)| order as f64);
     let phases: Vec<f64> = orders.map(|order| TAU * order * sampling.half_step()).collect();
+    let lines = lines(&excitation, frequency / own);
+    let orders: Vec<f64> = lines.iter().map(|line| line.order).collect();
     let [lowest, highest] = request.speeds;
     let speed = |k: usize| lowest + (highest - lowest) * (k as f64 / (request.count - 1).max(1) as f64);
-    let point = |k: usize| -> Result<ForcedPoint, EngineError> {
+    let mut speeds: Vec<f64> = (0..request.count).map(speed).collect();
+    speeds.extend(sound.is_some().then_some(own));
+    let point = |&speed: &f64| -> Result<(ForcedPoint, Vec<SurfaceMotion>), EngineError> {
         resources.interrupt.check()?;
-        Ok(ForcedPoint::new(speed(k), &vibrations, speed(k) / own, &phases))
+        let ratio = speed / own;
+        let [fine, coarse] = [0, 1].map(|k| response_at(&vibrations[k], ratio, &phases));
+        let forces = BearingForceAmplitudes { measures: &measures, amplitudes: &fine.quantities };
+        let frequencies: Vec<f64> = orders.iter().map(|order| order * speed).collect();
+        let motions = match (&sound, &fine.motion, &coarse.motion) {
+            (Some(sound), Some(fine), Some(coarse)) => {
+                sound.vibrating().iter().map(|body| body.motion([fine, coarse], &forces, &frequencies)).collect()
+            }
+            _ => Vec::new(),
+        };
+        let amplitudes = [&fine, &coarse].map(|response| &response.quantities[..]);
+        Ok((ForcedPoint::new(speed, amplitudes, vibrations[0].growth(ratio)), motions))
     };
-    let all = || (0..request.count).into_par_iter().map(point).collect::<Result<Vec<_>, _>>();
+    let all = || speeds.par_iter().map(point).collect::<Result<Vec<_>, _>>();
+    let (mut points, motions): (Vec<ForcedPoint>, Vec<Vec<SurfaceMotion>>) =
+        resources.install(all)?.into_iter().unzip();
+    points.truncate(request.count);
+    let sounds = match sound {
+        Some(sound) => {
+            let harmonic =
+                |line: &ResponseLine| Some(line.harmonic).filter(|&own| own > 0 && line.sideband == 0);
+            let harmonics: Vec<Option<usize>> = lines.iter().map(harmonic).collect();
+            let lines = Lines { orders: &orders, harmonics: &harmonics, highest: highest_sound };
+            sound.finish(system, &lines, (&speeds, &motions), resources)?.results.clone()
+        }
+        None => Vec::new(),
+    };
     Ok(ForcedResponse {
         body: scene.bodies[pair.bodies[0].0].name.clone(),
-        lines: lines(&excitation, frequency / own),
+        lines,
         natural_frequencies: natural_frequencies(&vibrations[0]),
         difference,
         quantities: measures.iter().map(|measure| label(system, scene, *measure)).collect(),
-        points: resources.install(all)?,
+        points,
+        sounds,
     })
 }
 

@@ -14,6 +14,7 @@ pub mod forced_response;
 pub mod method;
 pub mod observables;
 pub mod options;
+pub mod radiated_sound;
 pub mod results;
 pub mod rows;
 pub mod scene;

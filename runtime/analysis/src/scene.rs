@@ -10,6 +10,7 @@ pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks, ToothMeridian}
 
 use crate::forced_response::ForcedResponseRequest;
 use crate::observables::{CampbellRequest, ModesRequest, Observable};
+use crate::radiated_sound::SoundRequest;
 use calyx_model::target::{Examined, Target};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -29,6 +30,8 @@ pub struct Scene {
     pub campbell_diagram: Option<CampbellRequest>,
     /// Request for a forced response over the speed.
     pub forced_response: Option<ForcedResponseRequest>,
+    /// Requests for the sound that elastic bodies radiate in the forced response.
+    pub sounds: Vec<SoundRequest>,
 }
 
 impl Scene {
@@ -40,6 +43,26 @@ impl Scene {
             self.observables.len() - 1
         });
         ObservableId(at)
+    }
+
+    /// Adds a request for radiated sound, or joins its points with those of an equal one. Returns
+    /// its index, and those of its points.
+    pub fn add_sound(&mut self, request: SoundRequest) -> (usize, Vec<usize>) {
+        let without_points = |request: &SoundRequest| SoundRequest { points: Vec::new(), ..request.clone() };
+        let wanted = without_points(&request);
+        let known = self.sounds.iter().position(|known| without_points(known) == wanted);
+        let at = known.unwrap_or_else(|| {
+            self.sounds.push(wanted);
+            self.sounds.len() - 1
+        });
+        let known = &mut self.sounds[at].points;
+        let index = |point: [f64; 3]| {
+            known.iter().position(|other| *other == point).unwrap_or_else(|| {
+                known.push(point);
+                known.len() - 1
+            })
+        };
+        (at, request.points.into_iter().map(index).collect())
     }
 }
 

@@ -8,6 +8,7 @@
 use crate::forced_response;
 use crate::method::{Method, QuasiStatic};
 use crate::options::AnalysisOptions;
+use crate::radiated_sound;
 use crate::scene::Scene;
 use calyx_fe::inertia::Inertia;
 use calyx_model::dof::DOF_NAMES;
@@ -99,7 +100,7 @@ impl<'a> Request<'a> {
     /// # Errors
     /// The errors that end a run before it builds a structure: E0610, E0611, E0623, E0661, E0676,
     /// E0677, E0690, E0714, E0715, E0723, E0728, E0729, E0755, E0756, E0762 to E0764, E0770, E0771,
-    /// E0780 to E0783. Also those of the interrupt.
+    /// E0774, E0780 to E0785. Also those of the interrupt.
     pub fn plan(&self, interrupt: &Interrupt) -> Result<Plan, EngineError> {
         let plan = self.decide().map_err(|error| self.advise(error))?;
         if let Some(time) = self.method.first_equilibrium() {
@@ -151,6 +152,12 @@ impl<'a> Request<'a> {
             let dofs = number_dofs(scene, &plan).len();
             forced_response::check(scene, request, (plan.fidelity, highest_frequency), dofs)?;
         }
+        if method.has_inertia() && !scene.sounds.is_empty() {
+            let message = "radiated sound is that of a forced response, which belongs to a quasi-static analysis, and this one integrates in time";
+            let help = "use `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24))` with `gears.forced_response`";
+            return Err(EngineError::new("E0784", message, help));
+        }
+        radiated_sound::check(scene, &plan, highest_frequency)?;
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             let times = method.checked_times();

@@ -4,7 +4,8 @@ use std::any::Any;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Results by surface pair and mesh cycle, kept for the observables of later positions.
+/// Results by surface pair and mesh cycle, kept for the observables of later positions. Keys beyond
+/// the surface pairs belong to results of all speeds.
 ///
 /// The lock is never held while a result is computed: a position may be solved within the parallel
 /// loop of another one, on the same thread.
@@ -22,5 +23,11 @@ impl DerivedResults {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let found = all.entry(key).or_insert_with(|| Arc::new(create())).clone();
         found.downcast().ok()
+    }
+
+    /// Returns the result of a key; `None` if there is none of this type.
+    pub fn find<T: Any + Send + Sync>(&self, key: (usize, i64)) -> Option<Arc<T>> {
+        let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.get(&key)?.clone().downcast().ok()
     }
 }

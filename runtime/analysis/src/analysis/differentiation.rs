@@ -184,5 +184,7 @@ impl Base<'_, '_> {
 /// Plans and builds the analysis of a neighbouring model.
 fn of_neighbour<'n>(model: &'n Neighbour, options: &AnalysisOptions) -> Result<Steps<'n>, EngineError> {
     let Neighbour { scene, positions, outputs } = model;
-    Steps::new(scene, positions, outputs, options)
+    let mut steps = Steps::new(scene, positions, outputs, options)?;
+    steps.prepare()?;
+    Ok(steps)
 }

@@ -7,6 +7,7 @@ use super::{
     rounding, within,
 };
 use crate::observables::Observe;
+use crate::radiated_sound;
 use crate::results::DirectedErrors;
 use crate::rows::StepRow;
 use crate::scene::Scene;
@@ -272,6 +273,13 @@ impl BaseAnalysis<'_, '_> {
         plan: &Plan,
         positions: &[Position],
     ) -> Result<AddedPositions, Failed> {
+        if !self.scene.sounds.is_empty() && radiated_sound::of_system(system).is_none() {
+            // The body in the fluid is the same.
+            let modes = (plan, self.highest_frequency);
+            let sound =
+                radiated_sound::prepare(system, self.scene, modes, Some(self.system), self.resources);
+            sound.map_err(|error| self.failed(error))?;
+        }
         let solve = |position: &Position| {
             self.resources.interrupt.check()?;
             let step = system.solve(position.time)?;

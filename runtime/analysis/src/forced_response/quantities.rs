@@ -2,7 +2,7 @@
 
 use super::ResponseQuantity;
 use crate::observables::{BearingStiffness, Equilibrium, Observable, TransmissionError};
-use calyx_model::bearing::BearingState;
+use calyx_model::bearing::{Bearing, BearingState};
 use calyx_model::dof::{DOF_NAMES, Dof};
 use calyx_model::ids::{BearingId, BodyId, PairId};
 use calyx_model::mechanism::Mechanism;
@@ -32,7 +32,7 @@ struct State {
 
 /// Quantity of the response.
 #[derive(Clone, Copy)]
-pub(super) enum Measure {
+pub(crate) enum Measure {
     TransmissionError(PairId),
     /// Moment of all tooth contacts of a body about its axis.
     ToothTorque(BodyId, usize),
@@ -77,15 +77,16 @@ pub(super) fn measures(system: &System<'_>, scene: &Mechanism) -> Vec<Measure> {
     let linear = system.bearings.iter().filter(|&&bearing| scene.bearings[bearing].walls() == 0);
     found.extend(linear.flat_map(|&bearing| {
         let own = &scene.bearings[bearing];
-        let resists = move |component: &usize| {
-            own.nonlinear.is_some()
-                || own.linearization.is_some()
-                || own.stiffness[*component].iter().chain(&own.damping[*component]).any(|&entry| entry != 0.0)
-        };
-        (0..6).filter(resists).map(move |component| Measure::BearingForce(BearingId(bearing), component))
+        (0..6).filter(move |&component| resists(own, component)).map(move |component| Measure::BearingForce(BearingId(bearing), component))
     }));
     found.extend((0..system.dofs.len()).map(Measure::Motion));
     found
+}
+
+/// Returns whether a bearing has a force or moment along or about one of its axes.
+pub(crate) fn resists(bearing: &Bearing, component: usize) -> bool {
+    let mut entries = bearing.stiffness[component].iter().chain(&bearing.damping[component]);
+    bearing.nonlinear.is_some() || bearing.linearization.is_some() || entries.any(|&entry| entry != 0.0)
 }
 
 /// Returns the name of a quantity.

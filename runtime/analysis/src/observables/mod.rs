@@ -25,6 +25,7 @@ mod pressure;
 mod rolling;
 mod shafts;
 mod sliding;
+mod sound;
 mod spline_teeth;
 mod stress;
 mod tribology;
@@ -68,6 +69,7 @@ pub use shafts::{
     ShaftReaction, ShaftRotation, ShaftStress,
 };
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
+pub use sound::{RadiationEfficiency, SoundLines, SoundPower, SoundPowerLevel, SoundPressureLevel};
 pub use spline_teeth::SplineToothLoad;
 pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};
 pub use tribology::{

@@ -1,0 +1,118 @@
+//! Observables of the sound that elastic bodies radiate at the speed of the model.
+
+use super::{Equilibrium, Observable, Quantity};
+use crate::radiated_sound::{self, RadiatedSound, Weighting};
+use calyx_acoustics::levels::sound_power_level;
+use calyx_model::observed::Observed;
+
+/// Lines of the response that count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SoundLines {
+    /// All lines.
+    All,
+    /// A harmonic of all mesh frequencies, without sidebands.
+    Harmonic(usize),
+}
+
+impl SoundLines {
+    /// Returns the weighted power of these lines at the speed of the model, W; NaN without a
+    /// result.
+    fn power(self, at: &Equilibrium<'_>, sound: usize, weighting: Weighting) -> f64 {
+        let Some(all) = radiated_sound::of_system(at.system) else { return f64::NAN };
+        let Some(found) = all.results.get(sound) else { return f64::NAN };
+        let is_selected = |line: usize| match self {
+            SoundLines::All => true,
+            SoundLines::Harmonic(harmonic) => all.harmonics.get(line) == Some(&Some(harmonic)),
+        };
+        found.power_of(&found.own, weighting, is_selected)
+    }
+}
+
+/// Sound power of a body, W.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoundPower {
+    /// Index of the request of the scene.
+    pub sound: usize,
+    /// Lines that count.
+    pub lines: SoundLines,
+}
+
+impl Observable for SoundPower {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("radiated_power", "W")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        Observed::number(self.lines.power(at, self.sound, Weighting::None))
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [0.0, f64::INFINITY]
+    }
+}
+
+/// Sound power level of a body, dB re 1 pW.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoundPowerLevel {
+    /// Index of the request of the scene.
+    pub sound: usize,
+    /// Lines that count.
+    pub lines: SoundLines,
+    /// Weighting of frequencies.
+    pub weighting: Weighting,
+}
+
+impl Observable for SoundPowerLevel {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("sound_power_level", "1")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        Observed::number(sound_power_level(self.lines.power(at, self.sound, self.weighting)))
+    }
+}
+
+/// Returns a value of a sound at the speed of the model; NaN without a result.
+fn own(at: &Equilibrium<'_>, sound: usize, value: impl Fn(&RadiatedSound) -> f64) -> Observed {
+    let found = radiated_sound::of_system(at.system);
+    Observed::number(found.and_then(|all| all.results.get(sound).map(value)).unwrap_or(f64::NAN))
+}
+
+/// Radiation efficiency of a body: sound power over equivalent radiated power.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RadiationEfficiency(pub usize);
+
+impl Observable for RadiationEfficiency {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("radiation_efficiency", "1")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        own(at, self.0, |sound| sound.efficiency(&sound.own))
+    }
+
+    fn bounds(&self) -> [f64; 2] {
+        [0.0, f64::INFINITY]
+    }
+}
+
+/// Sound pressure level of a body at a point, dB re 20 uPa.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoundPressureLevel {
+    /// Index of the request of the scene.
+    pub sound: usize,
+    /// Index of the point of the request.
+    pub point: usize,
+    /// Weighting of frequencies.
+    pub weighting: Weighting,
+}
+
+impl Observable for SoundPressureLevel {
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating("sound_pressure_level", "1")
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        own(at, self.sound, |sound| sound.pressure_level(&sound.own, self.point, self.weighting))
+    }
+}

@@ -1,0 +1,349 @@
+//! Sound that elastic bodies radiate in a forced response: transmission error, mesh force, bearing
+//! forces, velocity of the surface, sound.
+//!
+//! The velocities of the surface are combinations of patterns, one by unit velocity of each
+//! coordinate of the body. In these the sound power at a frequency is a Hermitian form, which does
+//! not depend on the speed. It is computed at some frequencies and interpolated, so that every
+//! speed and harmonic costs a few scalar products. The coupling is one-way.
+//!
+//! See `docs/theory/acoustics.md`.
+
+mod frequencies;
+mod motion;
+mod results;
+mod surface;
+
+pub(crate) use motion::{SurfaceMotion, Vibrating};
+pub use results::{RadiatedSound, SoundPoint, SurfaceSummary, Weighting};
+pub use surface::surface_size;
+
+use crate::forced_response::ForcedResponse;
+use crate::scene::Scene;
+use calyx_acoustics::{AcousticError, Fluid, RigidPlane};
+use calyx_model::connection::{ConnectionState, ElasticConnection};
+use calyx_model::elastic_body::SharedElasticBody;
+use calyx_model::fidelity::Fidelity;
+use calyx_model::ids::ConnectionId;
+use calyx_model::mechanism::Mechanism;
+use calyx_model::motion::angular_velocity;
+use calyx_model::plan::Plan;
+use calyx_model::resources::Resources;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::vec3::{Vector, dot, length, minus};
+use calyx_solve::system::System;
+use frequencies::Field;
+use std::sync::Arc;
+use surface::Surface;
+
+/// Key of the sound among the derived results of a system.
+const DERIVED: (usize, i64) = (usize::MAX, 0);
+/// Angular velocity of a body that counts as rounding, rad/s.
+const AT_REST: f64 = 1e-9;
+
+/// Fidelity level of the last link, from velocities to sound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SoundLevel {
+    /// Equivalent radiated power: plane waves everywhere. It needs no equations.
+    EquivalentPower,
+    /// Rayleigh integral: every part of the surface radiates as in a plane baffle, and all
+    /// interfere.
+    Rayleigh,
+    /// Boundary elements.
+    BoundaryElements,
+}
+
+impl SoundLevel {
+    /// All levels, the cheapest first.
+    pub const ALL: [SoundLevel; 3] = [Self::EquivalentPower, Self::Rayleigh, Self::BoundaryElements];
+
+    /// Returns the name in models and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::EquivalentPower => "erp",
+            Self::Rayleigh => "rayleigh",
+            Self::BoundaryElements => "boundary_elements",
+        }
+    }
+
+    /// Returns the level of a name.
+    pub fn named(name: &str) -> Option<SoundLevel> {
+        Self::ALL.into_iter().find(|level| level.name() == name)
+    }
+
+    /// Returns the level that belongs to a fidelity of the bodies: boundary elements to finite
+    /// elements, the Rayleigh integral to closed forms.
+    pub fn of_fidelity(fidelity: Fidelity) -> SoundLevel {
+        match fidelity {
+            Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => Self::Rayleigh,
+            Fidelity::Solid(_) => Self::BoundaryElements,
+        }
+    }
+}
+
+/// Request for the sound of an elastic body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SoundRequest {
+    /// Connection of the elastic body.
+    pub body: ConnectionId,
+    /// Fluid around it.
+    pub fluid: Fluid,
+    /// Level; `None` for that of the fidelity.
+    pub level: Option<SoundLevel>,
+    /// Point (m) and normal of a rigid plane in front of which the body is, in ground coordinates.
+    pub plane: Option<[Vector; 2]>,
+    /// Points at which the pressure is requested, in ground coordinates, m.
+    pub points: Vec<Vector>,
+}
+
+impl SoundRequest {
+    /// Returns the level at a fidelity.
+    pub fn level_at(&self, fidelity: Fidelity) -> SoundLevel {
+        match self.level {
+            Some(level) => level,
+            None if !self.points.is_empty() => SoundLevel::BoundaryElements,
+            None => SoundLevel::of_fidelity(fidelity),
+        }
+    }
+
+    fn connection<'s>(&self, scene: &'s Mechanism) -> Result<&'s ElasticConnection, EngineError> {
+        scene.connections.get(self.body.0).ok_or_else(|| {
+            refused("the scene has no such elastic body", "give a body of this model that is imported")
+        })
+    }
+}
+
+/// Coordinates of an elastic body relative to ground.
+struct Placement {
+    state: ConnectionState,
+    origin: Vector,
+}
+
+impl Placement {
+    fn new(scene: &Mechanism, connection: &ElasticConnection) -> Result<Placement, EngineError> {
+        let state = ConnectionState::at(&scene.bodies, connection, 0.0)?;
+        let first = connection.body.as_ref().and_then(|SharedElasticBody(body)| body.positions().first().copied());
+        let origin = state.origin(first.unwrap_or_default());
+        Ok(Placement { state, origin })
+    }
+
+    /// Transforms a direction from ground axes to those of the body.
+    fn direction(&self, ground: Vector) -> Vector {
+        self.state.axes.map(|axis| dot(axis, ground))
+    }
+
+    /// Transforms a point from ground coordinates to those of the body, m.
+    fn point(&self, ground: Vector) -> Vector {
+        self.direction(minus(ground, self.origin))
+    }
+
+    fn plane(&self, request: &SoundRequest) -> Result<Option<RigidPlane>, EngineError> {
+        let plane = request.plane.map(|[point, normal]| {
+            RigidPlane::new(self.point(point), self.direction(normal)).map_err(engine_error)
+        });
+        plane.transpose()
+    }
+}
+
+fn refused(message: impl Into<String>, help: impl Into<String>) -> EngineError {
+    EngineError::new("E0784", message, help)
+}
+
+/// Converts an error of the acoustic solution.
+fn engine_error(error: AcousticError) -> EngineError {
+    let help = error.help().to_owned();
+    match error {
+        AcousticError::Interrupted(error) => error,
+        other => refused(format!("the radiated sound cannot be computed: {other}"), help),
+    }
+}
+
+/// Checks everything about the requested sound that is known before a structure is built, at a
+/// highest frequency of the component modes (Hz).
+///
+/// # Errors
+/// E0784: there is no forced response, or a body has no surface, mass or component modes, rotates,
+/// or encloses a point. E0785: the surface of a body is open.
+pub(crate) fn check(scene: &Scene, plan: &Plan, highest_frequency: f64) -> Result<(), EngineError> {
+    if scene.sounds.is_empty() {
+        return Ok(());
+    }
+    if scene.forced_response.is_none() {
+        return Err(refused(
+            "the model observes radiated sound, but has no forced response whose vibration radiates",
+            "add `gears.forced_response(mesh, highest_speed = 6000 rpm);` before `analyze`",
+        ));
+    }
+    for request in &scene.sounds {
+        let connection = request.connection(scene)?;
+        let name = &connection.name;
+        let Some(SharedElasticBody(body)) = &connection.body else {
+            return Err(refused(
+                format!("\"{name}\" is a shaft, which has no surface that radiates"),
+                "give an elastic body with a mesh, such as that of `gears.nastran`",
+            ));
+        };
+        if plan.fidelity == Fidelity::Rigid {
+            return Err(refused(
+                format!("\"{name}\" is rigid at the fidelity \"rigid\", so its walls do not vibrate"),
+                "choose a fidelity level with elastic bodies, such as \"analytic\"",
+            ));
+        }
+        if plan.connections.get(request.body.0).is_none_or(|planned| planned.left_out) {
+            return Err(refused(
+                format!("nothing moves \"{name}\", so it radiates no sound"),
+                "mount bearings on its attachments",
+            ));
+        }
+        if !body.has_mass() {
+            return Err(refused(
+                format!("\"{name}\" has no mass, so its vibration is unknown"),
+                "give its material a density",
+            ));
+        }
+        if highest_frequency <= 0.0 {
+            return Err(refused(
+                format!("\"{name}\" has no component modes, so its walls follow its attachments"),
+                "set `highest_frequency` in `analyze` to the highest frequency of interest, such as 5000 Hz",
+            )
+            .blame("highest_frequency"));
+        }
+        let reference = connection.bodies().next().and_then(|body| scene.bodies.get(body.0));
+        let turns = reference.map_or(0.0, |body| length(angular_velocity(body.motion.as_ref(), 0.0)));
+        if turns > AT_REST {
+            return Err(refused(
+                format!("\"{name}\" rotates, and radiated sound is that of a body at rest"),
+                "give its frame no rotation",
+            ));
+        }
+        let level = request.level_at(plan.fidelity);
+        if !request.points.is_empty() && level != SoundLevel::BoundaryElements {
+            return Err(refused(
+                format!("the level \"{}\" has no sound pressure at points", level.name()),
+                "choose `method = \"boundary_elements\"`, or leave `method` out",
+            )
+            .blame("method"));
+        }
+        Surface::new(scene, request)?.check_points(request)?;
+    }
+    Ok(())
+}
+
+/// Sound of all requests of a scene, with what can be shared by other systems with the same bodies.
+pub(crate) struct Sound {
+    /// Results by request.
+    pub results: Vec<RadiatedSound>,
+    /// Harmonic of each line; `None` for sidebands and the mean value.
+    pub harmonics: Vec<Option<usize>>,
+    fields: Vec<Arc<Field>>,
+}
+
+/// Returns the sound that a system has computed; `None` before.
+pub(crate) fn of_system(system: &System<'_>) -> Option<Arc<Sound>> {
+    system.derived.find(DERIVED)
+}
+
+/// Models of the bodies of all requests: surfaces, velocity patterns and, after the response, the
+/// fields in the fluid.
+pub(crate) struct SoundModels {
+    models: Vec<Vibrating>,
+    requests: Vec<SoundRequest>,
+    levels: Vec<SoundLevel>,
+    shared: Option<Arc<Sound>>,
+}
+
+/// Range of frequencies of the lines of a response: their orders, speeds (rad/s), and the highest
+/// frequency of the component modes (Hz).
+pub(crate) struct Lines<'a> {
+    /// Frequency of each line over the rotational frequency.
+    pub orders: &'a [f64],
+    /// Harmonic of each line; `None` for sidebands and the mean value.
+    pub harmonics: &'a [Option<usize>],
+    /// Highest frequency with sound, Hz.
+    pub highest: f64,
+}
+
+impl SoundModels {
+    /// Prepares the bodies of all requests. `shared` has fields of a system with the same bodies.
+    ///
+    /// # Errors
+    /// Those of [`check`], and of the condensation of a body.
+    pub fn new(
+        system: &System<'_>,
+        scene: &Scene,
+        (plan, highest): (&Plan, f64),
+        shared: Option<Arc<Sound>>,
+        resources: &Resources,
+    ) -> Result<SoundModels, EngineError> {
+        let highest_line = highest.min(Self::highest_line(scene));
+        let model = |request: &SoundRequest| {
+            let surface = Surface::new(scene, request)?.coarsened(request, highest_line)?;
+            let mass = plan.connections[request.body.0].mass;
+            resources.install(|| Vibrating::new(system, request, surface, mass, resources))
+        };
+        Ok(SoundModels {
+            models: scene.sounds.iter().map(model).collect::<Result<_, _>>()?,
+            requests: scene.sounds.clone(),
+            levels: scene.sounds.iter().map(|request| request.level_at(plan.fidelity)).collect(),
+            shared,
+        })
+    }
+
+    /// Returns the highest frequency of a line over all requested speeds, Hz.
+    fn highest_line(scene: &Scene) -> f64 {
+        let response = scene.forced_response.as_ref();
+        response.map_or(f64::INFINITY, |request| crate::forced_response::highest_frequency(scene, request))
+    }
+
+    /// Returns the models of the bodies, by request.
+    pub fn vibrating(&self) -> &[Vibrating] {
+        &self.models
+    }
+
+    /// Computes the sound of all speeds, of which the last one is that of the model, and stores it
+    /// in the system. `motions` has the motion of each surface by speed and request.
+    ///
+    /// # Errors
+    /// Those of the acoustic solution and of the interrupt.
+    pub fn finish(
+        self,
+        system: &System<'_>,
+        lines: &Lines<'_>,
+        (speeds, motions): (&[f64], &[Vec<SurfaceMotion>]),
+        resources: &Resources,
+    ) -> Result<Arc<Sound>, EngineError> {
+        let (mut results, mut fields) = (Vec::new(), Vec::new());
+        for (index, (model, request)) in self.models.iter().zip(&self.requests).enumerate() {
+            let own: Vec<&SurfaceMotion> = motions.iter().map(|motions| &motions[index]).collect();
+            let known = self.shared.as_ref().and_then(|sound| sound.fields.get(index)).cloned();
+            let field = match known {
+                Some(field) => field,
+                None => {
+                    let find = || Field::new(model, self.levels[index], lines, (speeds, &own), resources);
+                    Arc::new(resources.install(find)?)
+                }
+            };
+            let result = RadiatedSound::new((model, request), &field, lines, (speeds, &own));
+            results.push(result);
+            fields.push(field);
+        }
+        let sound = Sound { results, harmonics: lines.harmonics.to_vec(), fields };
+        system.derived.get_or_create(DERIVED, || sound).ok_or_else(|| refused("the sound is lost", ""))
+    }
+}
+
+/// Computes the forced response with its sound for a system that lacks it. `like` is a system with
+/// the same bodies whose fields can be used.
+///
+/// # Errors
+/// Those of [`crate::forced_response::forced_response`].
+pub(crate) fn prepare(
+    system: &System<'_>,
+    scene: &Scene,
+    modes: (&Plan, f64),
+    like: Option<&System<'_>>,
+    resources: &Resources,
+) -> Result<Option<ForcedResponse>, EngineError> {
+    let Some(request) = &scene.forced_response else { return Ok(None) };
+    let shared = like.and_then(of_system);
+    crate::forced_response::with_sound(system, scene, request, (modes, shared), resources).map(Some)
+}

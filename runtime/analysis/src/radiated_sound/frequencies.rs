@@ -1,0 +1,382 @@
+//! Sound field of velocity patterns over the frequency: solved at some frequencies, interpolated
+//! between them.
+//!
+//! The quadratic form of the power, divided by the square of the frequency, is smooth: it varies
+//! with the size of the body in wavelengths. It is interpolated by polynomials of third degree in
+//! the logarithm of the frequency. Intervals are halved until the interpolation at their middle
+//! agrees with a solution there.
+
+use super::motion::{SurfaceMotion, Vibrating};
+use super::{Lines, SoundLevel, engine_error};
+use calyx_acoustics::radiation::equivalent_impedance;
+use calyx_acoustics::{Equations, RadiationImpedance, RadiationModel, Settings, rayleigh};
+use calyx_model::resources::Resources;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::vec3::{Vector, length, minus};
+use faer::{Mat, c64};
+use std::f64::consts::TAU;
+
+/// Largest relative error of the power by interpolation, at the middle of an interval before its
+/// solution is added: 0.02 dB.
+const TOLERANCE: f64 = 0.005;
+/// Largest ratio of a frequency to the next lower one in the first grid.
+const RATIO: f64 = 1.6;
+/// Largest distance of frequencies in the first grid, in wavenumbers times half the size of the
+/// body.
+const STEP: f64 = 1.0;
+/// Largest number of halvings of an interval, and of solved frequencies.
+const HALVINGS: usize = 5;
+const MOST: usize = 150;
+/// Number of frequencies of an interpolation.
+const POINTS: usize = 4;
+/// Polar angles of the far field: twice the number of wavelengths across the body, and these.
+const RINGS: usize = 10;
+
+/// Sound of patterns at a frequency.
+struct Solution {
+    frequency: f64,
+    /// Hermitian form of the power, over the square of the frequency.
+    power: Mat<c64>,
+    /// Pressures at the points by pattern, without the phase of the distance and over the
+    /// frequency.
+    pressures: Mat<c64>,
+}
+
+/// Sound field of the patterns of a body.
+pub(super) struct Field {
+    /// Level of the field.
+    pub level: SoundLevel,
+    /// Form of the equivalent radiated power.
+    equivalent: RadiationImpedance,
+    solutions: Vec<Solution>,
+    /// Distances of the points from the middle of the body, m.
+    distances: Vec<f64>,
+    wavenumber: f64,
+    /// Largest relative error of the power at the middle of an interval, before its solution is
+    /// added.
+    pub interpolation_error: f64,
+    /// Largest relative difference of the powers on the surface and in the far field; NaN without
+    /// boundary elements.
+    pub far_field_difference: f64,
+}
+
+/// Velocities that occur near a frequency.
+struct Probe<'a> {
+    /// Frequency (Hz) and amplitudes, by ascending frequency.
+    all: Vec<(f64, &'a [c64])>,
+}
+
+impl Probe<'_> {
+    fn new<'a>(lines: &Lines<'_>, speeds: &[f64], motions: &[&'a SurfaceMotion]) -> Probe<'a> {
+        let mut all: Vec<(f64, &'a [c64])> = Vec::new();
+        for (speed, motion) in speeds.iter().zip(motions) {
+            for (order, own) in lines.orders.iter().zip(&motion.velocities[0]) {
+                let frequency = order * speed / TAU;
+                let moves = own.iter().any(|value| value.norm_sqr() > 0.0);
+                if frequency > 0.0 && frequency <= lines.highest && moves {
+                    all.push((frequency, own));
+                }
+            }
+        }
+        all.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Probe { all }
+    }
+
+    /// Returns the velocities at the frequency that is nearest.
+    fn near(&self, frequency: f64) -> Option<&[c64]> {
+        let ratio = |at: f64| (at / frequency).ln().abs();
+        self.all.iter().min_by(|one, other| ratio(one.0).total_cmp(&ratio(other.0))).map(|found| found.1)
+    }
+
+    fn range(&self) -> Option<[f64; 2]> {
+        Some([self.all.first()?.0, self.all.last()?.0])
+    }
+}
+
+/// What solves the field of a body at a frequency.
+struct Solver<'a> {
+    body: &'a Vibrating,
+    model: RadiationModel,
+    level: SoundLevel,
+    patterns: Vec<Vec<c64>>,
+    triangles: Vec<[Vector; 3]>,
+    distances: Vec<f64>,
+    interrupt: &'a Interrupt,
+}
+
+impl Field {
+    /// Solves the field of a body at the frequencies of all lines and speeds.
+    ///
+    /// # Errors
+    /// Those of the acoustic solution and of the interrupt.
+    pub fn new(
+        body: &Vibrating,
+        level: SoundLevel,
+        lines: &Lines<'_>,
+        (speeds, motions): (&[f64], &[&SurfaceMotion]),
+        resources: &Resources,
+    ) -> Result<Field, EngineError> {
+        let mesh = &body.surface.skin.mesh;
+        let middle = middle(mesh.vertices());
+        let distances: Vec<f64> = body.points.iter().map(|point| length(minus(*point, middle))).collect();
+        let mut field = Field {
+            level,
+            equivalent: equivalent_impedance(mesh, &body.fluid, &body.patterns),
+            solutions: Vec::new(),
+            distances: distances.clone(),
+            wavenumber: TAU / body.fluid.speed_of_sound,
+            interpolation_error: 0.0,
+            far_field_difference: f64::NAN,
+        };
+        let probe = Probe::new(lines, speeds, motions);
+        let Some(range) = probe.range().filter(|_| level != SoundLevel::EquivalentPower) else {
+            return Ok(field);
+        };
+        let complex = |pattern: &Vec<f64>| pattern.iter().map(|value| c64::new(*value, 0.0)).collect();
+        let solver = Solver {
+            body,
+            model: RadiationModel { mesh: mesh.clone(), fluid: body.fluid },
+            level,
+            patterns: body.patterns.iter().map(complex).collect(),
+            triangles: (0..mesh.triangles().len()).map(|triangle| mesh.corners(triangle)).collect(),
+            distances,
+            interrupt: &resources.interrupt,
+        };
+        let step = STEP / (field.wavenumber * 0.5 * mesh.size());
+        for frequency in grid(range, step) {
+            let solution = solver.solve(frequency, &probe, &mut field.far_field_difference)?;
+            field.solutions.push(solution);
+        }
+        // Intervals with the error at the middle of the wider ones from which they come.
+        let pairs = field.solutions.windows(2);
+        let mut intervals: Vec<([f64; 2], f64)> =
+            pairs.map(|pair| ([pair[0].frequency, pair[1].frequency], 0.0)).collect();
+        for _ in 0..HALVINGS {
+            let mut added = Vec::new();
+            let mut remaining = Vec::new();
+            for ([low, high], error) in std::mem::take(&mut intervals) {
+                let at = (low * high).sqrt();
+                let velocities = probe.near(at).filter(|_| field.solutions.len() + added.len() < MOST);
+                let Some(velocities) = velocities else {
+                    remaining.push(([low, high], error));
+                    continue;
+                };
+                let solved = solver.solve(at, &probe, &mut field.far_field_difference)?;
+                let own = field.difference(&solved, velocities);
+                match own > TOLERANCE {
+                    true => intervals.extend([([low, at], own), ([at, high], own)]),
+                    false => field.interpolation_error = field.interpolation_error.max(own),
+                }
+                added.push(solved);
+            }
+            intervals.extend(remaining);
+            field.solutions.extend(added);
+            field.solutions.sort_by(|one, other| one.frequency.total_cmp(&other.frequency));
+            if intervals.is_empty() {
+                break;
+            }
+        }
+        for (_, error) in intervals {
+            field.interpolation_error = field.interpolation_error.max(error);
+        }
+        Ok(field)
+    }
+
+    /// Returns the relative difference between an interpolation and a solution, of the power and of
+    /// the pressures at the points.
+    fn difference(&self, solved: &Solution, velocities: &[c64]) -> f64 {
+        let form = self.interpolated(solved.frequency, |solution| &solution.power);
+        let [found, expected] = [&form, &solved.power].map(|form| quadratic(form, velocities));
+        let power = (found / expected - 1.0).abs();
+        let rows = self.interpolated(solved.frequency, |solution| &solution.pressures);
+        let [found, expected] = [&rows, &solved.pressures].map(|rows| products(rows, velocities));
+        let size = |values: &[c64]| values.iter().map(|value| value.norm_sqr()).sum::<f64>().sqrt();
+        let differences: Vec<c64> = found.iter().zip(&expected).map(|(a, b)| a - b).collect();
+        if expected.is_empty() { power } else { power.max(size(&differences) / size(&expected)) }
+    }
+
+    /// Interpolates a matrix of the solutions at a frequency, Hz.
+    fn interpolated(&self, frequency: f64, of: impl Fn(&Solution) -> &Mat<c64>) -> Mat<c64> {
+        let count = self.solutions.len().min(POINTS);
+        let above = self.solutions.partition_point(|solution| solution.frequency < frequency);
+        let first = above.saturating_sub(POINTS / 2).min(self.solutions.len() - count);
+        let own = &self.solutions[first..first + count];
+        let at = frequency.ln();
+        let place = |k: usize| own[k].frequency.ln();
+        let weight = |k: usize| -> f64 {
+            let others = (0..count).filter(|&other| other != k);
+            others.map(|other| (at - place(other)) / (place(k) - place(other))).product()
+        };
+        let weights: Vec<f64> = (0..count).map(weight).collect();
+        let size = of(&own[0]);
+        Mat::from_fn(size.nrows(), size.ncols(), |i, j| {
+            own.iter().zip(&weights).map(|(solution, weight)| of(solution)[(i, j)] * *weight).sum()
+        })
+    }
+
+    /// Returns the power at a frequency (Hz) of these velocities of the coordinates, W.
+    pub fn power(&self, frequency: f64, velocities: &[c64]) -> f64 {
+        if self.solutions.is_empty() {
+            return self.equivalent_power(velocities);
+        }
+        let form = self.interpolated(frequency, |solution| &solution.power);
+        (quadratic(&form, velocities) * frequency * frequency).max(0.0)
+    }
+
+    /// Returns the equivalent radiated power, W.
+    pub fn equivalent_power(&self, velocities: &[c64]) -> f64 {
+        self.equivalent.power(velocities)
+    }
+
+    /// Returns the pressures at the points, Pa.
+    pub fn pressures(&self, frequency: f64, velocities: &[c64]) -> Vec<c64> {
+        if self.solutions.is_empty() || self.distances.is_empty() {
+            return Vec::new();
+        }
+        let rows = self.interpolated(frequency, |solution| &solution.pressures);
+        let turned = |(value, distance): (c64, &f64)| {
+            value * c64::from_polar(frequency, -self.wavenumber * frequency * distance)
+        };
+        products(&rows, velocities).into_iter().zip(&self.distances).map(turned).collect()
+    }
+
+    /// Returns the number of points at which the pressure is known.
+    pub fn point_count(&self) -> usize {
+        self.distances.len()
+    }
+
+    /// Returns the frequencies of the solutions, Hz.
+    pub fn frequencies(&self) -> Vec<f64> {
+        self.solutions.iter().map(|solution| solution.frequency).collect()
+    }
+}
+
+impl Solver<'_> {
+    fn solve(
+        &self,
+        frequency: f64,
+        probe: &Probe<'_>,
+        difference: &mut f64,
+    ) -> Result<Solution, EngineError> {
+        self.interrupt.check()?;
+        let count = self.patterns.len();
+        let (impedance, pressures) = match self.level {
+            SoundLevel::EquivalentPower | SoundLevel::Rayleigh => {
+                let patterns = &self.body.patterns;
+                let found = rayleigh::radiation_impedance(
+                    &self.triangles,
+                    patterns,
+                    &self.body.fluid,
+                    frequency,
+                    self.interrupt,
+                );
+                (found.map_err(engine_error)?, Mat::zeros(0, count))
+            }
+            SoundLevel::BoundaryElements => {
+                let equations = self.model.equations(frequency, &Settings::default(), self.interrupt);
+                let equations = equations.map_err(engine_error)?;
+                let found = equations.radiation_impedance(&self.patterns, self.interrupt);
+                let found = found.map_err(engine_error)?;
+                if let Some(velocities) = probe.near(frequency) {
+                    let own = self.far_field(&equations, velocities)?;
+                    *difference = if difference.is_nan() { own } else { difference.max(own) };
+                }
+                (found, self.pressures(&equations)?)
+            }
+        };
+        let z = impedance.matrix();
+        let scale = 0.5 / (frequency * frequency);
+        let power = Mat::from_fn(count, count, |i, j| (z[(i, j)] + z[(j, i)].conj()) * scale);
+        Ok(Solution { frequency, power, pressures })
+    }
+
+    /// Returns the relative difference of the powers on the surface and in the far field.
+    fn far_field(&self, equations: &Equations<'_>, velocities: &[c64]) -> Result<f64, EngineError> {
+        let normal = |triangle: usize| {
+            self.body.patterns.iter().zip(velocities).map(|(pattern, v)| v * pattern[triangle]).sum::<c64>()
+        };
+        let normal: Vec<c64> = (0..self.triangles.len()).map(normal).collect();
+        let solved = equations.solve(&[normal], self.interrupt).map_err(engine_error)?;
+        let Some(radiation) = solved.first() else { return Ok(f64::NAN) };
+        let mesh = &self.model.mesh;
+        let across = mesh.size() * equations.frequency() / self.body.fluid.speed_of_sound;
+        let rings = RINGS + (2.0 * across).ceil() as usize;
+        let far = equations.far_field_power(radiation, rings, self.interrupt).map_err(engine_error)?;
+        Ok((radiation.power(mesh) / far - 1.0).abs())
+    }
+
+    /// Returns the pressures at the points by pattern, without the phase of the distance and over
+    /// the frequency.
+    fn pressures(&self, equations: &Equations<'_>) -> Result<Mat<c64>, EngineError> {
+        if self.body.points.is_empty() {
+            return Ok(Mat::zeros(0, self.patterns.len()));
+        }
+        let transfer = equations.transfer_vectors(&self.body.points, self.interrupt).map_err(engine_error)?;
+        let frequency = equations.frequency();
+        let wavenumber = TAU * frequency / self.body.fluid.speed_of_sound;
+        let patterns = Mat::from_fn(self.triangles.len(), self.patterns.len(), |i, j| self.patterns[j][i]);
+        let found = transfer.pressures(patterns.as_ref());
+        Ok(Mat::from_fn(found.nrows(), found.ncols(), |point, pattern| {
+            found[(point, pattern)]
+                * c64::from_polar(frequency.recip(), wavenumber * self.distances[point])
+        }))
+    }
+}
+
+/// Returns `½ Re(a* R a)`.
+fn quadratic(form: &Mat<c64>, amplitudes: &[c64]) -> f64 {
+    let mut sum = 0.0;
+    for (j, column) in amplitudes.iter().enumerate() {
+        let product: c64 = amplitudes.iter().enumerate().map(|(i, row)| row.conj() * form[(i, j)]).sum();
+        sum += (product * column).re;
+    }
+    0.5 * sum
+}
+
+fn products(rows: &Mat<c64>, amplitudes: &[c64]) -> Vec<c64> {
+    let row = |i: usize| amplitudes.iter().enumerate().map(|(j, a)| rows[(i, j)] * a).sum();
+    (0..rows.nrows()).map(row).collect()
+}
+
+/// Returns the first grid of frequencies, with both ends of a range.
+fn grid([low, high]: [f64; 2], step: f64) -> Vec<f64> {
+    let mut all = vec![low];
+    let mut at = low;
+    while at < high && all.len() < MOST / 2 {
+        at = (at * RATIO).min(at + step).min(high);
+        // The last interval is not much shorter than the others.
+        if high - at < 0.3 * (RATIO * at - at).min(step) {
+            at = high;
+        }
+        all.push(at);
+    }
+    all
+}
+
+/// Returns the middle of the box that contains points.
+fn middle(points: &[Vector]) -> Vector {
+    [0, 1, 2].map(|k: usize| {
+        let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
+            [low.min(point[k]), high.max(point[k])]
+        });
+        0.5 * (ends[0] + ends[1])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_grid_has_both_ends_and_bounded_steps() {
+        for (range, step) in [([20.0, 5000.0], 400.0), ([100.0, 101.0], 500.0), ([50.0, 50.0], 10.0)] {
+            let found = grid(range, step);
+            assert_eq!((found[0], found[found.len() - 1]), (range[0], range[1]));
+            for pair in found.windows(2) {
+                assert!(pair[1] > pair[0] && pair[1] <= 1.31 * RATIO * pair[0]);
+                assert!(pair[1] - pair[0] <= 1.31 * step, "{found:?}");
+            }
+        }
+    }
+}

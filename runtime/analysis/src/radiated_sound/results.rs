@@ -1,0 +1,288 @@
+//! Radiated sound by speed and line, its sums and levels, and what was changed on the surface.
+
+use super::frequencies::Field;
+use super::motion::{SurfaceMotion, Vibrating};
+use super::{Lines, SoundLevel, SoundRequest};
+use calyx_acoustics::Fluid;
+use calyx_acoustics::levels::{REFERENCE_PRESSURE, a_weighting, sound_power_level};
+use calyx_numerics::vec3::Vector;
+use faer::c64;
+use std::f64::consts::TAU;
+
+/// Elements per wavelength below which a warning states that the mesh is too coarse.
+const COARSE: f64 = 5.0;
+/// Relative difference of the powers on the surface and in the far field above which a warning
+/// states it: 0.4 dB.
+const NOTABLE: f64 = 0.1;
+/// Error of interpolation above which a warning states it.
+const INTERPOLATION: f64 = 0.02;
+/// Part of the dissipated power that may be radiated: the motion includes no damping by the fluid.
+const ONE_WAY: f64 = 0.5;
+
+/// Weighting of frequencies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weighting {
+    /// None.
+    None,
+    /// A-weighting (IEC 61672-1).
+    A,
+}
+
+impl Weighting {
+    /// Returns the factor of a power at a frequency, Hz.
+    pub fn factor(self, frequency: f64) -> f64 {
+        match self {
+            Weighting::None => 1.0,
+            Weighting::A => 10f64.powf(0.1 * a_weighting(frequency)),
+        }
+    }
+}
+
+/// Surface that radiates, and how it differs from that of the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceSummary {
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Number of triangles before coarsening.
+    pub fine_triangles: usize,
+    /// Area, m².
+    pub area: f64,
+    /// Length of the longest edge, m.
+    pub longest_edge: f64,
+    /// Names of the openings that are closed, with the numbers of their lids.
+    pub closed: Vec<(String, usize)>,
+    /// Number of elements that are left out: ribs that end in a free edge, parts inside of others,
+    /// and shells on solids.
+    pub left_out: usize,
+}
+
+/// Sound that a body radiates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RadiatedSound {
+    /// Name of the body.
+    pub body: String,
+    /// Fluid around it.
+    pub fluid: Fluid,
+    /// Level of the field.
+    pub level: SoundLevel,
+    /// Surface.
+    pub surface: SurfaceSummary,
+    /// Highest frequency with sound, Hz: that of the component modes. Lines above it have none.
+    pub highest_frequency: f64,
+    /// Frequency of each line over the rotational frequency of the gear whose speed is the
+    /// abscissa.
+    pub orders: Vec<f64>,
+    /// Frequencies at which the field is solved, Hz; empty for the equivalent radiated power.
+    pub solved_frequencies: Vec<f64>,
+    /// Largest relative error of the power by interpolation between these frequencies.
+    pub interpolation_error: f64,
+    /// Largest relative difference of the powers on the surface and in the far field: an estimate
+    /// of the error by the size of the elements. NaN without boundary elements.
+    pub far_field_difference: f64,
+    /// Points at which the pressure is known, in ground coordinates, m.
+    pub points: Vec<Vector>,
+    /// Sound at the speed of the model.
+    pub own: SoundPoint,
+    /// Sound by speed of the forced response.
+    pub speeds: Vec<SoundPoint>,
+}
+
+/// Sound at a speed, by line. NaN where the response is unknown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SoundPoint {
+    /// Speed, rad/s.
+    pub speed: f64,
+    /// Sound powers, W; zero above the highest frequency and for the mean value.
+    pub powers: Vec<f64>,
+    /// Estimated errors of the powers by the number of positions of the forced response, W.
+    pub errors: Vec<f64>,
+    /// Equivalent radiated powers, W.
+    pub equivalent_powers: Vec<f64>,
+    /// Power that enters the body at its bearings, W; NaN if it is unknown.
+    pub input: Vec<f64>,
+    /// Power that the damping ratio dissipates in the body, W.
+    pub dissipated: Vec<f64>,
+    /// Pressures by line and point, Pa.
+    pub pressures: Vec<Vec<c64>>,
+}
+
+impl RadiatedSound {
+    pub(super) fn new(
+        (model, request): (&Vibrating, &SoundRequest),
+        field: &Field,
+        lines: &Lines<'_>,
+        (speeds, motions): (&[f64], &[&SurfaceMotion]),
+    ) -> RadiatedSound {
+        let mesh = &model.surface.skin.mesh;
+        let all = speeds.iter().zip(motions).map(|(&speed, motion)| point(field, lines, speed, motion));
+        let mut speeds: Vec<SoundPoint> = all.collect();
+        let none = SoundPoint {
+            speed: 0.0,
+            powers: Vec::new(),
+            errors: Vec::new(),
+            equivalent_powers: Vec::new(),
+            input: Vec::new(),
+            dissipated: Vec::new(),
+            pressures: Vec::new(),
+        };
+        let own = speeds.pop().unwrap_or(none);
+        RadiatedSound {
+            body: model.name.clone(),
+            fluid: model.fluid,
+            level: field.level,
+            surface: SurfaceSummary {
+                triangles: mesh.triangles().len(),
+                fine_triangles: model.surface.fine,
+                area: mesh.area(),
+                longest_edge: mesh.longest_edge(),
+                closed: model.surface.closed.clone(),
+                left_out: model.surface.left_out,
+            },
+            highest_frequency: lines.highest,
+            orders: lines.orders.to_vec(),
+            solved_frequencies: field.frequencies(),
+            interpolation_error: field.interpolation_error,
+            far_field_difference: field.far_field_difference,
+            points: request.points.clone(),
+            own,
+            speeds,
+        }
+    }
+
+    /// Returns the frequency of a line at a speed (rad/s), Hz.
+    pub fn frequency(&self, line: usize, speed: f64) -> f64 {
+        self.orders[line] * speed / TAU
+    }
+
+    /// Returns the highest frequency of a line with sound, Hz.
+    fn highest_line(&self) -> f64 {
+        let all = self.speeds.iter().chain([&self.own]);
+        let of_speed = all.flat_map(|point| self.orders.iter().map(|order| order * point.speed / TAU));
+        of_speed.filter(|frequency| *frequency <= self.highest_frequency).fold(0.0, f64::max)
+    }
+
+    /// Returns the number of elements per wavelength at the highest frequency of a line.
+    pub fn elements_per_wavelength(&self) -> f64 {
+        self.fluid.speed_of_sound / (self.highest_line() * self.surface.longest_edge)
+    }
+
+    /// Returns the sound power of all lines at a speed, weighted, W.
+    pub fn power(&self, at: &SoundPoint, weighting: Weighting) -> f64 {
+        self.weighted(&at.powers, at.speed, weighting)
+    }
+
+    /// Returns the sound power of the lines that a function selects, weighted, W.
+    pub fn power_of(&self, at: &SoundPoint, weighting: Weighting, is_selected: impl Fn(usize) -> bool) -> f64 {
+        let selected: Vec<f64> =
+            at.powers.iter().enumerate().map(|(k, p)| if is_selected(k) { *p } else { 0.0 }).collect();
+        self.weighted(&selected, at.speed, weighting)
+    }
+
+    fn weighted(&self, powers: &[f64], speed: f64, weighting: Weighting) -> f64 {
+        let of_line = |(line, power): (usize, &f64)| match *power {
+            0.0 => 0.0,
+            power => power * weighting.factor(self.frequency(line, speed)),
+        };
+        powers.iter().enumerate().map(of_line).sum()
+    }
+
+    /// Returns the sound power level of all lines at a speed, weighted, dB re 1 pW.
+    pub fn level(&self, at: &SoundPoint, weighting: Weighting) -> f64 {
+        sound_power_level(self.power(at, weighting))
+    }
+
+    /// Returns the radiation efficiency: the sound power over the equivalent radiated power. NaN if
+    /// the surface is at rest.
+    pub fn efficiency(&self, at: &SoundPoint) -> f64 {
+        at.powers.iter().sum::<f64>() / at.equivalent_powers.iter().sum::<f64>()
+    }
+
+    /// Returns the sound pressure level of all lines at a point, weighted, dB re 20 µPa.
+    pub fn pressure_level(&self, at: &SoundPoint, point: usize, weighting: Weighting) -> f64 {
+        let square = |line: usize| {
+            let pressure = at.pressures[line].get(point).map_or(f64::NAN, |pressure| pressure.norm_sqr());
+            match pressure {
+                0.0 => 0.0,
+                square => 0.5 * square * weighting.factor(self.frequency(line, at.speed)),
+            }
+        };
+        let sum: f64 = (0..at.pressures.len()).map(square).sum();
+        10.0 * (sum / (REFERENCE_PRESSURE * REFERENCE_PRESSURE)).log10()
+    }
+
+    /// Returns warnings about the sound, in sentences.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut all = Vec::new();
+        let name = &self.body;
+        let highest = self.orders.iter().copied().fold(0.0, f64::max)
+            * self.speeds.iter().map(|point| point.speed).fold(self.own.speed, f64::max)
+            / TAU;
+        if highest > self.highest_frequency {
+            all.push(format!(
+                "the sound of \"{name}\" contains the lines up to {:.0} Hz, the `highest_frequency` of its component modes, and the forced response has lines up to {highest:.0} Hz",
+                self.highest_frequency
+            ));
+        }
+        let elements = self.elements_per_wavelength();
+        if elements < COARSE && self.level != SoundLevel::EquivalentPower {
+            all.push(format!(
+                "the surface of \"{name}\" has {elements:.1} elements in a wavelength at {:.0} Hz, and six are needed for errors of some percent: refine its mesh, or lower `highest_frequency`",
+                self.highest_line()
+            ));
+        }
+        if self.far_field_difference > NOTABLE {
+            all.push(format!(
+                "the sound power of \"{name}\" on its surface and in the far field differ by up to {:.0} %, because its elements are coarse: refine its mesh",
+                1e2 * self.far_field_difference
+            ));
+        }
+        if self.interpolation_error > INTERPOLATION {
+            all.push(format!(
+                "the sound power of \"{name}\" is interpolated over the frequency with errors of up to {:.0} %",
+                1e2 * self.interpolation_error
+            ));
+        }
+        let [mut radiated, mut dissipated] = [0.0_f64; 2];
+        for point in self.speeds.iter().chain([&self.own]) {
+            let (power, loss) = (point.powers.iter().sum::<f64>(), point.dissipated.iter().sum::<f64>());
+            if power > ONE_WAY * loss && power * dissipated >= radiated * loss {
+                (radiated, dissipated) = (power, loss);
+            }
+        }
+        if radiated > 0.0 {
+            all.push(format!(
+                "\"{name}\" radiates up to {:.0} % of the power that its damping dissipates, so the sound itself would damp it: the computed power is an upper bound; include the damping by the fluid in `damping_ratio`",
+                1e2 * radiated / dissipated
+            ));
+        }
+        all
+    }
+}
+
+fn point(field: &Field, lines: &Lines<'_>, speed: f64, motion: &SurfaceMotion) -> SoundPoint {
+    let frequencies: Vec<f64> = lines.orders.iter().map(|order| order * speed / TAU).collect();
+    let has_sound = |line: usize| frequencies[line] > 0.0 && frequencies[line] <= lines.highest;
+    let power = |of: usize, line: usize| match has_sound(line) {
+        true => field.power(frequencies[line], &motion.velocities[of][line]),
+        false => 0.0,
+    };
+    let all = || 0..frequencies.len();
+    let powers: Vec<f64> = all().map(|line| power(0, line)).collect();
+    let equivalent = |line: usize| match has_sound(line) {
+        true => field.equivalent_power(&motion.velocities[0][line]),
+        false => 0.0,
+    };
+    let pressures = |line: usize| match has_sound(line) {
+        true => field.pressures(frequencies[line], &motion.velocities[0][line]),
+        false => vec![c64::new(0.0, 0.0); field.point_count()],
+    };
+    SoundPoint {
+        speed,
+        errors: all().map(|line| crate::forced_response::CAUTION * (powers[line] - power(1, line)).abs()).collect(),
+        powers,
+        equivalent_powers: all().map(equivalent).collect(),
+        input: motion.input.clone(),
+        dissipated: motion.dissipated.clone(),
+        pressures: all().map(pressures).collect(),
+    }
+}

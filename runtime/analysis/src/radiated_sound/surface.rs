@@ -1,0 +1,243 @@
+//! Surface of an elastic body: its skin, closed over the named openings, and coarsened.
+
+use super::{Placement, SoundRequest, engine_error, refused};
+use calyx_acoustics::coarsening::coarsened;
+use calyx_acoustics::openings::selected_rims;
+use calyx_acoustics::shells::{ShellProblem, ShellSkin};
+use calyx_acoustics::skin::{Skin, Solid, boundary};
+use calyx_acoustics::{AcousticError, Face};
+use calyx_model::elastic_body::{BodyMesh, CellShape, SharedElasticBody};
+use calyx_model::mechanism::Mechanism;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::vec3::Vector;
+use calyx_structure::outer_surface::CellKind;
+use std::collections::BTreeSet;
+
+/// Elements per wavelength to which a surface is coarsened.
+const PER_WAVELENGTH: f64 = 6.0;
+/// Largest number of rims in a message, and of nodes of each.
+const NAMED: usize = 4;
+
+/// Closed surface of a body.
+pub(crate) struct Surface {
+    pub skin: Skin,
+    /// Names of the openings with the numbers of their lids.
+    pub closed: Vec<(String, usize)>,
+    /// Number of elements that are left out: ribs, inner parts, and shells on solids.
+    pub left_out: usize,
+    /// Number of triangles before coarsening.
+    pub fine: usize,
+    placement: Placement,
+}
+
+impl Surface {
+    /// Finds and closes the skin of the body of a request.
+    ///
+    /// # Errors
+    /// E0784: the body has no mesh. E0785: the surface is open.
+    pub fn new(scene: &Mechanism, request: &SoundRequest) -> Result<Surface, EngineError> {
+        let connection = request.connection(scene)?;
+        let name = &connection.name;
+        let mesh = connection.body.as_ref().and_then(|SharedElasticBody(body)| body.mesh());
+        let Some(mesh) = mesh else {
+            return Err(refused(
+                format!("\"{name}\" is given by matrices at its attachments, and its surface is unknown"),
+                "import its mesh, such as by `gears.nastran`",
+            ));
+        };
+        let placement = Placement::new(scene, connection)?;
+        let plane = placement.plane(request)?;
+        let named = |error: EngineError| EngineError {
+            message: format!("the surface of \"{name}\": {}", error.message),
+            ..error
+        };
+        let (solids, shells) = elements(&mesh);
+        let found = if solids.is_empty() { closed_shells(&mesh, &shells, plane) } else {
+            closed_solids(&mesh, &solids, plane).map(|(skin, closed)| (skin, closed, shells.len()))
+        };
+        let (skin, closed, left_out) = found.map_err(named)?;
+        let fine = skin.mesh.triangles().len();
+        Ok(Surface { skin, closed, left_out, fine, placement })
+    }
+
+    /// Returns the surface with elements of at most a sixth of the wavelength at a frequency (Hz),
+    /// as far as the mesh of the body is finer.
+    ///
+    /// # Errors
+    /// Those of [`coarsened`].
+    pub fn coarsened(self, request: &SoundRequest, highest: f64) -> Result<Surface, EngineError> {
+        let longest = request.fluid.speed_of_sound / (PER_WAVELENGTH * highest);
+        let skin = coarsened(&self.skin, longest).map_err(engine_error)?;
+        Ok(Surface { skin, ..self })
+    }
+
+    /// Returns points of ground in the coordinates of the body, m.
+    pub fn points(&self, request: &SoundRequest) -> Vec<Vector> {
+        request.points.iter().map(|&point| self.placement.point(point)).collect()
+    }
+
+    /// Checks that the points of a request are in the fluid.
+    pub fn check_points(&self, request: &SoundRequest) -> Result<(), EngineError> {
+        for (point, ground) in self.points(request).into_iter().zip(&request.points) {
+            let behind = self.skin.mesh.plane().is_some_and(|plane| plane.distance(point) < 0.0);
+            if behind || self.skin.mesh.enclosure(point) > 0.5 {
+                let [x, y, z] = ground.map(mm);
+                let place = if behind { "behind the rigid plane" } else { "inside of the body" };
+                return Err(refused(
+                    format!("the point ({x}, {y}, {z}) mm, at which sound pressure is requested, is {place}"),
+                    "give a point in the fluid, in ground coordinates",
+                )
+                .blame("at"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Returns the estimated number of triangles of the surface of a request at a highest frequency
+/// (Hz), for the display of a plan: each has equal sides of a sixth of the wavelength, unless the
+/// mesh is coarser.
+///
+/// # Errors
+/// Those of the surface.
+pub fn surface_size(
+    scene: &Mechanism,
+    request: &SoundRequest,
+    highest: f64,
+) -> Result<(usize, f64), EngineError> {
+    let surface = Surface::new(scene, request)?;
+    let area = surface.skin.mesh.area();
+    let edge = request.fluid.speed_of_sound / (PER_WAVELENGTH * highest);
+    let wanted = (area / (0.433 * edge * edge)).ceil() as usize;
+    Ok((wanted.clamp(4.min(surface.fine), surface.fine), area))
+}
+
+/// Rounds a length to micrometres and returns it in mm.
+fn mm(metres: f64) -> f64 {
+    (metres * 1e6).round() / 1e3 + 0.0
+}
+
+/// Returns the solids and the shells of a mesh.
+fn elements(mesh: &BodyMesh) -> (Vec<Solid>, Vec<Face>) {
+    let (mut solids, mut shells) = (Vec::new(), Vec::new());
+    for (shape, nodes) in &mesh.cells {
+        let cell = shape.cell(nodes, 0);
+        match (shape, cell.kind, cell.corners) {
+            (CellShape::Shell(_), _, &[a, b, c]) => shells.push(Face::Triangle([a, b, c])),
+            (CellShape::Shell(_), _, &[a, b, c, d]) => shells.push(Face::Quadrilateral([a, b, c, d])),
+            (_, CellKind::Tetrahedron, &[a, b, c, d]) => solids.push(Solid::Tetrahedron([a, b, c, d])),
+            (_, CellKind::Wedge, &[a, b, c, d, e, f]) => solids.push(Solid::Wedge([a, b, c, d, e, f])),
+            (_, CellKind::Hexahedron, &[a, b, c, d, e, f, g, h]) => {
+                solids.push(Solid::Hexahedron([a, b, c, d, e, f, g, h]));
+            }
+            _ => {}
+        }
+    }
+    (solids, shells)
+}
+
+fn open(message: impl Into<String>, help: impl Into<String>) -> EngineError {
+    EngineError::new("E0785", message, help)
+}
+
+/// Returns the error of a surface that does not enclose the body.
+fn degenerate(error: AcousticError) -> EngineError {
+    match error {
+        AcousticError::Mesh { message, .. } => open(
+            message,
+            "correct the mesh: its skin must be closed, without elements that touch in a node or an edge only",
+        ),
+        other => engine_error(other),
+    }
+}
+
+type Closed = Vec<(String, usize)>;
+type Plane = Option<calyx_acoustics::RigidPlane>;
+
+fn closed_solids(mesh: &BodyMesh, solids: &[Solid], plane: Plane) -> Result<(Skin, Closed), EngineError> {
+    let faces = boundary(&mesh.points, solids).map_err(engine_error)?;
+    let (mut lids, mut owners) = (Vec::new(), Vec::new());
+    for (index, opening) in mesh.openings.iter().enumerate() {
+        let nodes: BTreeSet<usize> = opening.nodes.iter().copied().collect();
+        let rims = selected_rims(&faces, &nodes).ok_or_else(|| closes_nothing(&opening.name, false))?;
+        owners.resize(owners.len() + rims.len(), index);
+        lids.extend(rims);
+    }
+    let skin = Skin::new(&mesh.points, solids, &lids, plane).map_err(degenerate)?;
+    // Lids at the inner ends of bores close nothing.
+    let of_skin: BTreeSet<usize> = skin.nodes.iter().flatten().copied().collect();
+    let used = |index: usize| {
+        let own = lids.iter().zip(&owners).filter(|(lid, owner)| {
+            **owner == index && lid.iter().all(|node| of_skin.contains(node))
+        });
+        own.count()
+    };
+    let openings = mesh.openings.iter().enumerate();
+    let closed: Closed = openings.map(|(index, opening)| (opening.name.clone(), used(index))).collect();
+    match closed.iter().find(|(_, lids)| *lids == 0) {
+        Some((name, _)) => Err(closes_nothing(name, false)),
+        None => Ok((skin, closed)),
+    }
+}
+
+fn closes_nothing(name: &str, shells: bool) -> EngineError {
+    let message = match shells {
+        true => format!("the opening \"{name}\" closes nothing: its region has no whole line of free edges"),
+        false => format!("the opening \"{name}\" closes nothing: its nodes form no closed line on the outer skin"),
+    };
+    open(message, "select all nodes of the rim, and no others on it, such as by `gears.cylinder_region`")
+}
+
+fn closed_shells(
+    mesh: &BodyMesh,
+    shells: &[Face],
+    plane: Plane,
+) -> Result<(Skin, Closed, usize), EngineError> {
+    if shells.is_empty() {
+        return Err(open("it has neither solids nor shells", "import the mesh of the walls"));
+    }
+    let openings: Vec<BTreeSet<usize>> =
+        mesh.openings.iter().map(|opening| opening.nodes.iter().copied().collect()).collect();
+    let label = |node: usize| mesh.labels.get(node).copied().unwrap_or_default();
+    match ShellSkin::new(&mesh.points, shells, &openings, plane) {
+        Ok((ShellSkin { skin, left_out }, lids)) => {
+            let closed: Closed = mesh.openings.iter().map(|opening| opening.name.clone()).zip(lids).collect();
+            match closed.iter().find(|(_, lids)| *lids == 0) {
+                Some((name, _)) => Err(closes_nothing(name, true)),
+                None => Ok((skin, closed, left_out)),
+            }
+        }
+        Err(ShellProblem::Open { rims, edges }) => Err(is_open(mesh, &rims, edges)),
+        Err(ShellProblem::Junction { edge: [a, b], shells }) => Err(open(
+            format!("{shells} shells meet at the edge of the nodes {} and {}", label(a), label(b)),
+            "leave inner walls out of the mesh: only ribs that end in a free edge are recognized",
+        )),
+        Err(ShellProblem::OneSided { edge: [a, b] }) => Err(open(
+            format!("it has no outside, as seen at the edge of the nodes {} and {}", label(a), label(b)),
+            "correct the mesh: its shells must enclose a volume",
+        )),
+        Err(ShellProblem::Mesh(error)) => Err(degenerate(error)),
+    }
+}
+
+/// Returns the error of shells with free edges, with the places of the openings.
+fn is_open(mesh: &BodyMesh, rims: &[Vec<usize>], edges: usize) -> EngineError {
+    let place = |rim: &Vec<usize>| {
+        let middle = |k: usize| rim.iter().map(|&node| mesh.points[node][k]).sum::<f64>() / rim.len() as f64;
+        let [x, y, z] = [0, 1, 2].map(|k| mm(middle(k)));
+        format!("one of {} nodes around ({x}, {y}, {z}) mm with node {}", rim.len(), mesh.labels[rim[0]])
+    };
+    let more = match rims.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(", and {more} more"),
+    };
+    let message = match rims.len() {
+        0 => format!("it is open along {edges} edges"),
+        1 => format!("it has an opening without a lid: {}", place(&rims[0])),
+        count => {
+            let places: Vec<String> = rims.iter().take(NAMED).map(place).collect();
+            format!("it has {count} openings without lids: {}{more}", places.join("; "))
+        }
+    };
+    open(message, "close each by `gears.opening(\"bore\", housing, region)`, with the region of its rim")
+}
