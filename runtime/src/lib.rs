@@ -125,8 +125,8 @@ mod former_names;
 pub use calyx_acoustics as acoustics;
 pub use calyx_analysis::{
     analyses, analysis, component_loads, cost, dynamic_options, dynamics, estimate, forced_response, method,
-    observables, options, radiated_sound, results, rows, scene, sensitivity, settings_override, signal, summary, tolerance,
-    validate,
+    observables, options, radiated_sound, results, rows, scene, sensitivity, settings_override, signal,
+    summary, tolerance, validate,
 };
 pub use calyx_contact as contact;
 pub use calyx_elastic as elastic;

@@ -11,7 +11,7 @@ use calyx_abi::SymbolicValue;
 use calyx_runtime::connection::ElasticConnection;
 use calyx_runtime::elastic::attachment::{Attachment, Connection, Region};
 use calyx_runtime::elastic::import::ImportReport;
-use calyx_runtime::elastic_body::{ElasticBody, FiniteElementBody, MatrixBody};
+use calyx_runtime::elastic_body::{ElasticBody, FiniteElementBody, MatrixBody, SharedElasticBody};
 use calyx_runtime::error::EngineError;
 use calyx_runtime::motion::{Motion, SteadyRotation, spatial_pose};
 use calyx_runtime::rigid::RigidBody;
@@ -125,6 +125,28 @@ impl BodySource {
 }
 
 impl ModelElasticBody {
+    /// Closes an opening of the body where its surface radiates sound.
+    ///
+    /// # Errors
+    /// E0991: the body has no such nodes, or no mesh.
+    pub fn close(&mut self, scene: &mut Scene, name: String, part: &AttachedPart) -> Result<(), EngineError> {
+        match (&mut self.source, part) {
+            (BodySource::Elements(body), AttachedPart::Region(region)) => body.close(name, region)?,
+            (BodySource::Elements(_), AttachedPart::Node(_)) => {
+                let message = format!("opening \"{name}\": a single node is no rim");
+                return Err(EngineError::new("E0991", message, "select all nodes of the rim"));
+            }
+            (BodySource::Matrices(_), _) => {
+                let message = format!("opening \"{name}\": a condensed body has nodes, and no surfaces");
+                return Err(EngineError::new("E0991", message, "leave the opening out"));
+            }
+        }
+        if let Some(ConnectionId(index)) = self.connection {
+            scene.connections[index].body = Some(SharedElasticBody(self.source.shared()));
+        }
+        Ok(())
+    }
+
     /// Adds an attachment to the body, as a body of the scene at this motion. If `fixed`, the
     /// attachment follows its motion exactly.
     ///

@@ -1,5 +1,5 @@
 //! Elastic bodies for programs: the Rust side of `nastran`, `abaqus`, `gmsh`, `condensed_body`,
-//! `attachment` and the regions in `gears.cx`.
+//! `attachment`, `opening` and the regions in `gears.cx`.
 
 use crate::body_externs::BodyPlacement;
 use crate::elastic_bodies::{AttachedPart, BodySource, ModelElasticBody, RequestedAttachment};
@@ -142,6 +142,15 @@ calyx_abi::externs! {
         let index = elastic_body(context, body)?;
         let mut source = host(context)?.elastic_bodies[index].source.clone();
         source.attach(&requested).map_err(|error| blamed(externs::engine(error)))
+    }
+
+    Scene fn calyx_gears_opening(context, name: String, body: Handle, region: Handle) -> () {
+        externs::before_analysis(context, format_args!("the opening \"{name}\""))?;
+        let name = context.name_in_instance(name);
+        let part = entry(&host(context)?.regions, region)?.clone();
+        let index = elastic_body(context, body)?;
+        let ModelHost { scene, elastic_bodies, .. } = host(context)?;
+        elastic_bodies[index].close(scene, name, &part).map_err(|error| blamed(externs::engine(error)))
     }
 
     Scene fn calyx_gears_attached_body(
@@ -356,7 +365,7 @@ fn added(
 }
 
 /// Returns the index of an elastic body by its handle; `None` for the handle of another body.
-fn as_elastic_body(host: &ModelHost, handle: Handle) -> Option<usize> {
+pub(crate) fn as_elastic_body(host: &ModelHost, handle: Handle) -> Option<usize> {
     let index = usize::try_from(handle.0.checked_sub(ELASTIC_BODIES)?).ok()?;
     (index < host.elastic_bodies.len()).then_some(index)
 }

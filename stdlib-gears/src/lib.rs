@@ -183,6 +183,7 @@ pub mod shaper;
 pub mod signal_externs;
 mod size;
 pub mod solid_prototype;
+pub mod sound_externs;
 mod stated_gear;
 pub mod stated_geometry;
 mod stated_thickness;

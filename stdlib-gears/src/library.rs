@@ -87,6 +87,7 @@ const TABLES: &[&[Extern]] = &[
     crate::shaft_externs::EXTERNS,
     crate::signal_externs::EXTERNS,
     crate::sensitivity_externs::EXTERNS,
+    crate::sound_externs::EXTERNS,
     crate::stated_geometry::EXTERNS,
     crate::tables::EXTERNS,
     crate::tabulated_externs::EXTERNS,

@@ -14,7 +14,8 @@ use crate::radiation::Radiation;
 use crate::transfer::{RadiationImpedance, TransferVectors};
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, length, minus};
-use faer::{Mat, c64};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par, c64};
 use rayon::prelude::*;
 
 /// Largest number of vertices for which [`Method::Automatic`] selects dense matrices: they take
@@ -216,11 +217,7 @@ impl<'m> Equations<'m> {
         rings: usize,
         interrupt: &Interrupt,
     ) -> Result<f64, AcousticError> {
-        let center = [0.0; 3];
-        let directions = match self.model.mesh.plane() {
-            Some(plane) => FieldMesh::hemisphere(center, plane.normal(), 1.0, rings)?,
-            None => FieldMesh::sphere(center, 1.0, rings)?,
-        };
+        let directions = self.directions(rings)?;
         let inertia = self.model.inertia(self.frequency);
         let at = |direction: &Vector| {
             interrupt.check()?;
@@ -273,6 +270,61 @@ impl<'m> Equations<'m> {
         interrupt: &Interrupt,
     ) -> Result<RadiationImpedance, AcousticError> {
         let solutions = self.solve(patterns, interrupt)?;
+        Ok(self.surface_impedance(patterns, &solutions))
+    }
+
+    /// Computes the radiation impedance of velocity patterns like
+    /// [`Equations::radiation_impedance`], and that of their far field with Gauss points as in
+    /// [`Equations::far_field_power`]. The latter is a sum of squares, so that no power is
+    /// negative, and insensitive to errors of phase.
+    ///
+    /// # Errors
+    /// As [`Equations::solve`] and [`Equations::far_field_power`].
+    pub fn impedances(
+        &self,
+        patterns: &[Vec<c64>],
+        rings: usize,
+        interrupt: &Interrupt,
+    ) -> Result<[RadiationImpedance; 2], AcousticError> {
+        let solutions = self.solve(patterns, interrupt)?;
+        let directions = self.directions(rings)?;
+        let (count, rows) = (patterns.len(), self.operators.nodes + self.operators.panels.len());
+        let bytes = 16 * count * (rows + 2 * directions.points.len());
+        let _room = interrupt.reserve_memory(bytes as u64)?;
+        let inertia = self.model.inertia(self.frequency);
+        let sources = Mat::from_fn(rows, count, |row, pattern| match row.checked_sub(self.operators.nodes) {
+            None => solutions[pattern].pressures()[row],
+            Some(triangle) => inertia * patterns[pattern][triangle],
+        });
+        let at = |(direction, area): (&Vector, &f64)| -> Result<Vec<c64>, AcousticError> {
+            interrupt.check()?;
+            let (pressure, derivative) = self.points.far_row(&self.operators, *direction);
+            let row: Vec<c64> = pressure.into_iter().chain(derivative).collect();
+            let weight = (area / self.model.fluid.impedance()).sqrt();
+            let amplitude = |pattern: usize| {
+                row.iter().zip(sources.col(pattern).iter()).map(|(a, b)| a * b).sum::<c64>() * weight
+            };
+            Ok((0..count).map(amplitude).collect())
+        };
+        let amplitudes = directions.points.par_iter().zip(&directions.areas).map(at);
+        let amplitudes: Vec<Vec<c64>> = amplitudes.collect::<Result<_, _>>()?;
+        let far = Mat::from_fn(amplitudes.len(), count, |row, pattern| amplitudes[row][pattern]);
+        let mut product = Mat::zeros(count, count);
+        let one = c64::new(1.0, 0.0);
+        matmul(product.as_mut(), Accum::Replace, far.adjoint(), far.as_ref(), one, Par::Seq);
+        Ok([self.surface_impedance(patterns, &solutions), RadiationImpedance::new(self.frequency, product)])
+    }
+
+    /// Returns the Gauss points of all directions into the fluid.
+    fn directions(&self, rings: usize) -> Result<FieldMesh, AcousticError> {
+        let center = [0.0; 3];
+        match self.model.mesh.plane() {
+            Some(plane) => FieldMesh::hemisphere(center, plane.normal(), 1.0, rings),
+            None => FieldMesh::sphere(center, 1.0, rings),
+        }
+    }
+
+    fn surface_impedance(&self, patterns: &[Vec<c64>], solutions: &[Radiation]) -> RadiationImpedance {
         let mesh = &self.model.mesh;
         let impedance = Mat::from_fn(patterns.len(), patterns.len(), |i, j| {
             let force = |(triangle, velocity): (usize, &c64)| {
@@ -280,7 +332,7 @@ impl<'m> Equations<'m> {
             };
             patterns[i].iter().enumerate().map(force).sum::<c64>()
         });
-        Ok(RadiationImpedance::new(self.frequency, impedance))
+        RadiationImpedance::new(self.frequency, impedance)
     }
 
     fn check_points(&self, points: &[Vector]) -> Result<(), AcousticError> {

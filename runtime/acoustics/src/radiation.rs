@@ -81,11 +81,7 @@ pub fn equivalent_radiated_power(mesh: &SurfaceMesh, fluid: &Fluid, velocities: 
 /// Returns the impedance of real velocity patterns whose power is the equivalent radiated power. It
 /// does not depend on the frequency, which is infinite in the result. A pattern has the normal
 /// velocities of the triangles, m/s.
-pub fn equivalent_impedance(
-    mesh: &SurfaceMesh,
-    fluid: &Fluid,
-    patterns: &[Vec<f64>],
-) -> RadiationImpedance {
+pub fn equivalent_impedance(mesh: &SurfaceMesh, fluid: &Fluid, patterns: &[Vec<f64>]) -> RadiationImpedance {
     let product = |one: &[f64], other: &[f64]| -> f64 {
         one.iter().zip(other).zip(mesh.areas()).map(|((one, other), area)| one * other * area).sum()
     };

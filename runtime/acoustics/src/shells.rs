@@ -64,9 +64,8 @@ impl ShellSkin {
         openings: &[BTreeSet<usize>],
         plane: Option<RigidPlane>,
     ) -> Result<(Self, Vec<usize>), ShellProblem> {
-        let is_rim = |edge: &[usize; 2]| {
-            openings.iter().any(|opening| edge.iter().all(|node| opening.contains(node)))
-        };
+        let is_rim =
+            |edge: &[usize; 2]| openings.iter().any(|opening| edge.iter().all(|node| opening.contains(node)));
         let all = shells.len();
         let mut shells = without_ribs(shells, is_rim)?;
         let free = free_edges(&shells);

@@ -112,7 +112,8 @@ fn rims_are_boundaries_of_selected_faces_or_lines() {
         let all = within(&nodes, [low[0], low[1], low[2] + from], [low[0] + 4.0, low[1] + 4.0, low[2] + to]);
         selected_rims(&faces, &all)
     };
-    let lengths = |rims: Option<Vec<Vec<usize>>>| rims.map(|rims| rims.iter().map(Vec::len).collect::<Vec<_>>());
+    let lengths =
+        |rims: Option<Vec<Vec<usize>>>| rims.map(|rims| rims.iter().map(Vec::len).collect::<Vec<_>>());
     assert_eq!(lengths(ring(1.0, 1.0)), Some(vec![16]));
     assert_eq!(lengths(ring(1.0, 3.0)), Some(vec![16, 16]));
     assert_eq!(lengths(selected_rims(&faces, &BTreeSet::from([0, 1]))), None);
@@ -133,7 +134,8 @@ fn impedances_of_patterns_give_the_power_of_combinations() {
     let (fluid, interrupt) = (Fluid::AIR, Interrupt::never());
     let triangles: Vec<[Vector; 3]> = (0..count).map(|k| mesh.corners(k)).collect();
     for frequency in [50.0, 400.0] {
-        let expected = rayleigh::power(&triangles, &velocities, &fluid, frequency, &interrupt).expect("a power");
+        let expected =
+            rayleigh::power(&triangles, &velocities, &fluid, frequency, &interrupt).expect("a power");
         let found = rayleigh::radiation_impedance(&triangles, &patterns, &fluid, frequency, &interrupt);
         let found = found.expect("an impedance").power(&amplitudes);
         assert!((found / expected - 1.0).abs() < 1e-10, "{found} {expected}");

@@ -75,6 +75,10 @@ fn radiation_impedance_gives_the_power_of_combinations() {
     let radiation = equations.solve(&[velocities], &interrupt).expect("solved").remove(0);
     let power = radiation.power(&model.mesh);
     assert!((impedance.power(&amplitudes) / power - 1.0).abs() < 1e-10);
+    let far_power = equations.far_field_power(&radiation, 12, &interrupt).expect("rings");
+    let [on_surface, far] = equations.impedances(&patterns, 12, &interrupt).expect("solved");
+    assert!((on_surface.power(&amplitudes) / power - 1.0).abs() < 1e-10);
+    assert!((far.power(&amplitudes) / far_power - 1.0).abs() < 1e-10);
     let panels: Vec<usize> = model.mesh.faces().iter().map(|face| face % 3).collect();
     let parts = radiation.panel_powers(&model.mesh, &panels, 3);
     assert!((parts.iter().sum::<f64>() / power - 1.0).abs() < 1e-10);

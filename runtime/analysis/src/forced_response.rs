@@ -230,7 +230,8 @@ fn response_at(vibration: &ForcedVibration, ratio: f64, phases: &[f64]) -> Respo
     let mut found = vibration.response(ratio).unwrap_or_else(|| {
         let quantities = vibration.static_values().iter().map(|values| vec![nothing; values.len()]);
         let rest = vibration.response(0.0).and_then(|response| response.motion);
-        let unknown = |vectors: &[DVector<Complex<f64>>]| vectors.iter().map(|own| own.map(|_| nothing)).collect();
+        let unknown =
+            |vectors: &[DVector<Complex<f64>>]| vectors.iter().map(|own| own.map(|_| nothing)).collect();
         let motion = rest.map(|motion| Motion {
             displacements: unknown(&motion.displacements),
             damping_forces: unknown(&motion.damping_forces),
@@ -259,9 +260,7 @@ impl BearingForceAmplitudes<'_> {
     /// Returns the amplitude of a component along the axes of a bearing, by line; `None` if it is
     /// not linear.
     pub fn at(&self, bearing: BearingId, component: usize, line: usize) -> Option<Complex<f64>> {
-        let is_it = |measure: &Measure| {
-            matches!(measure, Measure::BearingForce(other, axis) if *other == bearing && *axis == component)
-        };
+        let is_it = |measure: &Measure| matches!(measure, Measure::BearingForce(other, axis) if *other == bearing && *axis == component);
         let index = self.measures.iter().position(is_it)?;
         self.amplitudes.get(index)?.get(line).copied()
     }
@@ -430,9 +429,11 @@ fn forced_response(
         let forces = BearingForceAmplitudes { measures: &measures, amplitudes: &fine.quantities };
         let frequencies: Vec<f64> = orders.iter().map(|order| order * speed).collect();
         let motions = match (&sound, &fine.motion, &coarse.motion) {
-            (Some(sound), Some(fine), Some(coarse)) => {
-                sound.vibrating().iter().map(|body| body.motion([fine, coarse], &forces, &frequencies)).collect()
-            }
+            (Some(sound), Some(fine), Some(coarse)) => sound
+                .vibrating()
+                .iter()
+                .map(|body| body.motion([fine, coarse], &forces, &frequencies))
+                .collect(),
             _ => Vec::new(),
         };
         let amplitudes = [&fine, &coarse].map(|response| &response.quantities[..]);

@@ -121,7 +121,8 @@ struct Placement {
 impl Placement {
     fn new(scene: &Mechanism, connection: &ElasticConnection) -> Result<Placement, EngineError> {
         let state = ConnectionState::at(&scene.bodies, connection, 0.0)?;
-        let first = connection.body.as_ref().and_then(|SharedElasticBody(body)| body.positions().first().copied());
+        let first =
+            connection.body.as_ref().and_then(|SharedElasticBody(body)| body.positions().first().copied());
         let origin = state.origin(first.unwrap_or_default());
         Ok(Placement { state, origin })
     }

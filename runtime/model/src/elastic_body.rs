@@ -13,8 +13,8 @@ mod condensation;
 mod extent;
 mod finite_elements;
 mod given_matrices;
-mod recovery;
 mod radiating;
+mod recovery;
 mod rigid_links;
 
 pub(crate) use condensation::by_row;

@@ -24,6 +24,7 @@ pub mod optimization;
 pub mod page;
 #[cfg(feature = "pages")]
 pub mod parquet_table;
+pub mod radiated_sound;
 pub mod sample;
 #[cfg(feature = "pages")]
 pub mod sensitivity;

@@ -24,7 +24,7 @@ use calyx_report::sensitivity::{
 };
 use calyx_report::{
     bearing_loads, body_pictures, campbell, contact_pattern, field_tables, flank_tables, forced_response,
-    journal, modes_table, page, signals, stress_range, summary_table, view, vtu,
+    journal, modes_table, page, radiated_sound, signals, stress_range, summary_table, view, vtu,
 };
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
@@ -309,6 +309,11 @@ fn write_results(
         directory.claim(forced_response::NAME)?;
         directory.claim(forced_response::MODES)?;
         forced_response::write(path, response)?;
+        if !response.sounds.is_empty() {
+            head[radiated_sound::KEY] = radiated_sound::json(response);
+            directory.claim_all(radiated_sound::files(response))?;
+            radiated_sound::write(path, response)?;
+        }
     }
     if let Some(table) = results.model_sensitivities() {
         directory.claim_all([SENSITIVITIES, SENSITIVITIES_BY_POSITION])?;

@@ -276,8 +276,7 @@ impl BaseAnalysis<'_, '_> {
         if !self.scene.sounds.is_empty() && radiated_sound::of_system(system).is_none() {
             // The body in the fluid is the same.
             let modes = (plan, self.highest_frequency);
-            let sound =
-                radiated_sound::prepare(system, self.scene, modes, Some(self.system), self.resources);
+            let sound = radiated_sound::prepare(system, self.scene, modes, Some(self.system), self.resources);
             sound.map_err(|error| self.failed(error))?;
         }
         let solve = |position: &Position| {

@@ -77,7 +77,9 @@ pub(super) fn measures(system: &System<'_>, scene: &Mechanism) -> Vec<Measure> {
     let linear = system.bearings.iter().filter(|&&bearing| scene.bearings[bearing].walls() == 0);
     found.extend(linear.flat_map(|&bearing| {
         let own = &scene.bearings[bearing];
-        (0..6).filter(move |&component| resists(own, component)).map(move |component| Measure::BearingForce(BearingId(bearing), component))
+        (0..6)
+            .filter(move |&component| resists(own, component))
+            .map(move |component| Measure::BearingForce(BearingId(bearing), component))
     }));
     found.extend((0..system.dofs.len()).map(Measure::Motion));
     found

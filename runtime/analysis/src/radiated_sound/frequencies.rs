@@ -30,6 +30,8 @@ const HALVINGS: usize = 5;
 const MOST: usize = 150;
 /// Number of frequencies of an interpolation.
 const POINTS: usize = 4;
+/// Part of the largest power below which the difference of the far field does not count.
+const NOTABLE: f64 = 0.01;
 /// Polar angles of the far field: twice the number of wavelengths across the body, and these.
 const RINGS: usize = 10;
 
@@ -56,8 +58,8 @@ pub(super) struct Field {
     /// Largest relative error of the power at the middle of an interval, before its solution is
     /// added.
     pub interpolation_error: f64,
-    /// Largest relative difference of the powers on the surface and in the far field; NaN without
-    /// boundary elements.
+    /// Largest relative difference of the powers on the surface and in the far field, of lines with
+    /// notable power; NaN without boundary elements.
     pub far_field_difference: f64,
 }
 
@@ -144,8 +146,10 @@ impl Field {
             interrupt: &resources.interrupt,
         };
         let step = STEP / (field.wavenumber * 0.5 * mesh.size());
+        // Powers on the surface and in the far field.
+        let mut powers: Vec<[f64; 2]> = Vec::new();
         for frequency in grid(range, step) {
-            let solution = solver.solve(frequency, &probe, &mut field.far_field_difference)?;
+            let solution = solver.solve(frequency, &probe, &mut powers)?;
             field.solutions.push(solution);
         }
         // Intervals with the error at the middle of the wider ones from which they come.
@@ -162,7 +166,7 @@ impl Field {
                     remaining.push(([low, high], error));
                     continue;
                 };
-                let solved = solver.solve(at, &probe, &mut field.far_field_difference)?;
+                let solved = solver.solve(at, &probe, &mut powers)?;
                 let own = field.difference(&solved, velocities);
                 match own > TOLERANCE {
                     true => intervals.extend([([low, at], own), ([at, high], own)]),
@@ -180,6 +184,10 @@ impl Field {
         for (_, error) in intervals {
             field.interpolation_error = field.interpolation_error.max(error);
         }
+        let largest = powers.iter().map(|[_, far]| *far).fold(0.0, f64::max);
+        let notable = powers.iter().filter(|[_, far]| *far >= NOTABLE * largest);
+        let differences = notable.map(|[on_surface, far]| (on_surface / far - 1.0).abs());
+        field.far_field_difference = differences.fold(f64::NAN, f64::max);
         Ok(field)
     }
 
@@ -257,7 +265,7 @@ impl Solver<'_> {
         &self,
         frequency: f64,
         probe: &Probe<'_>,
-        difference: &mut f64,
+        powers: &mut Vec<[f64; 2]>,
     ) -> Result<Solution, EngineError> {
         self.interrupt.check()?;
         let count = self.patterns.len();
@@ -276,34 +284,20 @@ impl Solver<'_> {
             SoundLevel::BoundaryElements => {
                 let equations = self.model.equations(frequency, &Settings::default(), self.interrupt);
                 let equations = equations.map_err(engine_error)?;
-                let found = equations.radiation_impedance(&self.patterns, self.interrupt);
-                let found = found.map_err(engine_error)?;
+                let across = self.model.mesh.size() * frequency / self.body.fluid.speed_of_sound;
+                let rings = RINGS + (2.0 * across).ceil() as usize;
+                let found = equations.impedances(&self.patterns, rings, self.interrupt);
+                let [on_surface, far] = found.map_err(engine_error)?;
                 if let Some(velocities) = probe.near(frequency) {
-                    let own = self.far_field(&equations, velocities)?;
-                    *difference = if difference.is_nan() { own } else { difference.max(own) };
+                    powers.push([&on_surface, &far].map(|form| form.power(velocities)));
                 }
-                (found, self.pressures(&equations)?)
+                (far, self.pressures(&equations)?)
             }
         };
         let z = impedance.matrix();
         let scale = 0.5 / (frequency * frequency);
         let power = Mat::from_fn(count, count, |i, j| (z[(i, j)] + z[(j, i)].conj()) * scale);
         Ok(Solution { frequency, power, pressures })
-    }
-
-    /// Returns the relative difference of the powers on the surface and in the far field.
-    fn far_field(&self, equations: &Equations<'_>, velocities: &[c64]) -> Result<f64, EngineError> {
-        let normal = |triangle: usize| {
-            self.body.patterns.iter().zip(velocities).map(|(pattern, v)| v * pattern[triangle]).sum::<c64>()
-        };
-        let normal: Vec<c64> = (0..self.triangles.len()).map(normal).collect();
-        let solved = equations.solve(&[normal], self.interrupt).map_err(engine_error)?;
-        let Some(radiation) = solved.first() else { return Ok(f64::NAN) };
-        let mesh = &self.model.mesh;
-        let across = mesh.size() * equations.frequency() / self.body.fluid.speed_of_sound;
-        let rings = RINGS + (2.0 * across).ceil() as usize;
-        let far = equations.far_field_power(radiation, rings, self.interrupt).map_err(engine_error)?;
-        Ok((radiation.power(mesh) / far - 1.0).abs())
     }
 
     /// Returns the pressures at the points by pattern, without the phase of the distance and over
@@ -318,8 +312,7 @@ impl Solver<'_> {
         let patterns = Mat::from_fn(self.triangles.len(), self.patterns.len(), |i, j| self.patterns[j][i]);
         let found = transfer.pressures(patterns.as_ref());
         Ok(Mat::from_fn(found.nrows(), found.ncols(), |point, pattern| {
-            found[(point, pattern)]
-                * c64::from_polar(frequency.recip(), wavenumber * self.distances[point])
+            found[(point, pattern)] * c64::from_polar(frequency.recip(), wavenumber * self.distances[point])
         }))
     }
 }

@@ -175,7 +175,9 @@ fn pattern(
     let velocity = |place: usize| {
         let mut sum = [0.0; 3];
         for (unknown, part) in parts.iter().filter(|(_, part)| *part != 0.0) {
-            let Some(own) = shapes.displacements.get(*unknown).and_then(|own| own.get(place)) else { continue };
+            let Some(own) = shapes.displacements.get(*unknown).and_then(|own| own.get(place)) else {
+                continue;
+            };
             (0..3).for_each(|k| sum[k] += part * own[k]);
         }
         sum
@@ -213,7 +215,8 @@ fn bearings(
         let moved = |&at: &usize| system.dofs.get(at).map(|dof| state.deflection(dof));
         let deflections: Vec<Option<[f64; 6]>> = coordinates.iter().map(moved).collect();
         for component in 0..6 {
-            let own = deflections.iter().enumerate().filter_map(|(at, six)| Some((at, six.as_ref()?[component])));
+            let own =
+                deflections.iter().enumerate().filter_map(|(at, six)| Some((at, six.as_ref()?[component])));
             let own: Vec<(usize, f64)> = own.filter(|(_, unit)| *unit != 0.0).collect();
             if crate::forced_response::resists(bearing, component) && !own.is_empty() {
                 all.push((BearingId(index), component, own));

@@ -172,7 +172,12 @@ impl RadiatedSound {
     }
 
     /// Returns the sound power of the lines that a function selects, weighted, W.
-    pub fn power_of(&self, at: &SoundPoint, weighting: Weighting, is_selected: impl Fn(usize) -> bool) -> f64 {
+    pub fn power_of(
+        &self,
+        at: &SoundPoint,
+        weighting: Weighting,
+        is_selected: impl Fn(usize) -> bool,
+    ) -> f64 {
         let selected: Vec<f64> =
             at.powers.iter().enumerate().map(|(k, p)| if is_selected(k) { *p } else { 0.0 }).collect();
         self.weighted(&selected, at.speed, weighting)
@@ -278,7 +283,9 @@ fn point(field: &Field, lines: &Lines<'_>, speed: f64, motion: &SurfaceMotion) -
     };
     SoundPoint {
         speed,
-        errors: all().map(|line| crate::forced_response::CAUTION * (powers[line] - power(1, line)).abs()).collect(),
+        errors: all()
+            .map(|line| crate::forced_response::CAUTION * (powers[line] - power(1, line)).abs())
+            .collect(),
         powers,
         equivalent_powers: all().map(equivalent).collect(),
         input: motion.input.clone(),

@@ -52,7 +52,9 @@ impl Surface {
             ..error
         };
         let (solids, shells) = elements(&mesh);
-        let found = if solids.is_empty() { closed_shells(&mesh, &shells, plane) } else {
+        let found = if solids.is_empty() {
+            closed_shells(&mesh, &shells, plane)
+        } else {
             closed_solids(&mesh, &solids, plane).map(|(skin, closed)| (skin, closed, shells.len()))
         };
         let (skin, closed, left_out) = found.map_err(named)?;
@@ -167,9 +169,10 @@ fn closed_solids(mesh: &BodyMesh, solids: &[Solid], plane: Plane) -> Result<(Ski
     // Lids at the inner ends of bores close nothing.
     let of_skin: BTreeSet<usize> = skin.nodes.iter().flatten().copied().collect();
     let used = |index: usize| {
-        let own = lids.iter().zip(&owners).filter(|(lid, owner)| {
-            **owner == index && lid.iter().all(|node| of_skin.contains(node))
-        });
+        let own = lids
+            .iter()
+            .zip(&owners)
+            .filter(|(lid, owner)| **owner == index && lid.iter().all(|node| of_skin.contains(node)));
         own.count()
     };
     let openings = mesh.openings.iter().enumerate();
@@ -183,7 +186,9 @@ fn closed_solids(mesh: &BodyMesh, solids: &[Solid], plane: Plane) -> Result<(Ski
 fn closes_nothing(name: &str, shells: bool) -> EngineError {
     let message = match shells {
         true => format!("the opening \"{name}\" closes nothing: its region has no whole line of free edges"),
-        false => format!("the opening \"{name}\" closes nothing: its nodes form no closed line on the outer skin"),
+        false => {
+            format!("the opening \"{name}\" closes nothing: its nodes form no closed line on the outer skin")
+        }
     };
     open(message, "select all nodes of the rim, and no others on it, such as by `gears.cylinder_region`")
 }

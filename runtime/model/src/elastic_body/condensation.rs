@@ -4,9 +4,7 @@ use super::recovery::in_basic_axes;
 use super::rigid_links::carried;
 use super::{MassReduction, MotionShapes};
 use calyx_elastic::assembly::System;
-use calyx_elastic::condensation::{
-    CondensedBody, Synthesis, component_modes, guyan, static_condensation,
-};
+use calyx_elastic::condensation::{CondensedBody, Synthesis, component_modes, guyan, static_condensation};
 use calyx_elastic::{ElasticError, ElasticModel, Resources};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;

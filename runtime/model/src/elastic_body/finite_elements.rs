@@ -2,8 +2,8 @@
 
 use super::condensation::{condense_model, shapes_of_model};
 use super::{
-    AttachmentExtent, BodyMesh, CellShape, ElasticBody, ElasticBodySize, MassReduction, MotionShapes, Opening,
-    Recovery,
+    AttachmentExtent, BodyMesh, CellShape, ElasticBody, ElasticBodySize, MassReduction, MotionShapes,
+    Opening, Recovery,
 };
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach_unnamed, on_a_line, rotating_nodes};
 use calyx_elastic::connectivity::parts_with_elements;

@@ -19,6 +19,7 @@ mod heat_map;
 mod k_chart;
 mod load_cases;
 mod logarithmic;
+mod noise;
 pub mod optimization;
 mod parallel;
 mod pareto;
@@ -129,6 +130,7 @@ fn page(run: &Run) -> Markup {
         ("bodies", "Deformed bodies", bodies::section(run, units)),
         ("signals", "Spectra", signals(run)),
         ("vibration", "Forced vibration", vibration::section(run, units)),
+        ("noise", "Radiated sound", noise::section(run)),
         ("modes", "Modes", modes(run)),
         ("plan", "Model", about::plan(run)),
         ("params", "Params", about::params(run)),

@@ -37,7 +37,7 @@ pub(super) const FILES_OF_SENSITIVITIES: [&str; 3] =
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-pub(super) const FILES_OF_A_RUN: [&str; 36] = [
+pub(super) const FILES_OF_A_RUN: [&str; 38] = [
     view::page::NAME,
     "run.json",
     "journal.jsonl",
@@ -72,6 +72,8 @@ pub(super) const FILES_OF_A_RUN: [&str; 36] = [
     "modes.csv",
     SENSITIVITIES,
     SENSITIVITIES_BY_POSITION,
+    "radiated_sound.csv",
+    "sound_pressure.csv",
     REPORT,
     "report.html.part",
 ];
