@@ -26,6 +26,7 @@ mod models;
 mod moving_axes;
 mod pair_form;
 mod published_blocks;
+mod radiated_sound;
 mod ratings;
 mod reference;
 mod report;

@@ -51,8 +51,15 @@ impl PlannedCost {
     }
 
     fn analysis_lines(&self) -> Vec<String> {
-        let AnalysisCost { structures, positions, count, of_load_factors, of_forced_response, errors } =
-            &self.analysis;
+        let AnalysisCost {
+            structures,
+            positions,
+            count,
+            of_load_factors,
+            of_forced_response,
+            sounds,
+            errors,
+        } = &self.analysis;
         let mut lines = vec!["Predicted for this machine, without cached structures".to_owned()];
         for (bodies, cost) in structures {
             let names: Vec<String> = bodies.iter().map(|name| format!("\"{name}\"")).collect();
@@ -76,6 +83,13 @@ impl PlannedCost {
                 "{count} positions{more}: {}, {} each",
                 seconds(positions.time),
                 seconds(each)
+            ));
+        }
+        for (body, cost) in sounds {
+            lines.push(format!(
+                "radiated sound of \"{body}\": {}, {}",
+                seconds(cost.time),
+                bytes(cost.memory)
             ));
         }
         if self.estimates != Estimates::None {

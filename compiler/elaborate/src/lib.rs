@@ -41,6 +41,7 @@ pub mod nan;
 pub mod plan;
 mod planned_bearing;
 mod planned_elastic_body;
+mod planned_sound;
 mod printed;
 mod ranges;
 pub mod results;

@@ -3,6 +3,7 @@
 
 pub use crate::planned_bearing::PlannedBearing;
 use crate::planned_elastic_body::PlannedElasticBody;
+use crate::planned_sound;
 use crate::shown::{grouped, in_unit, of_thousands, rounded};
 use calyx_abi::description::ModelDescription;
 use calyx_gears::host::{LengthUnit, ModelHost};
@@ -42,6 +43,8 @@ pub struct Planned {
     pub bearings: Vec<PlannedBearing>,
     pub shafts: Vec<PlannedShaft>,
     pub elastic_bodies: Vec<PlannedElasticBody>,
+    /// Links from the teeth to radiated sound, as lines.
+    pub sounds: Vec<String>,
     /// Names of the outputs, which determine what is modelled.
     pub outputs: Vec<String>,
     /// The number of contact problems that each chain of the analysis solves in sequence. Without
@@ -69,6 +72,7 @@ pub struct PlannedWork {
     positions: usize,
     in_time: bool,
     estimates: Estimates,
+    highest_frequency: f64,
     tolerance: Option<f64>,
 }
 
@@ -85,6 +89,7 @@ impl PlannedWork {
             positions: host.asked.map_or(longest, |asked| asked.problems),
             in_time: host.asked.is_some_and(|asked| asked.in_time),
             estimates: host.asked.map_or(Estimates::None, |asked| asked.estimates),
+            highest_frequency: host.asked.map_or(0.0, |asked| asked.highest_frequency),
             tolerance: host.asked.and_then(|asked| asked.tolerance),
         }
     }
@@ -130,6 +135,7 @@ impl PlannedWork {
             positions: self.positions,
             in_time: self.in_time,
             estimates: self.estimates,
+            highest_frequency: self.highest_frequency,
         }
     }
 
@@ -331,6 +337,7 @@ impl Planned {
             bearings: PlannedBearing::all(host, plan),
             shafts: PlannedShaft::all(scene, plan, host.length_unit),
             elastic_bodies: PlannedElasticBody::all(host, plan),
+            sounds: planned_sound::lines(host, plan),
             outputs: host.outputs.iter().map(|output| output.name.clone()).collect(),
             positions: match host.asked {
                 Some(asked) => vec![asked.problems],
@@ -385,6 +392,7 @@ impl Planned {
         section("Shafts", modelled.map(PlannedShaft::line).collect());
         let modelled = self.elastic_bodies.iter().filter(|body| !body.left_out);
         section("Elastic bodies", modelled.flat_map(PlannedElasticBody::lines).collect());
+        section("Radiated sound", self.sounds.clone());
         section("Degrees of freedom", self.freedom_lines());
         section("Outputs", lines_of(&self.outputs));
         let left_out = self.bodies.iter().filter(|body| body.left_out);

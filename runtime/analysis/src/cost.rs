@@ -13,8 +13,10 @@
 //! See `docs/theory/fidelity.md`.
 
 mod analysis;
+mod sound;
 
 pub use analysis::{AnalysisCost, Meshes, Task};
+pub use sound::{SoundSize, sound_size};
 
 use calyx_model::elastic_body::ElasticBodySize;
 use calyx_numerics::dense::product;

@@ -9,6 +9,7 @@ mod flanks;
 mod linearized_bearings;
 mod lubrication;
 mod motion;
+mod motion_shapes;
 mod shafts;
 mod solid_shafts;
 mod structure_building;

@@ -1,6 +1,6 @@
 //! Cost of a whole analysis: structures, positions and error estimates.
 
-use super::{Cost, Flanks, Rates, elastic_body, positions, structure};
+use super::{Cost, Flanks, Rates, elastic_body, positions, sound_size, structure};
 use crate::estimate::{Estimates, PerturbedSolve, perturbed_solves_of};
 use crate::forced_response::position_count;
 use crate::observables::positions_of_cycle;
@@ -32,6 +32,8 @@ pub struct Task<'a> {
     pub in_time: bool,
     /// Errors to be estimated.
     pub estimates: Estimates,
+    /// Highest frequency of component modes, Hz.
+    pub highest_frequency: f64,
 }
 
 /// Costs of the parts of an analysis.
@@ -47,6 +49,8 @@ pub struct AnalysisCost {
     pub of_load_factors: usize,
     /// Number of positions that a forced response solves.
     pub of_forced_response: usize,
+    /// Cost of radiated sound, without its forced response, with the names of the bodies.
+    pub sounds: Vec<(String, Cost)>,
     /// Cost of the error estimates, including structures of other meshes.
     pub errors: Cost,
 }
@@ -55,14 +59,16 @@ impl AnalysisCost {
     /// Returns the total time, s.
     pub fn time(&self) -> f64 {
         let structures = self.structures.iter().map(|(_, cost)| cost.time).sum::<f64>();
-        structures + self.positions.time + self.errors.time
+        let sounds = self.sounds.iter().map(|(_, cost)| cost.time).sum::<f64>();
+        structures + self.positions.time + sounds + self.errors.time
     }
 
     /// Returns the peak memory, bytes. Structures are condensed in parallel, and positions are
     /// solved with all structures in memory.
     pub fn memory(&self) -> f64 {
         let structures = self.structures.iter().map(|(_, cost)| cost.memory).sum();
-        self.positions.memory.max(structures).max(self.errors.memory)
+        let sounds = self.sounds.iter().map(|(_, cost)| cost.memory).fold(0.0, f64::max);
+        self.positions.memory.max(structures).max(sounds).max(self.errors.memory)
     }
 }
 
@@ -97,6 +103,8 @@ impl Task<'_> {
         let of_load_factors = self.positions_of_load_factors();
         let request = scene.forced_response.as_ref().filter(|_| !in_time);
         let of_forced_response = request.map_or(0, |request| position_count(scene, request));
+        // Observed sound is computed for every system.
+        let of_sound = if scene.sounds.is_empty() { 0 } else { of_forced_response };
         let own = self.positions + of_load_factors + of_forced_response;
         let own = solve(fidelity, three_dimensional, flanks, false, own);
         let mut errors = Cost::default();
@@ -128,7 +136,7 @@ impl Task<'_> {
                         three_dimensional,
                         flanks,
                         perturbed_solve.coarse_grid,
-                        perturbed_solve.positions + of_load_factors,
+                        perturbed_solve.positions + of_load_factors + of_sound,
                     ));
                 }
             }
@@ -139,6 +147,13 @@ impl Task<'_> {
             count: self.positions,
             of_load_factors,
             of_forced_response,
+            sounds: match in_time {
+                true => Vec::new(),
+                false => sound_size(scene, fidelity, self.highest_frequency)
+                    .into_iter()
+                    .map(|size| (size.body.clone(), size.cost(rates)))
+                    .collect(),
+            },
             errors,
         })
     }

@@ -46,8 +46,18 @@ impl SearchWork {
         (refinement, positions): (f64, usize),
         first: bool,
     ) -> Option<()> {
-        let AnalysisOptions { fidelity, structure, error_estimates: estimates, .. } = *options;
-        let task = Task { scene, outputs, fidelity, structure, positions, in_time: false, estimates };
+        let AnalysisOptions { fidelity, structure, error_estimates: estimates, highest_frequency, .. } =
+            *options;
+        let task = Task {
+            scene,
+            outputs,
+            fidelity,
+            structure,
+            positions,
+            in_time: false,
+            estimates,
+            highest_frequency,
+        };
         // A setting that cannot be planned fails immediately.
         let cost = task.cost_with(&mut self.meshes, &NOMINAL).unwrap_or_default();
         let known = self.condensed.contains(&(fidelity, refinement));

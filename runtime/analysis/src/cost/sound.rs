@@ -1,0 +1,92 @@
+//! Predicted cost of radiated sound: the field of a body at some frequencies.
+
+use super::{Cost, EFFICIENCY, Rates};
+use crate::forced_response::highest_frequency;
+use crate::radiated_sound::{SoundLevel, SoundRequest, surface_size};
+use crate::scene::Scene;
+use calyx_model::fidelity::Fidelity;
+use calyx_model::ids::BodyId;
+
+/// Time of the integrals of a pair of triangles, in logarithms. Measured: 0.4 s for 1,112 triangles
+/// on a machine with 8.9 nanoseconds per logarithm.
+const LOGARITHMS_PER_PAIR: f64 = 35.0;
+/// Time of an entry of the kernel of the Rayleigh integral, in logarithms.
+const LOGARITHMS_PER_ENTRY: f64 = 1.0;
+/// Assumed number of component modes with pseudo-modes.
+const MODES: f64 = 60.0;
+/// Number of frequencies per wavelength across the body, and those at low frequencies. Measured: 29
+/// for a body of 0.4 wavelengths at the mesh frequency and 1.9 at its highest harmonic.
+const PER_WAVELENGTH: f64 = 7.0;
+const LOW_FREQUENCIES: f64 = 14.0;
+
+/// Size of the last link from velocities to sound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SoundSize {
+    /// Name of the body.
+    pub body: String,
+    /// Method.
+    pub level: SoundLevel,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Area of the surface, m².
+    pub area: f64,
+    /// Highest frequency, Hz.
+    pub highest_frequency: f64,
+    /// Number of frequencies at which the field is solved.
+    pub frequencies: usize,
+    /// Number of velocity patterns.
+    patterns: f64,
+}
+
+impl SoundSize {
+    /// Predicts the cost on a machine of given rates.
+    pub fn cost(&self, rates: &Rates) -> Cost {
+        let (triangles, patterns) = (self.triangles as f64, self.patterns);
+        let vertices = 0.5 * triangles;
+        let (logarithms, products, bytes) = match self.level {
+            SoundLevel::EquivalentPower => (0.0, triangles * patterns * patterns, 8.0 * triangles * patterns),
+            SoundLevel::Rayleigh => {
+                let points = 3.0 * triangles;
+                (LOGARITHMS_PER_ENTRY * points * points, points * points * patterns, 8.0 * points * patterns)
+            }
+            // A complex multiplication is four real ones.
+            SoundLevel::BoundaryElements => (
+                0.5 * LOGARITHMS_PER_PAIR * triangles * triangles,
+                4.0 * (vertices.powi(3) / 3.0 + (2.0 * vertices + triangles) * vertices * patterns),
+                16.0 * vertices * (vertices + triangles) + 16.0 * triangles * patterns,
+            ),
+        };
+        let count = self.frequencies.max(1) as f64;
+        let time = count * (logarithms / rates.logarithms + products / rates.products);
+        Cost { time: time / (EFFICIENCY * rates.threads.max(1) as f64), memory: bytes }
+    }
+}
+
+/// Returns the sizes of all requested sounds of a scene with component modes up to a frequency, Hz.
+/// Rejected requests are left out.
+pub fn sound_size(scene: &Scene, fidelity: Fidelity, highest: f64) -> Vec<SoundSize> {
+    let Some(response) = &scene.forced_response else { return Vec::new() };
+    let highest = highest.min(highest_frequency(scene, response));
+    let size = |request: &SoundRequest| {
+        let connection = scene.connections.get(request.body.0)?;
+        let (triangles, area) = surface_size(scene, request, highest).ok()?;
+        let free = |id: BodyId| scene.bodies.get(id.0).map_or([false; 6], |body| body.free);
+        let dofs = connection.bodies().flat_map(free).filter(|free| *free).count();
+        let level = request.level_at(fidelity);
+        // The diameter of a sphere of the same area.
+        let across = (area / std::f64::consts::PI).sqrt() * highest / request.fluid.speed_of_sound;
+        Some(SoundSize {
+            body: connection.name.clone(),
+            level,
+            triangles,
+            area,
+            highest_frequency: highest,
+            frequencies: match level {
+                SoundLevel::EquivalentPower => 0,
+                _ => (LOW_FREQUENCIES + PER_WAVELENGTH * across).ceil() as usize,
+            },
+            patterns: dofs as f64 + MODES,
+        })
+    };
+    scene.sounds.iter().filter_map(size).collect()
+}

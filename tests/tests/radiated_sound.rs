@@ -1,0 +1,224 @@
+//! Radiated sound of models: the power balance of the housing, the effect of the transmission
+//! error, agreement of outputs and tables, and refusals.
+
+use crate::models::codes;
+use calyx::{Engine, Module, check_file};
+use calyx_runtime::forced_response::ForcedResponse;
+use calyx_runtime::radiated_sound::{RadiatedSound, SoundLevel, Weighting};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+
+/// A box of plates in NASTRAN bulk data, mm: 120 x 100 x 60 in elements of 20 mm. The material has
+/// this density, and the shells of the top are left out from this number on.
+fn plates(density: &str, top: usize) -> String {
+    let counts = [6, 5, 3];
+    let mut text = format!("BEGIN BULK\nMAT1,1,2.1+5,,0.3,{density}\nPSHELL,1,1,4.0,1,,1\n");
+    let mut numbers: BTreeMap<[usize; 3], usize> = BTreeMap::new();
+    let mut shells: Vec<[usize; 4]> = Vec::new();
+    for axis in 0..3 {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        for side in [0, counts[axis]] {
+            for i in 0..counts[u] {
+                for j in 0..counts[v] {
+                    let is_top = axis == 1 && side > 0;
+                    if is_top && counts[v] * i + j >= top {
+                        continue;
+                    }
+                    let corner = |di: usize, dj: usize| {
+                        let mut at = [0; 3];
+                        (at[axis], at[u], at[v]) = (side, i + di, j + dj);
+                        at
+                    };
+                    shells.push([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)].map(|at| {
+                        let next = numbers.len() + 1;
+                        *numbers.entry(at).or_insert(next)
+                    }));
+                }
+            }
+        }
+    }
+    for (at, number) in &numbers {
+        let [x, y, z] = at.map(|at| 20.0 * at as f64);
+        let _ = writeln!(text, "GRID,{number},,{x:.1},{y:.1},{z:.1}");
+    }
+    for (index, [a, b, c, d]) in shells.iter().enumerate() {
+        let _ = writeln!(text, "CQUAD4,{},1,{a},{b},{c},{d}", index + 1);
+    }
+    text + "ENDDATA\n"
+}
+
+/// A helical pair on bearings in the plates. `outputs` and `analysis` end the model.
+fn pair(torque: f64, outputs: &str, analysis: &str) -> String {
+    format!(
+        "import gears;
+units mm_N_s;
+function blank(in teeth, in hand) {{
+    return gears.external(teeth, normal_module = 2 mm, helix_angle = 15 deg, hand = hand, face_width = 15 mm);
+}}
+var a = blank(20, \"right\"), b = blank(20, \"left\");
+var distance = gears.center_distance(a, b) + 0.05 mm;
+var housing = gears.nastran(\"housing\", \"plates.bdf\", units = \"N-mm-s\",
+    frame := Translate(-40 mm * e1 - 50 mm * e2 - 30 mm * e3));
+for (x in [0 mm, 120 mm]) for (z in [0 mm, 60 mm])
+    gears.attachment(\"foot {{x}} {{z}}\", housing, gears.nearest_node(x * e1 + z * e3), fixed = TRUE);
+function seat(in name, in x: Length) {{
+    var region = gears.box_region(
+        x * e1 + 39 mm * e2 - 1 mm * e3, (x + 20 mm) * e1 + 61 mm * e2 + 1 mm * e3);
+    return gears.attachment(name, housing, region, position = (x + 10 mm) * e1 + 50 mm * e2);
+}}
+function held(in body: Body, in to: Body) {{
+    return gears.bearing(body.name, body, to = to, radial_stiffness = 2e8 N/m, axial_stiffness = 2e8 N/m,
+        tilting_stiffness = 2e5 N*m/rad);
+}}
+var turning = 1500 rpm;
+var pinion = gears.body(\"pinion\", a, free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\", \"theta_z\"],
+    moment = {torque} N*m * e3, frame := Rotate(turning * Time, e3));
+var gear = gears.body(\"gear\", b, free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\"],
+    frame := Rotate(-turning * Time, e3) * Translate(distance * e1));
+held(pinion, seat(\"first\", 20 mm));
+held(gear, seat(\"second\", 60 mm));
+var mesh = gears.mesh(pinion, gear, contact_cells = 4, contact_slices = 2, tip_corner_contact = FALSE);
+{outputs}
+{analysis}"
+    )
+}
+
+const RESPONSE: &str = "gears.forced_response(mesh, highest_speed = 3000 rpm, lowest_speed = 600 rpm, speeds = 9, harmonics = 3);\n";
+
+fn analysis(highest: &str) -> String {
+    format!(
+        "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 2), fidelity = \"analytic\", highest_frequency = {highest}, error_estimates = \"none\");\n"
+    )
+}
+
+/// Values of the outputs at the first position, and the forced response.
+fn run(text: &str) -> (Vec<f64>, ForcedResponse) {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("plates.bdf"), plates("7.85-9", 99)).expect("written");
+    let path = folder.path().join("model.cx");
+    fs::write(&path, text).expect("written");
+    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
+    let result = results.analysis().expect("an analysis");
+    let values = result.rows[0].outputs.iter().map(|output| output.value).collect();
+    (values, result.forced_response.clone().expect("a response"))
+}
+
+/// The power that enters at the bearings is what the damping dissipates in the housing.
+fn check_balance(sound: &RadiatedSound) {
+    for point in sound.speeds.iter().chain([&sound.own]) {
+        let [input, dissipated] = [&point.input, &point.dissipated].map(|all| all.iter().sum::<f64>());
+        assert!(dissipated > 0.0 && (input / dissipated - 1.0).abs() < 0.01, "{input} {dissipated}");
+        for (line, (input, own)) in point.input.iter().zip(&point.dissipated).enumerate().skip(1) {
+            if *own > 1e-3 * dissipated {
+                assert!((input / own - 1.0).abs() < 0.01, "line {line} at {}: {input} {own}", point.speed);
+            }
+        }
+        let radiated: f64 = point.powers.iter().sum();
+        assert!(radiated > 0.0 && radiated < dissipated, "{radiated} {dissipated}");
+    }
+}
+
+/// One run with all levels: balance, lines, and agreement of outputs with results.
+#[test]
+fn outputs_are_those_of_the_table_at_the_speed_of_the_model() {
+    let outputs = "output power := gears.radiated_power(housing);
+output level := gears.sound_power_level(housing);
+output plain := gears.sound_power_level(housing, weighting = \"none\");
+output second := gears.radiated_power(housing, harmonic = 2);
+output efficiency := gears.radiation_efficiency(housing);
+output equivalent := gears.radiated_power(housing, method = \"erp\");
+output elements := gears.radiated_power(housing, method = \"boundary_elements\");
+output near := gears.sound_pressure_level(housing, method = \"boundary_elements\", at = 3 m * e2, weighting = \"none\");
+output far := gears.sound_pressure_level(housing, method = \"boundary_elements\", at = 6 m * e2, weighting = \"none\");
+";
+    let (values, response) = run(&pair(60.0, &format!("{RESPONSE}{outputs}"), &analysis("2500 Hz")));
+    let [power, level, plain, second, efficiency, equivalent, elements, near, far] =
+        values[..].try_into().expect("nine outputs");
+    let levels: Vec<SoundLevel> = response.sounds.iter().map(|sound| sound.level).collect();
+    assert_eq!(levels, [SoundLevel::Rayleigh, SoundLevel::EquivalentPower, SoundLevel::BoundaryElements]);
+    let sound = &response.sounds[0];
+    response.sounds.iter().for_each(check_balance);
+    assert!((power / sound.own.powers.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    assert!((level - sound.level(&sound.own, Weighting::A)).abs() < 1e-9);
+    assert!((plain - 10.0 * (power / 1e-12).log10()).abs() < 1e-9);
+    assert!((second / sound.own.powers[2] - 1.0).abs() < 1e-12);
+    assert!((efficiency - power / equivalent).abs() < 1e-9 * efficiency);
+    assert!(elements > 0.0);
+    // In the far field the pressure decreases with the distance.
+    assert!((near - far - 20.0 * 2f64.log10()).abs() < 0.15, "{near} {far}");
+    // Lines are multiples of the mesh frequency, and those above the modes have no sound.
+    for point in &sound.speeds {
+        for (line, power) in point.powers.iter().enumerate() {
+            let frequency = line as f64 * 20.0 * point.speed / std::f64::consts::TAU;
+            assert!((sound.frequency(line, point.speed) - frequency).abs() < 1e-9 * frequency.max(1.0));
+            assert_eq!(*power > 0.0, frequency > 0.0 && frequency <= 2500.0, "line {line}");
+        }
+    }
+    let elements = &response.sounds[2];
+    assert!(elements.interpolation_error < 0.01 && elements.far_field_difference < 0.05);
+    assert_eq!(elements.surface.closed, []);
+    assert!(elements.solved_frequencies.len() > 4);
+}
+
+/// Half the torque halves the transmission error of unmodified gears, and the level is 6 dB lower.
+#[test]
+fn half_the_transmission_error_lowers_the_level_by_six_decibels() {
+    let outputs = "output level := gears.sound_power_level(housing, method = \"erp\");
+output first := gears.sound_power_level(housing, method = \"erp\", harmonic = 1);
+output second := gears.sound_power_level(housing, method = \"erp\", harmonic = 2);
+";
+    let at = |torque: f64| run(&pair(torque, &format!("{RESPONSE}{outputs}"), &analysis("2500 Hz")));
+    let [(full, response), (half, of_half)] = [at(60.0), at(30.0)];
+    let error = |response: &ForcedResponse| {
+        response.points[0].amplitudes[0].iter().skip(1).map(|line| line.norm()).collect::<Vec<_>>()
+    };
+    let ratio = error(&of_half)[0] / error(&response)[0];
+    assert!((ratio - 0.5).abs() < 0.01, "{ratio}");
+    for (full, half) in full.iter().zip(&half) {
+        assert!((full - half - 20.0 * 2f64.log10()).abs() < 0.3, "{full} {half}");
+    }
+}
+
+/// Codes of the diagnostics of a model next to plates.
+fn codes_with(text: &str, deck: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("plates.bdf"), deck).expect("written");
+    let path = folder.path().join("model.cx");
+    fs::write(&path, text).expect("written");
+    check_file(&path).diagnostics.into_iter().map(|found| found.code.clone()).collect()
+}
+
+#[test]
+fn impossible_sound_is_rejected() {
+    let power = "output power := gears.radiated_power(housing);\n";
+    let with = |before: &str, end: &str| pair(60.0, &format!("{before}{power}"), end);
+    let deck = plates("7.85-9", 99);
+    let fine = with(RESPONSE, &analysis("2500 Hz"));
+    assert_eq!(codes_with(&fine, &deck), Vec::<String>::new());
+    // No forced response, no modes, rigid, in time, no mass, no walls, no mesh, no harmonic.
+    assert_eq!(codes_with(&with("", &analysis("2500 Hz")), &deck), ["E0784"]);
+    assert_eq!(codes_with(&with(RESPONSE, &analysis("0 Hz")), &deck), ["E0784"]);
+    let rigid = with(RESPONSE, &analysis("0 Hz")).replace("\"analytic\"", "\"rigid\"");
+    assert!(!codes_with(&rigid, &deck).is_empty());
+    assert_eq!(codes_with(&fine, &plates("", 99)), ["E0784"]);
+    let of_gear = fine.replace("radiated_power(housing)", "radiated_power(gear)");
+    assert_eq!(codes_with(&of_gear, &deck), ["E0784"]);
+    let harmonic = fine.replace("radiated_power(housing)", "radiated_power(housing, harmonic = 1.5)");
+    assert_eq!(codes_with(&harmonic, &deck), ["E0784"]);
+    let inside = fine.replace("radiated_power(housing)", "sound_pressure_level(housing, at = 0 mm * e1)");
+    assert_eq!(codes_with(&inside, &deck), ["E0784"]);
+    let rough = inside.replace("at = 0 mm * e1", "at = 1 m * e1, method = \"erp\"");
+    assert_eq!(codes_with(&rough, &deck), ["E0784"]);
+    // Without its top, the box is open until an opening closes it.
+    let open = plates("7.85-9", 0);
+    assert_eq!(codes_with(&fine, &open), ["E0785"]);
+    let rim = "gears.opening(\"top\", housing, gears.plane_region(100 mm * e2, e2));\n";
+    assert_eq!(codes_with(&with(&format!("{RESPONSE}{rim}"), &analysis("2500 Hz")), &open), Vec::<String>::new());
+    let elsewhere = rim.replace("100 mm", "50 mm");
+    let nothing = with(&format!("{RESPONSE}{elsewhere}"), &analysis("2500 Hz"));
+    assert_eq!(codes_with(&nothing, &deck), ["E0785"]);
+    // Without the file there is nothing to say about sound.
+    assert_eq!(codes(&fine), ["E0730"]);
+}
