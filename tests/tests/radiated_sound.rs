@@ -59,16 +59,15 @@ function blank(in teeth, in hand) {{
 var a = blank(20, \"right\"), b = blank(20, \"left\");
 var distance = gears.center_distance(a, b) + 0.05 mm;
 var housing = gears.nastran(\"housing\", \"plates.bdf\", units = \"N-mm-s\",
-    frame := Translate(-40 mm * e1 - 50 mm * e2 - 30 mm * e3));
+    frame := Translate(-40 mm * e1 - 50 mm * e2));
 for (x in [0 mm, 120 mm]) for (z in [0 mm, 60 mm])
     gears.attachment(\"foot {{x}} {{z}}\", housing, gears.nearest_node(x * e1 + z * e3), fixed = TRUE);
-function seat(in name, in x: Length) {{
-    var region = gears.box_region(
-        x * e1 + 39 mm * e2 - 1 mm * e3, (x + 20 mm) * e1 + 61 mm * e2 + 1 mm * e3);
-    return gears.attachment(name, housing, region, position = (x + 10 mm) * e1 + 50 mm * e2);
+function seat(in name, in from: Length, in to: Length, in at: Length) {{
+    var region = gears.box_region(from * e1 + 39 mm * e2 - 1 mm * e3, to * e1 + 61 mm * e2 + 1 mm * e3);
+    return gears.attachment(name, housing, region, position = at * e1 + 50 mm * e2);
 }}
-function held(in body: Body, in to: Body) {{
-    return gears.bearing(body.name, body, to = to, radial_stiffness = 2e8 N/m, axial_stiffness = 2e8 N/m,
+function held(in name, in body: Body, in to: Body) {{
+    return gears.bearing(name, body, to = to, radial_stiffness = 2e8 N/m, axial_stiffness = 2e8 N/m,
         tilting_stiffness = 2e5 N*m/rad);
 }}
 var turning = 1500 rpm;
@@ -76,9 +75,9 @@ var pinion = gears.body(\"pinion\", a, free = [\"u_x\", \"u_y\", \"u_z\", \"thet
     moment = {torque} N*m * e3, frame := Rotate(turning * Time, e3));
 var gear = gears.body(\"gear\", b, free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\"],
     frame := Rotate(-turning * Time, e3) * Translate(distance * e1));
-held(pinion, seat(\"first\", 20 mm));
-held(gear, seat(\"second\", 60 mm));
-var mesh = gears.mesh(pinion, gear, contact_cells = 4, contact_slices = 2, tip_corner_contact = FALSE);
+held(\"first bearing\", pinion, seat(\"first\", 19 mm, 61 mm, 40 mm));
+held(\"second bearing\", gear, seat(\"second\", 79 mm, 101 mm, 40 mm + distance));
+var mesh = gears.mesh(pinion, gear, contact_cells = 3, contact_slices = 1, tip_corner_contact = FALSE);
 {outputs}
 {analysis}"
     )
@@ -175,10 +174,13 @@ output second := gears.sound_power_level(housing, method = \"erp\", harmonic = 2
         response.points[0].amplitudes[0].iter().skip(1).map(|line| line.norm()).collect::<Vec<_>>()
     };
     let ratio = error(&of_half)[0] / error(&response)[0];
-    assert!((ratio - 0.5).abs() < 0.01, "{ratio}");
+    // Contact is not linear.
+    assert!((ratio - 0.5).abs() < 0.025, "{ratio}");
     for (full, half) in full.iter().zip(&half) {
         assert!((full - half - 20.0 * 2f64.log10()).abs() < 0.3, "{full} {half}");
     }
+    let first = full[1] - half[1] + 20.0 * ratio.log10();
+    assert!(first.abs() < 0.1, "{first}");
 }
 
 /// Codes of the diagnostics of a model next to plates.
@@ -187,7 +189,7 @@ fn codes_with(text: &str, deck: &str) -> Vec<String> {
     fs::write(folder.path().join("plates.bdf"), deck).expect("written");
     let path = folder.path().join("model.cx");
     fs::write(&path, text).expect("written");
-    check_file(&path).diagnostics.into_iter().map(|found| found.code.clone()).collect()
+    check_file(&path).expect("readable").diagnostics.into_iter().map(|found| found.code.clone()).collect()
 }
 
 #[test]
@@ -207,15 +209,18 @@ fn impossible_sound_is_rejected() {
     assert_eq!(codes_with(&of_gear, &deck), ["E0784"]);
     let harmonic = fine.replace("radiated_power(housing)", "radiated_power(housing, harmonic = 1.5)");
     assert_eq!(codes_with(&harmonic, &deck), ["E0784"]);
-    let inside = fine.replace("radiated_power(housing)", "sound_pressure_level(housing, at = 0 mm * e1)");
+    let inside = fine.replace("radiated_power(housing)", "sound_pressure_level(housing, at = 20 mm * e3)");
     assert_eq!(codes_with(&inside, &deck), ["E0784"]);
-    let rough = inside.replace("at = 0 mm * e1", "at = 1 m * e1, method = \"erp\"");
+    let rough = inside.replace("at = 20 mm * e3", "at = 1 m * e1, method = \"erp\"");
     assert_eq!(codes_with(&rough, &deck), ["E0784"]);
     // Without its top, the box is open until an opening closes it.
     let open = plates("7.85-9", 0);
     assert_eq!(codes_with(&fine, &open), ["E0785"]);
     let rim = "gears.opening(\"top\", housing, gears.plane_region(100 mm * e2, e2));\n";
-    assert_eq!(codes_with(&with(&format!("{RESPONSE}{rim}"), &analysis("2500 Hz")), &open), Vec::<String>::new());
+    assert_eq!(
+        codes_with(&with(&format!("{RESPONSE}{rim}"), &analysis("2500 Hz")), &open),
+        Vec::<String>::new()
+    );
     let elsewhere = rim.replace("100 mm", "50 mm");
     let nothing = with(&format!("{RESPONSE}{elsewhere}"), &analysis("2500 Hz"));
     assert_eq!(codes_with(&nothing, &deck), ["E0785"]);

@@ -16,15 +16,22 @@ pub(crate) fn lines(host: &ModelHost, plan: &Plan) -> Vec<String> {
         let rpm = |speed: f64| rounded((speed * 60.0 / TAU * 1e6).round() / 1e6);
         let [lowest, fastest] = response.speeds.map(rpm);
         let last = match size.level {
-            SoundLevel::EquivalentPower => "equivalent radiated power (\"erp\"), without equations".to_owned(),
-            SoundLevel::Rayleigh => format!("Rayleigh integral (\"rayleigh\") at about {} frequencies", size.frequencies),
+            SoundLevel::EquivalentPower => {
+                "equivalent radiated power (\"erp\"), without equations".to_owned()
+            }
+            SoundLevel::Rayleigh => {
+                format!("Rayleigh integral (\"rayleigh\") at about {} frequencies", size.frequencies)
+            }
             SoundLevel::BoundaryElements => {
                 format!("boundary elements (\"boundary_elements\") at about {} frequencies", size.frequencies)
             }
         };
         [
             format!("\"{}\"", size.body),
-            format!("  transmission error and mesh force: static equilibria at the fidelity \"{}\"", plan.fidelity.name()),
+            format!(
+                "  transmission error and mesh force: static equilibria at the fidelity \"{}\"",
+                plan.fidelity.name()
+            ),
             format!(
                 "  bearing forces: harmonic balance with {} harmonics of each mesh frequency, {} speeds from {lowest} to {fastest} rpm",
                 response.harmonics, response.count

@@ -12,7 +12,7 @@ use crate::method::QuasiStatic;
 use crate::observables::Observe;
 use crate::observables::{CampbellDiagram, Displayed, Equilibrium, Fields, MeshedBodies, ModesTable, parts};
 pub use crate::options::AnalysisOptions;
-use crate::radiated_sound;
+use crate::radiated_sound::{self, SoundTask};
 use crate::results::SearchProgress;
 use crate::results::{AnalysisResult, Timing};
 use crate::rows::{Solved, StepRow};
@@ -281,10 +281,14 @@ impl<'s> Steps<'s> {
     fn forced_response(&mut self) -> Result<Option<ForcedResponse>, EngineError> {
         if let (None, Some(request)) = (&self.forced_response, &self.scene.forced_response) {
             let started = Instant::now();
-            let modes = (&self.plan, self.highest_frequency);
-            let resources = &self.resources;
-            let found =
-                forced_response::with_sound(&self.system, self.scene, request, (modes, None), resources)?;
+            let task = SoundTask {
+                requests: &self.scene.sounds,
+                plan: &self.plan,
+                highest_frequency: self.highest_frequency,
+                shared: None,
+            };
+            let (scene, resources) = (self.scene, &self.resources);
+            let found = forced_response::forced_response(&self.system, scene, request, &task, resources)?;
             self.forced_response = Some(found);
             self.timing.add(FORCED_RESPONSE, started.elapsed());
         }

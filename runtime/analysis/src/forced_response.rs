@@ -6,15 +6,11 @@
 mod excitation;
 mod quantities;
 
-pub(crate) use quantities::resists;
-
-use crate::radiated_sound::{Lines, RadiatedSound, Sound, SoundModels, SurfaceMotion};
-use crate::scene::Scene;
+use crate::radiated_sound::{Lines, RadiatedSound, SoundModels, SoundTask, SurfaceMotion};
 use calyx_model::bearing::damping as bearing_damping;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::{BearingId, PairId};
 use calyx_model::mechanism::Mechanism;
-use calyx_model::plan::Plan;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_solve::forced_response::sampling::Sampling;
@@ -27,7 +23,6 @@ use nalgebra::{Complex, DMatrix, DVector};
 use quantities::{Measure, Sample, label, linear, measures, sample};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
 /// Relative difference of the equilibrium after a period up to which it repeats, and of the mass
 /// and damping matrices of its positions above which they vary.
@@ -45,7 +40,7 @@ const PLACES: [f64; 4] = [0.11, 0.38, 0.59, 0.84];
 const LARGEST: usize = 10_000;
 /// Multiple of the difference from half of the positions that is the estimated error. The
 /// difference varies with the phase of the positions to the jumps of the stiffness.
-pub(crate) const CAUTION: f64 = 2.0;
+const CAUTION: f64 = 2.0;
 /// Growth of a disturbance within a mesh cycle above which a vibration is unstable: the spectral
 /// radius is known to a thousandth.
 const UNSTABLE: f64 = 1.002;
@@ -78,7 +73,8 @@ pub struct ForcedResponse {
     /// Spectral lines of all quantities, by ascending frequency from the mean value.
     pub lines: Vec<ResponseLine>,
     /// Natural frequencies of the mean stiffness without gyroscopic moments, Hz, ascending, up to
-    /// six times the highest frequency of a line; empty if carriers rotate.
+    /// six times the highest frequency of a line, with sound up to 15 times; empty if carriers
+    /// rotate.
     pub natural_frequencies: Vec<f64>,
     /// Relative difference of the static equilibrium and of its stiffness a common period apart.
     pub difference: f64,
@@ -164,7 +160,12 @@ impl ForcedResponse {
                 ));
             }
         }
-        all.extend(self.sounds.iter().flat_map(RadiatedSound::warnings));
+        // Sounds of one body share warnings.
+        for warning in self.sounds.iter().flat_map(RadiatedSound::warnings) {
+            if !all.contains(&warning) {
+                all.push(warning);
+            }
+        }
         all
     }
 
@@ -250,22 +251,6 @@ fn response_at(vibration: &ForcedVibration, ratio: f64, phases: &[f64]) -> Respo
     found
 }
 
-/// Amplitudes of bearing forces at a speed.
-pub(crate) struct BearingForceAmplitudes<'a> {
-    measures: &'a [Measure],
-    amplitudes: &'a [Amplitudes],
-}
-
-impl BearingForceAmplitudes<'_> {
-    /// Returns the amplitude of a component along the axes of a bearing, by line; `None` if it is
-    /// not linear.
-    pub fn at(&self, bearing: BearingId, component: usize, line: usize) -> Option<Complex<f64>> {
-        let is_it = |measure: &Measure| matches!(measure, Measure::BearingForce(other, axis) if *other == bearing && *axis == component);
-        let index = self.measures.iter().position(is_it)?;
-        self.amplitudes.get(index)?.get(line).copied()
-    }
-}
-
 /// Returns the highest frequency of a line over all speeds of a request and the speed of the scene,
 /// Hz; infinite if the request is rejected.
 pub(crate) fn highest_frequency(scene: &Mechanism, request: &ForcedResponseRequest) -> f64 {
@@ -309,34 +294,22 @@ pub(crate) fn position_count(scene: &Mechanism, request: &ForcedResponseRequest)
     Excitation::new(scene, request).map_or(0, |excitation| excitation.sampling.count() + 2)
 }
 
-/// Computes the requested forced response with the sound of all requests. `modes` are the plan and
-/// the highest frequency of the component modes (Hz), and `shared` is the sound of a system with
-/// the same bodies.
+/// Computes the requested forced response and its sound.
 ///
 /// # Errors
 /// E0774: the equilibrium does not repeat, a matrix is not finite or varies, or the problem is too
 /// large. Also those of a position and of the sound.
-pub(crate) fn with_sound(
-    system: &System<'_>,
-    scene: &Scene,
-    request: &ForcedResponseRequest,
-    (modes, shared): ((&Plan, f64), Option<Arc<Sound>>),
-    resources: &Resources,
-) -> Result<ForcedResponse, EngineError> {
-    let models = match scene.sounds.is_empty() {
-        true => None,
-        false => Some(SoundModels::new(system, scene, modes, shared, resources)?),
-    };
-    forced_response(system, scene, request, (models, modes.1), resources)
-}
-
-fn forced_response(
+pub(crate) fn forced_response(
     system: &System<'_>,
     scene: &Mechanism,
     request: &ForcedResponseRequest,
-    (sound, highest_sound): (Option<SoundModels>, f64),
+    task: &SoundTask<'_>,
     resources: &Resources,
 ) -> Result<ForcedResponse, EngineError> {
+    let sound = match task.requests.is_empty() {
+        true => None,
+        false => Some(SoundModels::new(system, task, highest_frequency(scene, request), resources)?),
+    };
     let pair = &scene.pairs[request.mesh.0];
     let mesh = pair.mesh.as_ref().ok_or_else(singular)?;
     let excitation = Excitation::new(scene, request)?;
@@ -386,7 +359,7 @@ fn forced_response(
         frequency,
         damping_ratio: request.damping_ratio,
     };
-    let unknowns = unknowns(&periodic(&[&first], sampling), highest).ok_or_else(singular)?;
+    let unknowns = unknowns(&periodic(&[&first], sampling), highest, sound.is_some()).ok_or_else(singular)?;
     if unknowns > LARGEST {
         let message = format!(
             "the forced response has {unknowns} unknowns by mode and spectral line, and at most {LARGEST} are possible"
@@ -426,13 +399,17 @@ fn forced_response(
         resources.interrupt.check()?;
         let ratio = speed / own;
         let [fine, coarse] = [0, 1].map(|k| response_at(&vibrations[k], ratio, &phases));
-        let forces = BearingForceAmplitudes { measures: &measures, amplitudes: &fine.quantities };
+        let force = |bearing: BearingId, component: usize, line: usize| {
+            let is_it = |measure: &Measure| matches!(measure, Measure::BearingForce(other, axis) if *other == bearing && *axis == component);
+            let index = measures.iter().position(is_it)?;
+            fine.quantities.get(index)?.get(line).copied()
+        };
         let frequencies: Vec<f64> = orders.iter().map(|order| order * speed).collect();
         let motions = match (&sound, &fine.motion, &coarse.motion) {
             (Some(sound), Some(fine), Some(coarse)) => sound
                 .vibrating()
                 .iter()
-                .map(|body| body.motion([fine, coarse], &forces, &frequencies))
+                .map(|body| body.motion([fine, coarse], &force, &frequencies))
                 .collect(),
             _ => Vec::new(),
         };
@@ -448,7 +425,12 @@ fn forced_response(
             let harmonic =
                 |line: &ResponseLine| Some(line.harmonic).filter(|&own| own > 0 && line.sideband == 0);
             let harmonics: Vec<Option<usize>> = lines.iter().map(harmonic).collect();
-            let lines = Lines { orders: &orders, harmonics: &harmonics, highest: highest_sound };
+            let lines = Lines {
+                orders: &orders,
+                harmonics: &harmonics,
+                highest: task.highest_frequency,
+                caution: CAUTION,
+            };
             sound.finish(system, &lines, (&speeds, &motions), resources)?.results.clone()
         }
         None => Vec::new(),

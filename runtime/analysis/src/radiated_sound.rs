@@ -17,8 +17,6 @@ pub(crate) use motion::{SurfaceMotion, Vibrating};
 pub use results::{RadiatedSound, SoundPoint, SurfaceSummary, Weighting};
 pub use surface::surface_size;
 
-use crate::forced_response::ForcedResponse;
-use crate::scene::Scene;
 use calyx_acoustics::{AcousticError, Fluid, RigidPlane};
 use calyx_model::connection::{ConnectionState, ElasticConnection};
 use calyx_model::elastic_body::SharedElasticBody;
@@ -164,17 +162,19 @@ fn engine_error(error: AcousticError) -> EngineError {
 /// # Errors
 /// E0784: there is no forced response, or a body has no surface, mass or component modes, rotates,
 /// or encloses a point. E0785: the surface of a body is open.
-pub(crate) fn check(scene: &Scene, plan: &Plan, highest_frequency: f64) -> Result<(), EngineError> {
-    if scene.sounds.is_empty() {
-        return Ok(());
-    }
-    if scene.forced_response.is_none() {
+pub(crate) fn check(
+    scene: &Mechanism,
+    (sounds, has_response): (&[SoundRequest], bool),
+    plan: &Plan,
+    highest_frequency: f64,
+) -> Result<(), EngineError> {
+    if !sounds.is_empty() && !has_response {
         return Err(refused(
             "the model observes radiated sound, but has no forced response whose vibration radiates",
             "add `gears.forced_response(mesh, highest_speed = 6000 rpm);` before `analyze`",
         ));
     }
-    for request in &scene.sounds {
+    for request in sounds {
         let connection = request.connection(scene)?;
         let name = &connection.name;
         let Some(SharedElasticBody(body)) = &connection.body else {
@@ -243,6 +243,19 @@ pub(crate) fn of_system(system: &System<'_>) -> Option<Arc<Sound>> {
     system.derived.find(DERIVED)
 }
 
+/// Sound that a forced response computes with its vibration.
+#[derive(Clone)]
+pub(crate) struct SoundTask<'a> {
+    /// Requests of the scene; none for a forced response alone.
+    pub requests: &'a [SoundRequest],
+    /// Plan of the analysis.
+    pub plan: &'a Plan,
+    /// Highest frequency of the component modes, Hz.
+    pub highest_frequency: f64,
+    /// Sound of a system with the same bodies, whose fields are valid.
+    pub shared: Option<Arc<Sound>>,
+}
+
 /// Models of the bodies of all requests: surfaces, velocity patterns and, after the response, the
 /// fields in the fluid.
 pub(crate) struct SoundModels {
@@ -252,8 +265,7 @@ pub(crate) struct SoundModels {
     shared: Option<Arc<Sound>>,
 }
 
-/// Range of frequencies of the lines of a response: their orders, speeds (rad/s), and the highest
-/// frequency of the component modes (Hz).
+/// Spectral lines of a response.
 pub(crate) struct Lines<'a> {
     /// Frequency of each line over the rotational frequency.
     pub orders: &'a [f64],
@@ -261,38 +273,34 @@ pub(crate) struct Lines<'a> {
     pub harmonics: &'a [Option<usize>],
     /// Highest frequency with sound, Hz.
     pub highest: f64,
+    /// Multiple of the difference from half of the positions that is the estimated error.
+    pub caution: f64,
 }
 
 impl SoundModels {
-    /// Prepares the bodies of all requests. `shared` has fields of a system with the same bodies.
+    /// Prepares the bodies of all requests; `highest_line` is the highest frequency of a line, Hz.
     ///
     /// # Errors
     /// Those of [`check`], and of the condensation of a body.
     pub fn new(
         system: &System<'_>,
-        scene: &Scene,
-        (plan, highest): (&Plan, f64),
-        shared: Option<Arc<Sound>>,
+        task: &SoundTask<'_>,
+        highest_line: f64,
         resources: &Resources,
     ) -> Result<SoundModels, EngineError> {
-        let highest_line = highest.min(Self::highest_line(scene));
+        let SoundTask { requests, plan, highest_frequency, .. } = *task;
+        let highest = highest_frequency.min(highest_line);
         let model = |request: &SoundRequest| {
-            let surface = Surface::new(scene, request)?.coarsened(request, highest_line)?;
+            let surface = Surface::new(system.scene, request)?.coarsened(request, highest)?;
             let mass = plan.connections[request.body.0].mass;
             resources.install(|| Vibrating::new(system, request, surface, mass, resources))
         };
         Ok(SoundModels {
-            models: scene.sounds.iter().map(model).collect::<Result<_, _>>()?,
-            requests: scene.sounds.clone(),
-            levels: scene.sounds.iter().map(|request| request.level_at(plan.fidelity)).collect(),
-            shared,
+            models: requests.iter().map(model).collect::<Result<_, _>>()?,
+            requests: requests.to_vec(),
+            levels: requests.iter().map(|request| request.level_at(plan.fidelity)).collect(),
+            shared: task.shared.clone(),
         })
-    }
-
-    /// Returns the highest frequency of a line over all requested speeds, Hz.
-    fn highest_line(scene: &Scene) -> f64 {
-        let response = scene.forced_response.as_ref();
-        response.map_or(f64::INFINITY, |request| crate::forced_response::highest_frequency(scene, request))
     }
 
     /// Returns the models of the bodies, by request.
@@ -330,21 +338,4 @@ impl SoundModels {
         let sound = Sound { results, harmonics: lines.harmonics.to_vec(), fields };
         system.derived.get_or_create(DERIVED, || sound).ok_or_else(|| refused("the sound is lost", ""))
     }
-}
-
-/// Computes the forced response with its sound for a system that lacks it. `like` is a system with
-/// the same bodies whose fields can be used.
-///
-/// # Errors
-/// Those of [`crate::forced_response::forced_response`].
-pub(crate) fn prepare(
-    system: &System<'_>,
-    scene: &Scene,
-    modes: (&Plan, f64),
-    like: Option<&System<'_>>,
-    resources: &Resources,
-) -> Result<Option<ForcedResponse>, EngineError> {
-    let Some(request) = &scene.forced_response else { return Ok(None) };
-    let shared = like.and_then(of_system);
-    crate::forced_response::with_sound(system, scene, request, (modes, shared), resources).map(Some)
 }

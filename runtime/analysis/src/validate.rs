@@ -157,7 +157,8 @@ impl<'a> Request<'a> {
             let help = "use `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24))` with `gears.forced_response`";
             return Err(EngineError::new("E0784", message, help));
         }
-        radiated_sound::check(scene, &plan, highest_frequency)?;
+        let sounds = (&scene.sounds[..], scene.forced_response.is_some());
+        radiated_sound::check(scene, sounds, &plan, highest_frequency)?;
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             let times = method.checked_times();

@@ -200,6 +200,12 @@ pub const fn axisymmetric(radial: f64, axial: f64, tilting: f64, torsional: f64)
 }
 
 impl Bearing {
+    /// Returns whether it has a force or moment along or about one of its axes.
+    pub fn resists(&self, component: usize) -> bool {
+        let mut entries = self.stiffness[component].iter().chain(&self.damping[component]);
+        self.nonlinear.is_some() || self.linearization.is_some() || entries.any(|&entry| entry != 0.0)
+    }
+
     /// Creates a bearing to ground with this stiffness, at the axial position `at` on the body's
     /// axis (m from the origin of its frame).
     pub fn new(name: impl Into<String>, body: BodyId, at: f64, stiffness: BearingMatrix) -> Bearing {

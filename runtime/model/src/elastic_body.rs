@@ -18,11 +18,11 @@ mod recovery;
 mod rigid_links;
 
 pub(crate) use condensation::by_row;
-pub use condensation::condense_model;
+pub use condensation::{MotionShapes, condense_model};
 pub use extent::{AttachmentExtent, CylinderAxis};
 pub use finite_elements::{BodyAttachment, FiniteElementBody};
 pub use given_matrices::MatrixBody;
-pub use radiating::{BodyMesh, MotionShapes, Opening};
+pub use radiating::{BodyMesh, Opening};
 pub use recovery::{CellShape, DeformedElasticBody, Recovery};
 pub use rigid_links::rigid_links;
 

@@ -19,7 +19,11 @@ fn attachments() -> [Attachment; 3] {
         region: Region::Plane { origin: [x, 0.0, 0.0], normal: [1.0, 0.0, 0.0], tolerance: 1e-9 },
         connection,
     };
-    [at("left", 0.0, Connection::Rigid), at("middle", 0.15, Connection::Average), at("right", 0.3, Connection::Rigid)]
+    [
+        at("left", 0.0, Connection::Rigid),
+        at("middle", 0.15, Connection::Average),
+        at("right", 0.3, Connection::Rigid),
+    ]
 }
 
 /// Loads on the first two attachments; the last one is fixed.
@@ -69,8 +73,8 @@ fn condensed(frequency: f64, highest: f64, nodes: &[usize]) -> Vec<[f64; 3]> {
     // The last attachment is fixed.
     let (square, size) = ((TAU * frequency).powi(2), 12 + modes);
     let attached = |matrix: &[f64], row: usize, column: usize| matrix[18 * row + column];
-    let dynamic = DMatrix::from_fn(size, size, |row, column| {
-        match (row.checked_sub(12), column.checked_sub(12)) {
+    let dynamic =
+        DMatrix::from_fn(size, size, |row, column| match (row.checked_sub(12), column.checked_sub(12)) {
             (None, None) => {
                 attached(&matrices.stiffness, row, column) - square * attached(&matrices.mass, row, column)
             }
@@ -78,8 +82,7 @@ fn condensed(frequency: f64, highest: f64, nodes: &[usize]) -> Vec<[f64; 3]> {
             (Some(mode), None) => -square * matrices.modes.coupling[modes * column + mode],
             (Some(one), Some(other)) if one == other => matrices.modes.eigenvalues[one] - square,
             _ => 0.0,
-        }
-    });
+        });
     let right = DVector::from_fn(size, |row, _| if row < 12 { LOADS[row] } else { 0.0 });
     let solved = dynamic.lu().solve(&right).expect("no resonance");
     let at = |node: usize| {

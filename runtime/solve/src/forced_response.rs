@@ -200,10 +200,11 @@ fn one_sided(order: i64) -> f64 {
     if order == 0 { 1.0 } else { 2.0 }
 }
 
-/// Returns the number of unknowns of a system up to a speed relative to the reference speed; `None`
-/// if a matrix is invalid.
-pub fn unknowns(system: &PeriodicSystem, highest: f64) -> Option<usize> {
-    let basis = Basis::of(&system.mass, &system.stiffness, highest_frequency(system, highest))?;
+/// Returns the number of unknowns of a system up to a speed relative to the reference speed, with or
+/// without the vibration of all coordinates; `None` if a matrix is invalid.
+pub fn unknowns(system: &PeriodicSystem, highest: f64, coordinates: bool) -> Option<usize> {
+    let highest = highest_frequency(system, highest);
+    let basis = Basis::of(&system.mass, &system.stiffness, highest, multiple(coordinates))?;
     Some(basis.dynamic * system.orders.response().len())
 }
 
@@ -235,7 +236,8 @@ impl ForcedVibration {
     ) -> Option<ForcedVibration> {
         let orders = system.orders.clone();
         let at = (&system.sampling, &orders);
-        let all = Basis::of(&system.mass, &system.stiffness, highest_frequency(system, highest))?;
+        let highest = highest_frequency(system, highest);
+        let all = Basis::of(&system.mass, &system.stiffness, highest, multiple(coordinates))?;
         let (basis, others) = (all.with_inertia(), all.without_inertia());
         let condensed: Vec<(DMatrix<f64>, DMatrix<f64>)> =
             system.stiffness.iter().map(|stiffness| all.condensed(stiffness)).collect::<Option<_>>()?;
@@ -426,6 +428,11 @@ impl ForcedVibration {
         };
         self.orders.lines().enumerate().map(amplitude).collect()
     }
+}
+
+/// Returns the multiple of the highest frequency up to which modes have inertia.
+fn multiple(coordinates: bool) -> f64 {
+    if coordinates { basis::DYNAMIC_COORDINATES } else { basis::DYNAMIC }
 }
 
 /// Returns the highest frequency of a response up to a speed relative to the reference speed,

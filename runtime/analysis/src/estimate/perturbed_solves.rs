@@ -6,8 +6,9 @@ use super::{
     Ends, ErrorPart, Estimates, Evidence, Part, Statistics, bounds, ends, is_flank_pressure, is_stress,
     rounding, within,
 };
+use crate::forced_response::forced_response;
 use crate::observables::Observe;
-use crate::radiated_sound;
+use crate::radiated_sound::{self, SoundTask};
 use crate::results::DirectedErrors;
 use crate::rows::StepRow;
 use crate::scene::Scene;
@@ -273,12 +274,7 @@ impl BaseAnalysis<'_, '_> {
         plan: &Plan,
         positions: &[Position],
     ) -> Result<AddedPositions, Failed> {
-        if !self.scene.sounds.is_empty() && radiated_sound::of_system(system).is_none() {
-            // The body in the fluid is the same.
-            let modes = (plan, self.highest_frequency);
-            let sound = radiated_sound::prepare(system, self.scene, modes, Some(self.system), self.resources);
-            sound.map_err(|error| self.failed(error))?;
-        }
+        self.prepare_sound(system, plan).map_err(|error| self.failed(error))?;
         let solve = |position: &Position| {
             self.resources.interrupt.check()?;
             let step = system.solve(position.time)?;
@@ -296,6 +292,19 @@ impl BaseAnalysis<'_, '_> {
             besides.rounding.iter_mut().zip(rounding).for_each(|(most, own)| *most = most.max(own));
         }
         Ok(besides)
+    }
+
+    /// Computes the sound of a system if outputs are values of it. The bodies in the fluid are those
+    /// of the analysis.
+    fn prepare_sound(&self, system: &System<'_>, plan: &Plan) -> Result<(), EngineError> {
+        let requests = &self.scene.sounds;
+        let request = self.scene.forced_response.as_ref().filter(|_| !requests.is_empty());
+        let Some(request) = request.filter(|_| radiated_sound::of_system(system).is_none()) else {
+            return Ok(());
+        };
+        let (highest_frequency, shared) = (self.highest_frequency, radiated_sound::of_system(self.system));
+        let task = SoundTask { requests, plan, highest_frequency, shared };
+        forced_response(system, self.scene, request, &task, self.resources).map(drop)
     }
 
     /// Returns all rows, and some between them where extremes may lie: intervals are divided

@@ -2,7 +2,7 @@
 
 use super::ResponseQuantity;
 use crate::observables::{BearingStiffness, Equilibrium, Observable, TransmissionError};
-use calyx_model::bearing::{Bearing, BearingState};
+use calyx_model::bearing::BearingState;
 use calyx_model::dof::{DOF_NAMES, Dof};
 use calyx_model::ids::{BearingId, BodyId, PairId};
 use calyx_model::mechanism::Mechanism;
@@ -32,7 +32,7 @@ struct State {
 
 /// Quantity of the response.
 #[derive(Clone, Copy)]
-pub(crate) enum Measure {
+pub(super) enum Measure {
     TransmissionError(PairId),
     /// Moment of all tooth contacts of a body about its axis.
     ToothTorque(BodyId, usize),
@@ -78,17 +78,11 @@ pub(super) fn measures(system: &System<'_>, scene: &Mechanism) -> Vec<Measure> {
     found.extend(linear.flat_map(|&bearing| {
         let own = &scene.bearings[bearing];
         (0..6)
-            .filter(move |&component| resists(own, component))
+            .filter(move |&component| own.resists(component))
             .map(move |component| Measure::BearingForce(BearingId(bearing), component))
     }));
     found.extend((0..system.dofs.len()).map(Measure::Motion));
     found
-}
-
-/// Returns whether a bearing has a force or moment along or about one of its axes.
-pub(crate) fn resists(bearing: &Bearing, component: usize) -> bool {
-    let mut entries = bearing.stiffness[component].iter().chain(&bearing.damping[component]);
-    bearing.nonlinear.is_some() || bearing.linearization.is_some() || entries.any(|&entry| entry != 0.0)
 }
 
 /// Returns the name of a quantity.

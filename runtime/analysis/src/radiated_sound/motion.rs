@@ -3,7 +3,6 @@
 
 use super::surface::Surface;
 use super::{SoundRequest, refused};
-use crate::forced_response::BearingForceAmplitudes;
 use calyx_acoustics::Fluid;
 use calyx_model::bearing::{BearingState, Support};
 use calyx_model::connection::ConnectionState;
@@ -114,12 +113,12 @@ impl Vibrating {
     }
 
     /// Returns the motion of the surface from the vibrations of all coordinates with all positions
-    /// and with every second one, the bearing forces, and the angular frequency of each line,
+    /// and with every second one, the bearing forces by bearing, component and line, and the angular frequency of each line,
     /// rad/s.
     pub fn motion(
         &self,
         [fine, coarse]: [&Motion; 2],
-        forces: &BearingForceAmplitudes<'_>,
+        forces: &dyn Fn(BearingId, usize, usize) -> Option<c64>,
         frequencies: &[f64],
     ) -> SurfaceMotion {
         let velocities = |motion: &Motion| -> Vec<Vec<c64>> {
@@ -137,7 +136,7 @@ impl Vibrating {
             }
             let of_bearing = |(bearing, component, deflections): &(BearingId, usize, Vec<(usize, f64)>)| {
                 let rate: c64 = deflections.iter().map(|(at, unit)| all[line][*at] * *unit).sum();
-                forces.at(*bearing, *component, line).map_or(f64::NAN, |force| power(force, rate))
+                forces(*bearing, *component, line).map_or(f64::NAN, |force| power(force, rate))
             };
             self.bearings.iter().map(of_bearing).sum()
         };
@@ -218,7 +217,7 @@ fn bearings(
             let own =
                 deflections.iter().enumerate().filter_map(|(at, six)| Some((at, six.as_ref()?[component])));
             let own: Vec<(usize, f64)> = own.filter(|(_, unit)| *unit != 0.0).collect();
-            if crate::forced_response::resists(bearing, component) && !own.is_empty() {
+            if bearing.resists(component) && !own.is_empty() {
                 all.push((BearingId(index), component, own));
             }
         }

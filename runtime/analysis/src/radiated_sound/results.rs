@@ -283,9 +283,7 @@ fn point(field: &Field, lines: &Lines<'_>, speed: f64, motion: &SurfaceMotion) -
     };
     SoundPoint {
         speed,
-        errors: all()
-            .map(|line| crate::forced_response::CAUTION * (powers[line] - power(1, line)).abs())
-            .collect(),
+        errors: all().map(|line| lines.caution * (powers[line] - power(1, line)).abs()).collect(),
         powers,
         equivalent_powers: all().map(equivalent).collect(),
         input: motion.input.clone(),

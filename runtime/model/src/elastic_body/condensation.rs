@@ -1,13 +1,12 @@
 //! Condensation of a finite-element model onto its attachment nodes.
 
-use super::recovery::in_basic_axes;
+use super::MassReduction;
 use super::rigid_links::carried;
-use super::{MassReduction, MotionShapes};
 use calyx_elastic::assembly::System;
 use calyx_elastic::condensation::{CondensedBody, Synthesis, component_modes, guyan, static_condensation};
-use calyx_elastic::{ElasticError, ElasticModel, Resources};
+use calyx_elastic::{ElasticError, ElasticModel, Node, Resources};
 use calyx_numerics::error::EngineError;
-use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use calyx_structure::{AttachmentMatrices, ComponentModes};
 use faer::Mat;
 use nalgebra::DMatrix;
@@ -50,6 +49,17 @@ pub fn condense_model(
         mass: condensed.mass.as_ref().map_or_else(Vec::new, transformed),
         modes,
     })
+}
+
+/// Displacements of nodes by units of the unknowns of a condensed body.
+#[derive(Debug)]
+pub struct MotionShapes {
+    /// Displacements along the axes of the body by unknown and node, m: by unit displacements (m)
+    /// and rotations (rad) of each attachment, then by component modes (m kg^(1/2)).
+    pub displacements: Vec<Vec<[f64; 3]>>,
+    /// Squared angular frequencies of the component modes, (rad/s)².
+    pub eigenvalues: Vec<f64>,
+    _room: MemoryReservation,
 }
 
 /// Condensed body with the order of its attachment components.
@@ -204,4 +214,12 @@ pub(super) fn engine_error(error: ElasticError) -> EngineError {
             EngineError::new("E0992", message, "please report the body: this should not happen")
         }
     }
+}
+
+/// Transforms the motion of a node from its displacement axes to the basic axes.
+pub(super) fn in_basic_axes((motion, node): (&[f64; 6], &Node)) -> [f64; 6] {
+    std::array::from_fn(|k| {
+        let first = 3 * (k / 3);
+        (0..3).map(|axis| motion[first + axis] * node.axes[axis][k % 3]).sum()
+    })
 }

@@ -1,8 +1,6 @@
-//! What radiated sound needs of an elastic body: its mesh, openings to be closed, and motions of
-//! nodes.
+//! Mesh of an elastic body whose surface radiates sound, with openings to be closed.
 
 use super::CellShape;
-use calyx_numerics::interrupt::MemoryReservation;
 use calyx_numerics::vec3::Vector;
 
 /// Mesh of an elastic body in its coordinates.
@@ -25,15 +23,4 @@ pub struct Opening {
     pub name: String,
     /// Indices of the nodes of its rim, or of a bore between two rims, ascending.
     pub nodes: Vec<usize>,
-}
-
-/// Displacements of nodes by units of the unknowns of a condensed body.
-#[derive(Debug)]
-pub struct MotionShapes {
-    /// Displacements along the axes of the body by unknown and node, m: by unit displacements (m)
-    /// and rotations (rad) of each attachment, then by component modes (m kg^(1/2)).
-    pub displacements: Vec<Vec<[f64; 3]>>,
-    /// Squared angular frequencies of the component modes, (rad/s)².
-    pub eigenvalues: Vec<f64>,
-    pub(super) _room: MemoryReservation,
 }

@@ -6,15 +6,13 @@
 //! part that can move freely. The forces are in equilibrium, so the support carries nothing. A
 //! rigid-body motion of the part then takes its first attachment to its position.
 
-use super::condensation::engine_error;
+use super::condensation::{engine_error, in_basic_axes};
 use super::rigid_links::carried;
 use calyx_elastic::assembly::System;
 use calyx_elastic::check::{determinate_support, parts};
 use calyx_elastic::model::{ShellShape, SolidShape};
 use calyx_elastic::stress::nodal_stresses_of;
-use calyx_elastic::{
-    ElasticModel, Element, ElementKind, FixedComponents, NodalLoad, Node, Resources, statics,
-};
+use calyx_elastic::{ElasticModel, Element, ElementKind, FixedComponents, NodalLoad, Resources, statics};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use calyx_numerics::stress::{NodalStresses, Stress};
@@ -199,12 +197,4 @@ impl Recovery {
         let cell = |element: &Element| Some((CellShape::of(element)?, element.nodes.clone()));
         self.model.elements.iter().filter_map(cell).collect()
     }
-}
-
-/// Transforms the motion of a node from its displacement axes to the basic axes.
-pub(super) fn in_basic_axes((motion, node): (&Six, &Node)) -> Six {
-    std::array::from_fn(|k| {
-        let first = 3 * (k / 3);
-        (0..3).map(|axis| motion[first + axis] * node.axes[axis][k % 3]).sum()
-    })
 }

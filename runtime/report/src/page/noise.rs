@@ -65,13 +65,14 @@ fn facts(sound: &Value) -> Markup {
         .map(|opening| text(opening, "name").to_owned())
         .collect();
     let left_out = count(&surface["elements_left_out"]);
-    let percent = |key: &str| sound[key].as_f64().map(|value| format!("{} %", number(1e2 * value)));
+    let percent = |key: &str| sound[key].as_f64().map(|value| format!("{:.2} %", 1e2 * value));
     html! {
         p {
             "Method: " (method) ", with " (count(&surface["triangles"])) " triangles (" (count(&surface["triangles_before_coarsening"])) " before coarsening) on "
-            (number(1e4 * surface["area"].as_f64().unwrap_or_default())) " cm², "
-            (number(sound["elements_per_wavelength"].as_f64().unwrap_or_default())) " elements per wavelength at the highest line, up to "
-            (number(sound["highest_frequency"].as_f64().unwrap_or_default())) " Hz. "
+            (number(1e4 * surface["area"].as_f64().unwrap_or_default())) " cm², with "
+            (decimal(&sound["elements_per_wavelength"])) " elements per wavelength at the highest line. "
+            "The body has component modes up to " (number(sound["highest_frequency"].as_f64().unwrap_or_default()))
+            " Hz; lines above have no sound, so levels of all lines drop where one passes this frequency. "
             @if !closed.is_empty() { "Closed by lids: " (closed.join(", ")) ". " }
             @if left_out > 0 { (left_out) " elements are left out: ribs, inner parts, or shells on solids. " }
             @if count(&sound["solved_frequencies"]) > 0 {
@@ -82,6 +83,10 @@ fn facts(sound: &Value) -> Markup {
             }
         }
     }
+}
+
+fn decimal(value: &Value) -> String {
+    value.as_f64().map_or_else(|| "unknown".into(), |value| format!("{value:.1}"))
 }
 
 /// Lists the powers from the bearings to the fluid at the speed of the model.

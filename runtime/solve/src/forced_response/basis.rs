@@ -5,7 +5,10 @@ use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
 /// A mode has inertia if its frequency is at most this multiple of the highest harmonic's.
-const DYNAMIC: f64 = 6.0;
+pub(super) const DYNAMIC: f64 = 6.0;
+/// The same if all coordinates are requested: the power balance of a part of the system omits the
+/// inertia of the other modes.
+pub(super) const DYNAMIC_COORDINATES: f64 = 15.0;
 
 /// Modes of the mean stiffness, those with inertia first.
 pub(super) struct Basis {
@@ -19,11 +22,12 @@ pub(super) struct Basis {
 
 impl Basis {
     /// Determines the modes of the mean of all samples of a stiffness for vibrations up to a
-    /// frequency, rad/s. `None` if the mass is not positive definite or an entry is not finite.
-    pub fn of(mass: &DMatrix<f64>, stiffness: &[DMatrix<f64>], highest: f64) -> Option<Basis> {
+    /// frequency, rad/s; those up to a multiple of it have inertia. `None` if the mass is not
+    /// positive definite or an entry is not finite.
+    pub fn of(mass: &DMatrix<f64>, stiffness: &[DMatrix<f64>], highest: f64, multiple: f64) -> Option<Basis> {
         let mean = stiffness.iter().sum::<DMatrix<f64>>() / stiffness.len().max(1) as f64;
         let (frequencies, shapes) = modes(mass, &mean)?;
-        let dynamic = frequencies.partition_point(|frequency| *frequency <= DYNAMIC * highest);
+        let dynamic = frequencies.partition_point(|frequency| *frequency <= multiple * highest);
         Some(Basis { frequencies, shapes, dynamic })
     }
 

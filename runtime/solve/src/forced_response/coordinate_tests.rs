@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 #[test]
 fn coordinates_agree_with_quantities() {
     let system = parametric(10);
-    for highest in [2.0, 0.02] {
+    for highest in [2.0, 0.01] {
         let forced = ForcedVibration::with_coordinates(&system, &coordinates(&system), highest);
         let forced = forced.expect("a finite system");
         assert_eq!(forced.natural_frequencies().len() < 2, highest < 1.0);
