@@ -103,6 +103,28 @@ fn derivatives_agree_with_differences_of_separate_runs() {
     }
 }
 
+/// Characteristic positions move with the distance of the axes, and with them the weights of a mean.
+#[test]
+fn means_follow_the_positions() {
+    let own = of(&solved(PAIR, &["distance"]), "distance").clone();
+    let mut instance = instance(PAIR);
+    let step = 1e-4 * own.param.scale();
+    let [below, above] = [-step, step].map(|by| {
+        instance.set_si("distance", own.param.value + by).expect("it is in range");
+        let results = instance.solve().expect("it is solved");
+        ["transmission_error", "pressure", "root_stress"]
+            .map(|output| results.summary_si(output).unwrap().mean)
+    });
+    for output in 0..3 {
+        let found = own.statistics[output].mean;
+        let expected = (above[output] - below[output]) / (2.0 * step);
+        assert!((found.value() / expected - 1.0).abs() < 1e-5, "{output}: {found:?}, not {expected}");
+        let at_positions: f64 = own.positions.iter().map(|row| row[output].value()).sum();
+        let plain = at_positions / own.positions.len() as f64;
+        assert!((plain / expected - 1.0).abs() > 1e-3, "{output}: the weights matter");
+    }
+}
+
 #[test]
 fn a_param_of_a_structure_is_labelled_and_accurate() {
     let results = solved(PAIR, &["modulus"]);
@@ -233,4 +255,18 @@ gears.sensitivity(\"squared\", \"torque\");
     let derivative = rows[0].derivative.expect("smooth");
     // In N*mm, the unit of the model, by N*m.
     assert!((derivative / (2.0 * 120.5e3 * 1e3) - 1.0).abs() < 1e-9, "{:?}", rows[0]);
+}
+
+/// An output that nobody requests may have no value next to the value of a param.
+#[test]
+fn outputs_without_request_do_not_matter() {
+    let text = "import gears;
+param r = 0.5 in 0.1 .. 1.0;
+output a := 3 * r;
+output bad := sqrt(r - 0.5);
+gears.sensitivity(\"a\", \"r\");
+";
+    let results = instance(text).solve().expect("it is calculated");
+    let rows = results.model_sensitivities().expect("derivatives").rows();
+    assert!((rows[0].derivative.expect("smooth") - 3.0).abs() < 1e-9, "{:?}", rows[0]);
 }

@@ -122,6 +122,8 @@ pub struct Sensitivity {
     pub kind: Kind,
     /// By position and output.
     pub positions: Vec<Vec<Derivative>>,
+    /// Of the means over the positions, by output.
+    pub means: Vec<Derivative>,
     /// Derivatives of the statistics, by output.
     pub statistics: Vec<StatisticDerivatives>,
     /// Reason why there are no derivatives, E0792; `positions` and `statistics` are empty then.
@@ -129,17 +131,17 @@ pub struct Sensitivity {
 }
 
 /// Differentiates the outputs of a model without an analysis with respect to each param. `at`
-/// computes the outputs with another value (SI) of the param of an index, `values` are the outputs.
+/// computes the outputs with another value (SI) of the param of an index, `values` are the outputs,
+/// of which some are `requested`.
 ///
 /// # Errors
 /// Those of `interrupt`.
 pub fn of_calculation(
     params: &[VariedParam],
-    values: &[Observed],
+    (values, requested): (&[Observed], &[bool]),
     at: impl Fn(usize, f64) -> Result<Vec<Observed>, EngineError>,
     interrupt: impl Fn() -> Result<(), EngineError>,
 ) -> Result<Vec<Sensitivity>, EngineError> {
-    let all = vec![true; values.len()];
     let of_param = |param: &VariedParam| {
         let differences = |stencil: &Stencil| {
             let beside = stencil.values().into_iter().map(|value| at(param.index, value).map(Some));
@@ -149,12 +151,13 @@ pub fn of_calculation(
                 param: param.clone(),
                 width: stencil.width(),
                 kind: Kind::SameStructures,
+                means: derivatives.clone(),
                 positions: vec![derivatives],
                 statistics: Vec::new(),
                 failure: None,
             })
         };
-        let found = narrowed(param, &all, differences, &interrupt)?;
+        let found = narrowed(param, requested, differences, &interrupt)?;
         let statistics = found.positions.iter().flatten().map(StatisticDerivatives::of_constant).collect();
         Ok(Sensitivity { statistics, ..found })
     };
@@ -206,6 +209,7 @@ pub(crate) fn narrowed(
         width: 0.0,
         kind: Kind::SameStructures,
         positions: Vec::new(),
+        means: Vec::new(),
         statistics: Vec::new(),
         failure: Some(failure()),
     }))
@@ -225,7 +229,9 @@ impl Sensitivity {
             }
             let square = errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64;
             for row in &mut self.positions {
-                row[output].error = row[output].error.max(square.sqrt());
+                let error = &mut row[output].error;
+                // An unknown derivative remains unknown.
+                *error = if error.is_nan() { *error } else { error.max(square.sqrt()) };
             }
         }
         self
@@ -251,7 +257,8 @@ impl Sensitivity {
 
     /// Replaces derivatives by those of another width that have smaller estimated errors.
     fn with_better(mut self, other: Sensitivity) -> Sensitivity {
-        for (own, other) in self.positions.iter_mut().flatten().zip(other.positions.into_iter().flatten()) {
+        let own = self.positions.iter_mut().flatten().chain(&mut self.means);
+        for (own, other) in own.zip(other.positions.into_iter().flatten().chain(other.means)) {
             if other.is_better_than(own) {
                 *own = other;
             }

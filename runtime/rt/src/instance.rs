@@ -504,9 +504,13 @@ impl Job {
             }
         }
         let calculated = calculate(&mut context)?;
-        let requested = context.host::<ModelHost>().and_then(|host| sensitivity_externs::requested(host));
+        let requested = context
+            .host::<ModelHost>()
+            .and_then(|host| Some((sensitivity_externs::requested(host)?, host.outputs.clone())));
         let derivatives = match (&calculated, requested) {
-            (Some(solved), Some(requested)) => again.differentiated(&requested.params, solved)?,
+            (Some(solved), Some((requested, outputs))) => {
+                again.differentiated(&requested, (solved, &outputs))?
+            }
             _ => Vec::new(),
         };
         let time = started.elapsed();

@@ -3,12 +3,14 @@
 use super::{AnalysisOptions, Event, Observer, Steps};
 use crate::observables::Observe;
 use crate::rows::StepRow;
+use crate::scene::Scene;
 use crate::sensitivity::{
     Kind, Neighbour, Neighbours, Sensitivity, SensitivityRequest, Stencil, VariedParam, narrowed,
     other_positions, statistics_of,
 };
 use crate::summary::mean_of;
-use calyx_model::observed::Observed;
+use calyx_model::observed::{Observed, OutputRequest};
+use calyx_model::position::Position;
 use calyx_model::structure_building::structure_keys;
 use calyx_numerics::error::EngineError;
 use calyx_solve::step::{ContactState, StepResult};
@@ -41,7 +43,8 @@ impl Steps<'_> {
             own.into_iter().any(|(output, _)| output.observes(|observed| observed == index))
         };
         let observed = (0..self.scene.observables.len()).map(of_observable).collect();
-        let base = Base { steps: self, rows, states, requested, observed };
+        let base = Base { steps: self, rows, states, requested, observed, values: Vec::new() };
+        let base = Base { values: base.values_in_state()?, ..base };
         let count = request.params.len();
         let begin = |index| observer.observe(Event::Differentiated { index, count });
         let found = base.sensitivities(&request, begin)?;
@@ -111,9 +114,23 @@ struct Base<'a, 's> {
     requested: Vec<bool>,
     /// Observables of these outputs.
     observed: Vec<bool>,
+    /// Outputs by position, solved in the states as those of neighbouring models are.
+    values: Vec<Vec<Observed>>,
 }
 
 impl Base<'_, '_> {
+    /// Solves the positions in their states of contact: their values differ from those of the
+    /// analysis by rounding, which must not appear as a kink.
+    fn values_in_state(&self) -> Result<Vec<Vec<Observed>>, EngineError> {
+        let solve = |position: usize| {
+            let state = self.states[position].as_ref();
+            let values = self.steps.outputs_in_state(position, state, &self.observed)?;
+            Ok(values.unwrap_or_else(|| self.rows[position].outputs.clone()))
+        };
+        let all = || (0..self.rows.len()).into_par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
+        self.steps.resources.install(all)
+    }
+
     /// Differentiates all outputs with respect to each requested param. `begin` receives the index
     /// of each param before its turn.
     ///
@@ -124,9 +141,6 @@ impl Base<'_, '_> {
         request: &SensitivityRequest,
         mut begin: impl FnMut(usize) -> Result<(), EngineError>,
     ) -> Result<Vec<Sensitivity>, EngineError> {
-        let mean = |output: usize, values: &[f64]| {
-            mean_of(&self.rows, &self.steps.outputs[output], self.steps.scene, values)
-        };
         let mut all = Vec::with_capacity(request.params.len());
         for (index, param) in request.params.iter().enumerate() {
             begin(index)?;
@@ -135,7 +149,7 @@ impl Base<'_, '_> {
             let mut found =
                 narrowed(param, &self.requested, differences, || self.steps.resources.interrupt.check())?;
             if found.failure.is_none() {
-                found.statistics = statistics_of(&self.rows, &found.positions, mean);
+                found.statistics = statistics_of(&self.rows, &found.positions, &found.means);
             }
             all.push(found);
         }
@@ -165,20 +179,61 @@ impl Base<'_, '_> {
         let solve = |position: usize| {
             let state = self.states[position].as_ref();
             let values = built.iter().map(|steps| steps.outputs_in_state(position, state, &self.observed));
-            let values = values.collect::<Result<Vec<_>, EngineError>>()?;
-            Ok(stencil.derivatives(&self.rows[position].outputs, &values))
+            values.collect::<Result<Vec<_>, EngineError>>()
         };
         let all = || (0..count).into_par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
-        let positions = options.resources.install(all)?;
+        let values = options.resources.install(all)?;
+        let of_position =
+            |(at, values): (&Vec<Observed>, &Vec<Option<Vec<Observed>>>)| stencil.derivatives(at, values);
+        let positions = self.values.iter().zip(&values).map(of_position).collect();
+        // Positions, and with them the weights of a mean, may move with the param.
+        let means: Vec<Option<Vec<Observed>>> = (0..models.len())
+            .map(|index| {
+                models[index].means(&values.iter().map(|row| row[index].as_ref()).collect::<Vec<_>>())
+            })
+            .collect();
+        let own: Vec<Option<&Vec<Observed>>> = self.values.iter().map(Some).collect();
+        let at = means_of(self.steps.scene, self.steps.positions, self.steps.outputs, &own);
+        let means = stencil.derivatives(&at.unwrap_or_default(), &means);
         Ok(Sensitivity {
             param: param.clone(),
             width: stencil.width(),
             kind: if same { Kind::SameStructures } else { Kind::ChangedStructures },
             positions,
+            means,
             statistics: Vec::new(),
             failure: None,
         })
     }
+}
+
+impl Neighbour {
+    /// Returns the means of the outputs from their values by position; `None` if one is unknown.
+    fn means(&self, values: &[Option<&Vec<Observed>>]) -> Option<Vec<Observed>> {
+        means_of(&self.scene, &self.positions, &self.outputs, values)
+    }
+}
+
+/// Returns the means over the positions by output, `values` being those of each position; `None` if
+/// one is unknown.
+fn means_of(
+    scene: &Scene,
+    positions: &[Position],
+    outputs: &[OutputRequest],
+    values: &[Option<&Vec<Observed>>],
+) -> Option<Vec<Observed>> {
+    let values: Vec<&Vec<Observed>> = values.iter().copied().collect::<Option<_>>()?;
+    let row = |position: &Position| StepRow {
+        position: position.clone(),
+        outputs: Vec::new(),
+        warnings: Vec::new(),
+    };
+    let rows: Vec<StepRow> = positions.iter().map(row).collect();
+    let mean = |(index, output): (usize, &OutputRequest)| {
+        let values: Vec<f64> = values.iter().map(|row| row[index].value).collect();
+        Observed::number(mean_of(&rows, output, scene, &values))
+    };
+    Some(outputs.iter().enumerate().map(mean).collect())
 }
 
 /// Plans and builds the analysis of a neighbouring model.

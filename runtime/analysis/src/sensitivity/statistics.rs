@@ -31,23 +31,16 @@ impl StatisticDerivatives {
     }
 }
 
-/// Returns the derivatives of the statistics by output from those by position and output. `mean`
-/// returns the mean of values at the positions of the output of an index.
+/// Returns the derivatives of the statistics by output from those by position and output, and from
+/// those of the means.
 pub(crate) fn of(
     rows: &[StepRow],
     derivatives: &[Vec<Derivative>],
-    mean: impl Fn(usize, &[f64]) -> f64,
+    means: &[Derivative],
 ) -> Vec<StatisticDerivatives> {
-    let of_output = |output: usize| {
+    let of_output = |(output, &mean): (usize, &Derivative)| {
         let all: Vec<Derivative> = derivatives.iter().map(|row| row[output]).collect();
         let (max, min) = (extreme(rows, output, &all, true), extreme(rows, output, &all, false));
-        let mean_of = |of: fn(&Derivative) -> f64| mean(output, &all.iter().map(of).collect::<Vec<f64>>());
-        let mean = Derivative {
-            sides: [mean_of(|one| one.sides[0]), mean_of(|one| one.sides[1])],
-            least: [0.0; 2],
-            error: mean_of(|one| one.error),
-            rounding: mean_of(|one| one.rounding),
-        };
         let peak_to_peak = Derivative {
             sides: [0, 1].map(|side| max.sides[side] - min.sides[side]),
             least: [0.0; 2],
@@ -56,7 +49,7 @@ pub(crate) fn of(
         };
         StatisticDerivatives { min, max, mean, peak_to_peak }
     };
-    (0..derivatives.first().map_or(0, Vec::len)).map(of_output).collect()
+    means.iter().enumerate().map(of_output).collect()
 }
 
 /// Returns the derivative of the largest or smallest value over the positions: that of the position

@@ -105,7 +105,9 @@ impl SensitivityTable {
             })
         };
         let mut all: Vec<Entry> = self.sensitivities.iter().enumerate().filter_map(entry).collect();
-        all.sort_by(|one, other| other.effect.abs().total_cmp(&one.effect.abs()));
+        // Unknown effects come last.
+        let size = |entry: &Entry| if entry.effect.is_nan() { -1.0 } else { entry.effect.abs() };
+        all.sort_by(|one, other| size(other).total_cmp(&size(one)));
         all
     }
 

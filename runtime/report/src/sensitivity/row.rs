@@ -141,7 +141,12 @@ impl DerivativeRow {
             return String::new();
         };
         let part = 100.0 * effect / value.abs();
-        if self.is_zero() || !part.is_finite() { String::new() } else { format!("{part:+.3}") }
+        match part {
+            _ if self.is_zero() || !part.is_finite() => String::new(),
+            // Fewer decimals would round to zero.
+            _ if part != 0.0 && part.abs() < 5e-4 => format!("{part:+.1e}"),
+            _ => format!("{part:+.3}"),
+        }
     }
 
     /// Returns remarks: a kink, structures that were built again, the error.
@@ -161,8 +166,10 @@ impl DerivativeRow {
         let relative = error / size(self.derivative_below).max(size(self.derivative_above));
         if self.is_zero() && error > 0.0 {
             all.push("zero within its error".to_owned());
-        } else if relative > SHOWN_ERROR {
-            all.push(format!("±{:.1} %", 100.0 * relative));
+        } else if self.derivative.is_some() && relative > SHOWN_ERROR {
+            let percent = 100.0 * relative;
+            let decimals = if percent < 0.1 { 2 } else { 1 };
+            all.push(format!("±{percent:.decimals$} %"));
         }
         all
     }

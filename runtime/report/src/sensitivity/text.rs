@@ -34,7 +34,8 @@ pub fn text(all: &SensitivityTable) -> String {
 
 fn table(all: &SensitivityTable, output: usize, statistic: Statistic) -> String {
     let unit = &all.outputs[output].unit;
-    let effect = if unit == "1" { "per +1 %".to_owned() } else { format!("per +1 % [{unit}]") };
+    let effect =
+        if unit.is_empty() || unit == "1" { "per +1 %".to_owned() } else { format!("per +1 % [{unit}]") };
     let head = ["  param", "unit", "value", "derivative", "", &effect, "in %", ""];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     for row in all.rows_of(output, statistic) {

@@ -13,7 +13,7 @@ use calyx_abi::{Cancel, Context, RuntimeError, Status, stack};
 use calyx_gears::calculation;
 use calyx_gears::host::ModelHost;
 use calyx_runtime::error::EngineError;
-use calyx_runtime::results::Solved;
+use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::sensitivity::{
     Neighbour, Neighbours, Sensitivity, SensitivityRequest, VariedParam, of_calculation,
 };
@@ -127,8 +127,8 @@ impl Job {
     /// Differentiates the outputs of a model without an analysis.
     pub(super) fn differentiated(
         self,
-        params: &[VariedParam],
-        solved: &Solved,
+        request: &SensitivityRequest,
+        (solved, outputs): (&Solved, &[OutputRequest]),
     ) -> Result<Vec<Sensitivity>, Error> {
         let (limits, cancel) = (self.limits, self.cancel.clone());
         let neighbours = ModelNeighbours { setup: self.setup, limits, cancel: cancel.clone() };
@@ -138,11 +138,12 @@ impl Job {
             built.map_err(|error| converted(&error))?;
             let host = context.host::<ModelHost>().ok_or_else(no_analysis)?;
             host.checking = false;
-            let calculated = calculation::calculate(host).map_err(|error| converted(&error.into()))?;
-            Ok(calculated.map(|solved| solved.row.outputs).unwrap_or_default())
+            Ok(calculation::values(host))
         };
+        let requested = request.differentiated(outputs);
         let interrupt = interrupt(cancel, limits);
-        let found = of_calculation(params, &solved.row.outputs, at, || interrupt.check());
+        let found =
+            of_calculation(&request.params, (&solved.row.outputs, &requested), at, || interrupt.check());
         found.map_err(|error| RuntimeError::new(error.code, error.message, error.help).into())
     }
 
