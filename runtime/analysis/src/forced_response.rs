@@ -5,23 +5,23 @@
 
 mod excitation;
 mod quantities;
+mod speeds;
 
-use crate::radiated_sound::{Lines, RadiatedSound, SoundModels, SoundTask, SurfaceMotion};
+use crate::radiated_sound::{RadiatedSound, SoundModels, SoundTask};
 use calyx_model::bearing::damping as bearing_damping;
 use calyx_model::fidelity::Fidelity;
-use calyx_model::ids::{BearingId, PairId};
+use calyx_model::ids::PairId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_solve::forced_response::sampling::Sampling;
-use calyx_solve::forced_response::{
-    Amplitudes, ForcedVibration, LinearQuantity, Motion, PeriodicSystem, Response, unknowns,
-};
+use calyx_solve::forced_response::{Amplitudes, ForcedVibration, LinearQuantity, PeriodicSystem, unknowns};
 use calyx_solve::system::System;
 use excitation::Excitation;
 use nalgebra::{Complex, DMatrix, DVector};
-use quantities::{Measure, Sample, label, linear, measures, sample};
+use quantities::{Sample, label, linear, measures, sample};
 use rayon::prelude::*;
+use speeds::Prepared;
 use std::f64::consts::TAU;
 
 /// Relative difference of the equilibrium after a period up to which it repeats, and of the mass
@@ -224,33 +224,6 @@ impl ForcedPoint {
     }
 }
 
-/// Returns the response at a ratio of the reference speed, NaN if there is none. `phases` are those
-/// of the first position by line, rad.
-fn response_at(vibration: &ForcedVibration, ratio: f64, phases: &[f64]) -> Response {
-    let nothing = Complex::new(f64::NAN, f64::NAN);
-    let mut found = vibration.response(ratio).unwrap_or_else(|| {
-        let quantities = vibration.static_values().iter().map(|values| vec![nothing; values.len()]);
-        let rest = vibration.response(0.0).and_then(|response| response.motion);
-        let unknown =
-            |vectors: &[DVector<Complex<f64>>]| vectors.iter().map(|own| own.map(|_| nothing)).collect();
-        let motion = rest.map(|motion| Motion {
-            displacements: unknown(&motion.displacements),
-            damping_forces: unknown(&motion.damping_forces),
-        });
-        Response { quantities: quantities.collect(), motion }
-    });
-    let turns: Vec<Complex<f64>> = phases.iter().map(|phase| Complex::from_polar(1.0, -phase)).collect();
-    for (value, turn) in found.quantities.iter_mut().flat_map(|values| values.iter_mut().zip(&turns)) {
-        *value *= turn;
-    }
-    if let Some(motion) = &mut found.motion {
-        for vectors in [&mut motion.displacements, &mut motion.damping_forces] {
-            vectors.iter_mut().zip(&turns).for_each(|(own, turn)| *own *= *turn);
-        }
-    }
-    found
-}
-
 /// Returns the highest frequency of a line over all speeds of a request and the speed of the scene,
 /// Hz; infinite if the request is rejected.
 pub(crate) fn highest_frequency(scene: &Mechanism, request: &ForcedResponseRequest) -> f64 {
@@ -325,26 +298,7 @@ pub(crate) fn forced_response(
         sample(system, &system.solve(time)?, &measures).ok_or_else(singular)
     };
     let compared = PLACES.map(|place| mesh.start + place * mesh.period);
-    let mut first = solve(compared[0])?;
-    let mut difference = difference(&first, &solve(compared[0] + excitation.period)?);
-    for &time in &compared[1..] {
-        if difference <= REPEATS {
-            break;
-        }
-        let state = solve(time)?;
-        let own = self::difference(&state, &solve(time + excitation.period)?);
-        if own < difference {
-            (first, difference) = (state, own);
-        }
-    }
-    if difference > VARIES {
-        let message = format!(
-            "the equilibrium differs by {:.1} % after a common period of all meshes, so the forced response is not periodic",
-            1e2 * difference
-        );
-        let help = "a forced response needs equal teeth, concentric gears and constant loads; use time integration for other models";
-        return Err(EngineError::new("E0774", message, help));
-    }
+    let (first, difference) = most_repeating(&solve, compared, excitation.period)?;
     let gyroscopic = system.gyroscopic_matrix(compared[0]);
     let damping = damping(system, compared[0])?;
     check_damping(&damping, &self::damping(system, compared[0] + LATER * excitation.period)?)?;
@@ -377,73 +331,66 @@ pub(crate) fn forced_response(
         let used: Vec<&Sample> = used.iter().map(|&index| &samples[index]).collect();
         let quantities: Vec<LinearQuantity> =
             (0..measures.len()).map(|k| linear(&used, measures[k], k)).collect();
-        let system = periodic(&used, sampling);
-        let vibration = match sound.is_some() {
-            true => ForcedVibration::with_coordinates(&system, &quantities, highest),
-            false => ForcedVibration::new(&system, &quantities, highest),
-        };
-        vibration.ok_or_else(singular)
+        speeds::vibration(&periodic(&used, sampling), &quantities, (highest, sound.is_some()))
     };
     let (coarse, kept) = sampling.every_second();
     let every: Vec<usize> = (0..sampling.count()).collect();
-    let vibrations = [prepared(sampling, &every)?, prepared(&coarse, &kept)?];
     let orders = excitation.orders.lines().map(|(order, _)| order as f64);
-    let phases: Vec<f64> = orders.map(|order| TAU * order * sampling.half_step()).collect();
     let lines = lines(&excitation, frequency / own);
-    let orders: Vec<f64> = lines.iter().map(|line| line.order).collect();
+    let prepared = Prepared {
+        vibrations: [prepared(sampling, &every)?, prepared(&coarse, &kept)?],
+        phases: orders.map(|order| TAU * order * sampling.half_step()).collect(),
+        lines: &lines,
+        measures: &measures,
+        own,
+    };
     let [lowest, highest] = request.speeds;
     let speed = |k: usize| lowest + (highest - lowest) * (k as f64 / (request.count - 1).max(1) as f64);
-    let mut speeds: Vec<f64> = (0..request.count).map(speed).collect();
-    speeds.extend(sound.is_some().then_some(own));
-    let point = |&speed: &f64| -> Result<(ForcedPoint, Vec<SurfaceMotion>), EngineError> {
-        resources.interrupt.check()?;
-        let ratio = speed / own;
-        let [fine, coarse] = [0, 1].map(|k| response_at(&vibrations[k], ratio, &phases));
-        let force = |bearing: BearingId, component: usize, line: usize| {
-            let is_it = |measure: &Measure| matches!(measure, Measure::BearingForce(other, axis) if *other == bearing && *axis == component);
-            let index = measures.iter().position(is_it)?;
-            fine.quantities.get(index)?.get(line).copied()
-        };
-        let frequencies: Vec<f64> = orders.iter().map(|order| order * speed).collect();
-        let motions = match (&sound, &fine.motion, &coarse.motion) {
-            (Some(sound), Some(fine), Some(coarse)) => sound
-                .vibrating()
-                .iter()
-                .map(|body| body.motion([fine, coarse], &force, &frequencies))
-                .collect(),
-            _ => Vec::new(),
-        };
-        let amplitudes = [&fine, &coarse].map(|response| &response.quantities[..]);
-        Ok((ForcedPoint::new(speed, amplitudes, vibrations[0].growth(ratio)), motions))
-    };
-    let all = || speeds.par_iter().map(point).collect::<Result<Vec<_>, _>>();
-    let (mut points, motions): (Vec<ForcedPoint>, Vec<Vec<SurfaceMotion>>) =
-        resources.install(all)?.into_iter().unzip();
-    points.truncate(request.count);
-    let sounds = match sound {
-        Some(sound) => {
-            let harmonic =
-                |line: &ResponseLine| Some(line.harmonic).filter(|&own| own > 0 && line.sideband == 0);
-            let harmonics: Vec<Option<usize>> = lines.iter().map(harmonic).collect();
-            let lines = Lines {
-                orders: &orders,
-                harmonics: &harmonics,
-                highest: task.highest_frequency,
-                caution: CAUTION,
-            };
-            sound.finish(system, &lines, (&speeds, &motions), resources)?.results.clone()
-        }
-        None => Vec::new(),
-    };
+    let speeds: Vec<f64> = (0..request.count).map(speed).collect();
+    let (points, sounds) = prepared.solve(system, speeds, (sound, task), resources)?;
+    let natural_frequencies = natural_frequencies(&prepared.vibrations[0]);
     Ok(ForcedResponse {
         body: scene.bodies[pair.bodies[0].0].name.clone(),
         lines,
-        natural_frequencies: natural_frequencies(&vibrations[0]),
+        natural_frequencies,
         difference,
         quantities: measures.iter().map(|measure| label(system, scene, *measure)).collect(),
         points,
         sounds,
     })
+}
+
+/// Returns the sample that repeats best after a period among those at some times, and its relative
+/// difference from the one a period later.
+///
+/// # Errors
+/// E0774: no sample repeats. Also those of a position.
+fn most_repeating(
+    solve: &impl Fn(f64) -> Result<Sample, EngineError>,
+    times: [f64; 4],
+    period: f64,
+) -> Result<(Sample, f64), EngineError> {
+    let mut first = solve(times[0])?;
+    let mut difference = difference(&first, &solve(times[0] + period)?);
+    for &time in &times[1..] {
+        if difference <= REPEATS {
+            break;
+        }
+        let state = solve(time)?;
+        let own = self::difference(&state, &solve(time + period)?);
+        if own < difference {
+            (first, difference) = (state, own);
+        }
+    }
+    if difference <= VARIES {
+        return Ok((first, difference));
+    }
+    let message = format!(
+        "the equilibrium differs by {:.1} % after a common period of all meshes, so the forced response is not periodic",
+        1e2 * difference
+    );
+    let help = "a forced response needs equal teeth, concentric gears and constant loads; use time integration for other models";
+    Err(EngineError::new("E0774", message, help))
 }
 
 /// Returns the natural frequencies, Hz. With carriers that rotate, the mean stiffness along ground
