@@ -36,7 +36,7 @@ pub(crate) struct Vibrating {
     coordinates: Vec<usize>,
     /// Bearing forces on the body: bearing, component, and the deflections by unit of each
     /// coordinate.
-    bearings: Vec<(BearingId, usize, Vec<(usize, f64)>)>,
+    bearings: Vec<BearingMotion>,
     /// False if forces act on the attachments other than those of linear bearings.
     input_is_known: bool,
     _room: MemoryReservation,
@@ -134,7 +134,7 @@ impl Vibrating {
             if !self.input_is_known {
                 return f64::NAN;
             }
-            let of_bearing = |(bearing, component, deflections): &(BearingId, usize, Vec<(usize, f64)>)| {
+            let of_bearing = |(bearing, component, deflections): &BearingMotion| {
                 let rate: c64 = deflections.iter().map(|(at, unit)| all[line][*at] * *unit).sum();
                 forces(*bearing, *component, line).map_or(f64::NAN, |force| power(force, rate))
             };
@@ -191,7 +191,8 @@ fn pattern(
     Ok(normal.into_iter().map(|value| value.re).collect())
 }
 
-type BearingMotions = Vec<(BearingId, usize, Vec<(usize, f64)>)>;
+/// Bearing, component along or about its axes, and deflections by unit of coordinates.
+type BearingMotion = (BearingId, usize, Vec<(usize, f64)>);
 
 /// Returns the deflections of the bearings on a body by unit of its coordinates, and whether all
 /// forces on its attachments are those of bearings with linear forces.
@@ -199,7 +200,7 @@ fn bearings(
     system: &System<'_>,
     attached: &[BodyId],
     coordinates: &[usize],
-) -> Result<(BearingMotions, bool), EngineError> {
+) -> Result<(Vec<BearingMotion>, bool), EngineError> {
     let scene = system.scene;
     let is_attached = |body: BodyId| attached.contains(&body);
     let (mut all, mut known) = (Vec::new(), true);
