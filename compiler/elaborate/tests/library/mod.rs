@@ -49,8 +49,20 @@ const ANY_DIMENSION: [(&str, &str); 4] =
     [("interpolate", "xs"), ("interpolate", "ys"), ("interpolate", "x"), ("column", "unit")];
 
 /// Functions that read tables from files.
-const OF_FILES: [&str; 7] =
-    ["read_table", "column", "nastran", "abaqus", "gmsh", "condensed_body", "attachment"];
+const OF_FILES: [&str; 12] = [
+    "read_table",
+    "column",
+    "nastran",
+    "abaqus",
+    "gmsh",
+    "condensed_body",
+    "attachment",
+    "opening",
+    "radiated_power",
+    "sound_power_level",
+    "radiation_efficiency",
+    "sound_pressure_level",
+];
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.

@@ -126,7 +126,6 @@ pub fn sample_of_gear_data(parameter: &str) -> Option<String> {
 pub const SAMPLES: &[(&str, &str, &str)] = &[
     ("mesh_part", "group", "\"walls\""),
     ("node_set", "name", "\"feet\""),
-    ("sound_pressure_level", "at", "1 m * e1"),
     ("node", "label", "\"1\""),
     ("nearest_node", "point", "0 mm * e1"),
     ("cylinder_region", "center", "0 mm * e1"),
