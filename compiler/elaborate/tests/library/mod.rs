@@ -197,8 +197,8 @@ fn is_number(ty: &TypeExpr) -> bool {
 }
 
 /// Functions that need a planetary set, a splined rim, axes that are not parallel, a dynamic
-/// analysis or bearings on their result; [`samples::SCENE`] has none of them.
-pub const NOT_IN_SCENE: [&str; 10] = [
+/// analysis, params or bearings on their result; [`samples::SCENE`] has none of them.
+pub const NOT_IN_SCENE: [&str; 11] = [
     "alignment_error",
     "shaft_angle_error",
     "shaft",
@@ -209,6 +209,7 @@ pub const NOT_IN_SCENE: [&str; 10] = [
     "spectrogram",
     "order_map",
     "transfer_function",
+    "sensitivity",
 ];
 
 /// Returns a model with one call.

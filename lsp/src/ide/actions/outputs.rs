@@ -6,6 +6,8 @@ use calyx_lang::analysis::NameKind;
 use calyx_lang::ast::{Bind, ExprKind, Stmt, StmtKind};
 use calyx_lang::diagnostic::Diagnostic;
 
+/// Observables that a body with teeth does not have.
+const OF_ELASTIC_BODIES: [&str; 3] = ["radiated_power", "sound_power_level", "radiation_efficiency"];
 /// Largest number of outputs offered for one model.
 const MOST_OUTPUTS: usize = 6;
 
@@ -65,7 +67,8 @@ pub(super) fn missing(asked: &ActionRequest, found: &mut Vec<Action>) {
             let observes = callable.result.as_deref().is_some_and(|result| result.starts_with("Observable"));
             let needed: Vec<_> = callable.parameters.iter().filter(|p| p.default.is_none()).collect();
             let [only] = needed.as_slice() else { continue };
-            if !observes || offered == MOST_OUTPUTS {
+            let is_special = OF_ELASTIC_BODIES.contains(&&*member.name);
+            if !observes || is_special || offered == MOST_OUTPUTS {
                 continue;
             }
             let holder = visible.iter().find(|known| {
