@@ -12,8 +12,8 @@ const SHOWN_ERROR: f64 = 1e-4;
 /// Param changes structures: value of [`DerivativeRow::structures`].
 const NEW: &str = "new";
 
-/// Row of the table: derivative of a statistic of an output with respect to a param, in the units of
-/// the model.
+/// Row of the table: derivative of a statistic of an output with respect to a param, in the units
+/// of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DerivativeRow {
     /// Name of the output.

@@ -1,5 +1,5 @@
-//! Derivatives of the functions of a design with respect to the variables, from the sensitivities of
-//! its load cases.
+//! Derivatives of the functions of a design with respect to the variables, from the sensitivities
+//! of its load cases.
 //!
 //! The derivatives of outputs with respect to params that change no structure are accurate to many
 //! digits, and take less time than two more solutions. Other params build structures again, and are
@@ -23,8 +23,8 @@ pub type CaseSlopes = BTreeMap<String, CaseValues>;
 pub type Slopes = Vec<Option<Vec<f64>>>;
 
 impl Problem {
-    /// Returns whether the functions of a design are linear in the outputs of its load cases, so that
-    /// derivatives of the outputs give theirs.
+    /// Returns whether the functions of a design are linear in the outputs of its load cases, so
+    /// that derivatives of the outputs give theirs.
     pub(super) fn is_linear_in_outputs(&self) -> bool {
         let whole = self.over_cases == Measure::Worst;
         whole && (self.samples().is_none() || self.over_samples == Measure::Worst)
@@ -83,8 +83,8 @@ impl Evaluator<'_> {
     }
 }
 
-/// Returns the derivatives of `outputs`, which are among all outputs by `names`, with respect to each
-/// param that changes no structure and for which all of them are known.
+/// Returns the derivatives of `outputs`, which are among all outputs by `names`, with respect to
+/// each param that changes no structure and for which all of them are known.
 pub fn of_results(sensitivities: &[Sensitivity], names: &[&str], outputs: &[String]) -> CaseSlopes {
     let exact = sensitivities.iter().filter(|own| own.failure.is_none() && own.kind == Kind::SameStructures);
     let slopes = |own: &Sensitivity| {

@@ -1,6 +1,6 @@
-//! State of contact of a solved position: which cells of which patches carry force. Within one state,
-//! the solution depends smoothly on all data, so that derivatives exist; they have kinks where the
-//! state changes.
+//! State of contact of a solved position: which cells of which patches carry force. Within one
+//! state, the solution depends smoothly on all data, so that derivatives exist; they have kinks
+//! where the state changes.
 
 use super::StepResult;
 use std::ops::Range;
@@ -30,8 +30,8 @@ pub struct GridState {
 }
 
 impl GridState {
-    /// Returns by patch the cells whose influence coefficients matter: those that carry force, their
-    /// neighbours, which take part in the tangent stiffness, and `observed` ones.
+    /// Returns by patch the cells whose influence coefficients matter: those that carry force,
+    /// their neighbours, which take part in the tangent stiffness, and `observed` ones.
     pub(super) fn wanted(&self, observed: impl Fn(usize) -> Vec<Range<usize>>) -> Vec<Vec<bool>> {
         let mut first = 0;
         let mut of_patch = |(index, patch): (usize, &PatchCells)| {
