@@ -103,7 +103,8 @@ fn derivatives_agree_with_differences_of_separate_runs() {
     }
 }
 
-/// Characteristic positions move with the distance of the axes, and with them the weights of a mean.
+/// Characteristic positions move with the distance of the axes, and with them the weights of a
+/// mean.
 #[test]
 fn means_follow_the_positions() {
     let own = of(&solved(PAIR, &["distance"]), "distance").clone();

@@ -408,8 +408,8 @@ pub(crate) const ERRORS: &str = "errors";
 pub enum Event<'a> {
     /// The scene is planned and has passed the restraint check.
     Planned(&'a Plan),
-    /// A stage begins: `structures`, `positions`, `forced response` if the scene requests it (before
-    /// `positions` if outputs are values of it), or, if errors are estimated, `errors`.
+    /// A stage begins: `structures`, `positions`, `forced response` if the scene requests it
+    /// (before `positions` if outputs are values of it), or, if errors are estimated, `errors`.
     Stage(&'static str),
     /// The tolerance search tries a setting.
     SearchProgress(&'a SearchProgress),

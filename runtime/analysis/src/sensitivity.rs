@@ -122,7 +122,7 @@ pub struct Sensitivity {
     pub kind: Kind,
     /// By position and output.
     pub positions: Vec<Vec<Derivative>>,
-    /// Of the means over the positions, by output.
+    /// Derivatives of the means over the positions, by output.
     pub means: Vec<Derivative>,
     /// Derivatives of the statistics, by output.
     pub statistics: Vec<StatisticDerivatives>,
@@ -237,8 +237,8 @@ impl Sensitivity {
         self
     }
 
-    /// Returns the largest estimated error of a derivative of the `requested` outputs beyond rounding,
-    /// relative to the largest derivative of its output over all positions.
+    /// Returns the largest estimated error of a derivative of the `requested` outputs beyond
+    /// rounding, relative to the largest derivative of its output over all positions.
     fn largest_relative_error(&self, requested: &[bool]) -> f64 {
         let of_output = |output: usize| {
             let all = || self.positions.iter().map(move |row| &row[output]);

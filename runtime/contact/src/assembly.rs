@@ -85,14 +85,11 @@ pub fn compliance(
         Entries::All => None,
         Entries::Changed(former) => Some(former),
         Entries::Between(wanted) => {
-            let kept: Vec<Vec<Cell>> =
-                patches.iter().zip(wanted).map(|(patch, wanted)| kept(patch.cells, wanted)).collect();
-            let reduced: Vec<PatchCells> = patches
-                .iter()
-                .zip(&kept)
-                .map(|(patch, cells)| PatchCells { cells: cells.as_slice(), ..*patch })
-                .collect();
-            return Ok(spread(&compliance(&reduced, Entries::All, interrupt)?, wanted));
+            let cells: Vec<&[Cell]> = patches.iter().map(|patch| patch.cells).collect();
+            return between(&cells, wanted, |kept| {
+                let reduced = patches.iter().zip(kept).map(|(patch, cells)| PatchCells { cells, ..*patch });
+                compliance(&reduced.collect::<Vec<_>>(), Entries::All, interrupt)
+            });
         }
     };
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();
@@ -103,13 +100,22 @@ pub fn compliance(
     })
 }
 
-/// Returns the cells that are wanted.
-pub(crate) fn kept<C: Clone>(cells: &[C], wanted: &[bool]) -> Vec<C> {
-    cells.iter().zip(wanted).filter(|(_, wanted)| **wanted).map(|(cell, _)| cell.clone()).collect()
+/// Computes the entries between `wanted` cells, see [`Entries::Between`]. `compliance` returns the
+/// matrix of the patches with these cells only.
+pub(crate) fn between<C: Clone>(
+    cells: &[&[C]],
+    wanted: &[Vec<bool>],
+    compliance: impl FnOnce(&[Vec<C>]) -> Result<Vec<f64>, EngineError>,
+) -> Result<Vec<f64>, EngineError> {
+    let of_patch = |(cells, wanted): (&&[C], &Vec<bool>)| -> Vec<C> {
+        cells.iter().zip(wanted).filter(|(_, wanted)| **wanted).map(|(cell, _)| cell.clone()).collect()
+    };
+    let kept: Vec<Vec<C>> = cells.iter().zip(wanted).map(of_patch).collect();
+    Ok(spread(&compliance(&kept)?, wanted))
 }
 
 /// Returns the matrix of all cells from that of the wanted ones, see [`Entries::Between`].
-pub(crate) fn spread(reduced: &[f64], wanted: &[Vec<bool>]) -> Vec<f64> {
+fn spread(reduced: &[f64], wanted: &[Vec<bool>]) -> Vec<f64> {
     let all: Vec<bool> = wanted.iter().flatten().copied().collect();
     let places: Vec<usize> = (0..all.len()).filter(|&cell| all[cell]).collect();
     let (n, k) = (all.len(), places.len());

@@ -83,8 +83,8 @@ struct Setup {
     bodies: bool,
     parts: bool,
     component_loads: bool,
-    /// Indices of the params with respect to which outputs are differentiated; `None`: those that the
-    /// model requests.
+    /// Indices of the params with respect to which outputs are differentiated; `None`: those that
+    /// the model requests.
     sensitivities: Option<Vec<usize>>,
     /// Names of the outputs whose derivatives the program requests; empty for all.
     differentiated_outputs: Vec<String>,

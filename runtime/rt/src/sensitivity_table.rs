@@ -5,7 +5,8 @@ use calyx_report::sensitivity::SensitivityTable;
 use calyx_report::sweep::{Column, Statistics};
 
 impl Results {
-    /// Returns the derivatives that the model requests with `gears.sensitivity`; `None` without any.
+    /// Returns the derivatives that the model requests with `gears.sensitivity`; `None` without
+    /// any.
     pub fn model_sensitivities(&self) -> Option<SensitivityTable> {
         let is_requested = self.are_derivatives_of_model() && !self.sensitivities().is_empty();
         is_requested.then(|| self.sensitivity_table(self.differentiated().to_vec()))

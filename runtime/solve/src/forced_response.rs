@@ -200,8 +200,8 @@ fn one_sided(order: i64) -> f64 {
     if order == 0 { 1.0 } else { 2.0 }
 }
 
-/// Returns the number of unknowns of a system up to a speed relative to the reference speed, with or
-/// without the vibration of all coordinates; `None` if a matrix is invalid.
+/// Returns the number of unknowns of a system up to a speed relative to the reference speed, with
+/// or without the vibration of all coordinates; `None` if a matrix is invalid.
 pub fn unknowns(system: &PeriodicSystem, highest: f64, coordinates: bool) -> Option<usize> {
     let highest = highest_frequency(system, highest);
     let basis = Basis::of(&system.mass, &system.stiffness, highest, multiple(coordinates))?;

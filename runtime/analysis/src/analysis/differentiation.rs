@@ -75,7 +75,8 @@ impl Steps<'_> {
     }
 
     /// Solves a position in a state of contact, or finds the state without a given one. Returns the
-    /// outputs; `None` if the state cannot be kept. `observed` are the observables that are evaluated.
+    /// outputs; `None` if the state cannot be kept. `observed` are the observables that are
+    /// evaluated.
     fn outputs_in_state(
         &self,
         position: usize,

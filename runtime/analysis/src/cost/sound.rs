@@ -7,8 +7,8 @@ use crate::scene::Scene;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::BodyId;
 
-/// Time of the integrals of a pair of triangles, in logarithms. Measured: 1.4 s of one thread for 1,112 triangles
-/// on a machine with 8.9 nanoseconds per logarithm.
+/// Time of the integrals of a pair of triangles, in logarithms. Measured: 1.4 s of one thread for
+/// 1,112 triangles on a machine with 8.9 nanoseconds per logarithm.
 const LOGARITHMS_PER_PAIR: f64 = 250.0;
 /// Time of an entry of the kernel of the Rayleigh integral, in logarithms.
 const LOGARITHMS_PER_ENTRY: f64 = 1.0;

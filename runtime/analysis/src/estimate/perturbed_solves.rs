@@ -294,8 +294,8 @@ impl BaseAnalysis<'_, '_> {
         Ok(besides)
     }
 
-    /// Computes the sound of a system if outputs are values of it. The bodies in the fluid are those
-    /// of the analysis.
+    /// Computes the sound of a system if outputs are values of it. The bodies in the fluid are
+    /// those of the analysis.
     fn prepare_sound(&self, system: &System<'_>, plan: &Plan) -> Result<(), EngineError> {
         let requests = &self.scene.sounds;
         let request = self.scene.forced_response.as_ref().filter(|_| !requests.is_empty());

@@ -238,8 +238,8 @@ pub trait Observe {
         self.values_of(step, fidelity, observables, &vec![true; observables.len()])
     }
 
-    /// Evaluates the `wanted` observables at a solved position, as [`Observe::values`] does; NaN for
-    /// the others.
+    /// Evaluates the `wanted` observables at a solved position, as [`Observe::values`] does; NaN
+    /// for the others.
     fn values_of(
         &self,
         step: &StepResult,

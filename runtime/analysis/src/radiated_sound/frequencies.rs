@@ -96,7 +96,7 @@ impl Probe<'_> {
     }
 }
 
-/// What solves the field of a body at a frequency.
+/// Solver of the field of a body at a frequency.
 struct Solver<'a> {
     body: &'a Vibrating,
     model: RadiationModel,

@@ -113,8 +113,8 @@ impl Vibrating {
     }
 
     /// Returns the motion of the surface from the vibrations of all coordinates with all positions
-    /// and with every second one, the bearing forces by bearing, component and line, and the angular frequency of each line,
-    /// rad/s.
+    /// and with every second one, the bearing forces by bearing, component and line, and the
+    /// angular frequency of each line, rad/s.
     pub fn motion(
         &self,
         [fine, coarse]: [&Motion; 2],

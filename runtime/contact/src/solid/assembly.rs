@@ -10,7 +10,7 @@ use super::image::{Images, PlacedMirror};
 use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
 use super::strips::add_influence;
-use crate::assembly::{Entries, is_symmetric, kept, spread, symmetric_of_blocks};
+use crate::assembly::{Entries, between, is_symmetric, symmetric_of_blocks};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::Chart;
@@ -43,9 +43,11 @@ pub struct PatchCells<'a> {
 }
 
 /// Computes A, row-major, with the cells in the order of the patches: growth of a cell's average
-/// gap per force on a cell, m/N. Each block has checkpoints. Between
-/// wanted cells, images at curved side faces are those of all cells only if the slices at the ends
-/// are wanted as a whole.
+/// gap per force on a cell, m/N. Each block has checkpoints.
+///
+/// The images at curved side faces depend on the slices at the ends of a patch. With
+/// [`Entries::Between`], the entries are therefore those of the whole matrix only if all cells of
+/// these slices are wanted.
 ///
 /// # Errors
 /// Those of the interrupt.
@@ -58,14 +60,11 @@ pub fn compliance(
         Entries::All => None,
         Entries::Changed(former) => Some(former),
         Entries::Between(wanted) => {
-            let kept: Vec<Vec<Cell>> =
-                patches.iter().zip(wanted).map(|(patch, wanted)| kept(patch.cells, wanted)).collect();
-            let reduced: Vec<PatchCells> = patches
-                .iter()
-                .zip(&kept)
-                .map(|(patch, cells)| PatchCells { cells: cells.as_slice(), ..*patch })
-                .collect();
-            return Ok(spread(&compliance(&reduced, Entries::All, interrupt)?, wanted));
+            let cells: Vec<&[Cell]> = patches.iter().map(|patch| patch.cells).collect();
+            return between(&cells, wanted, |kept| {
+                let reduced = patches.iter().zip(kept).map(|(patch, cells)| PatchCells { cells, ..*patch });
+                compliance(&reduced.collect::<Vec<_>>(), Entries::All, interrupt)
+            });
         }
     };
     let sizes: Vec<usize> = patches.iter().map(|patch| patch.cells.len()).collect();

@@ -93,6 +93,7 @@ impl Press {
                 // The start of the search must not change a bit of the solution.
                 let cold = solve_until(&problem, None, &never).expect("it is well posed");
                 assert_eq!(cold.forces, solution.forces);
+                check_entries_in_contact(&patch, &grid, &problem, &solution.active);
                 return Pressed { grid, pressures, solution };
             }
             let [width, length] = grid.extent.map(|extent| self.fitted.then_some(extent));
@@ -100,6 +101,25 @@ impl Press {
             options.length = recommended[1].or(options.length).or(length);
         }
         panic!("the grid does not settle");
+    }
+}
+
+/// Entries between the cells in contact and those of the slices at the ends are those of the whole
+/// matrix, apart from rounding: the terms of distant cells cancel, so that it is relative to the
+/// diagonal.
+fn check_entries_in_contact(patch: &PatchCells, grid: &Grid, problem: &ContactProblem, active: &[usize]) {
+    let n = grid.cells.len();
+    let mut wanted = vec![false; n];
+    active.iter().for_each(|&cell| wanted[cell] = true);
+    let ends = [grid.slices.first(), grid.slices.last()].into_iter().flatten();
+    ends.for_each(|slice| wanted[slice.cells.clone()].fill(true));
+    let some = compliance(&[*patch], Entries::Between(&[wanted.clone()]), &Interrupt::never());
+    let some = some.expect("no interrupt");
+    for (entry, (some, all)) in some.iter().zip(&problem.compliance).enumerate() {
+        if wanted[entry / n] && wanted[entry % n] {
+            let diagonal = problem.compliance[entry / n * (n + 1)];
+            assert!((some - all).abs() < 1e-13 * diagonal, "{} {}: {some:e} {all:e}", entry / n, entry % n);
+        }
     }
 }
 

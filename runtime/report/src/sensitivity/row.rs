@@ -9,6 +9,9 @@ use serde::{Deserialize, Serialize, Serializer};
 /// Relative error above which a derivative shows its error.
 const SHOWN_ERROR: f64 = 1e-4;
 
+/// Relative error above which a difference is no derivative: the output jumps, or is noise.
+const UNCERTAIN: f64 = 0.1;
+
 /// Param changes structures: value of [`DerivativeRow::structures`].
 const NEW: &str = "new";
 
@@ -169,7 +172,8 @@ impl DerivativeRow {
         } else if self.derivative.is_some() && relative > SHOWN_ERROR {
             let percent = 100.0 * relative;
             let decimals = if percent < 0.1 { 2 } else { 1 };
-            all.push(format!("±{percent:.decimals$} %"));
+            let cause = if relative > UNCERTAIN { "a jump or noise, " } else { "" };
+            all.push(format!("{cause}±{percent:.decimals$} %"));
         }
         all
     }

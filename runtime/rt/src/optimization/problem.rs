@@ -123,7 +123,11 @@ pub(crate) fn parse_range(
             shown(param, low),
             shown(param, high)
         );
-        return Err(refused(message, "give the lower bound first"));
+        let help = match low == high {
+            true => "give different bounds, or the value of the param in [params]",
+            false => "give the lower bound first",
+        };
+        return Err(refused(message, help));
     }
     let initial = match initial {
         Some(value) => number(value)?,

@@ -44,7 +44,7 @@ fn the_damping_force_has_the_closed_form() {
     }
 }
 
-/// The mean power of the varying spring is what dampers and modal damping dissipate.
+/// The mean power of the varying spring equals the power that dampers and modal damping dissipate.
 #[test]
 fn the_varying_stiffness_provides_what_is_dissipated() {
     let system = parametric(24);

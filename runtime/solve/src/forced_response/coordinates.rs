@@ -12,11 +12,11 @@ pub struct Motion {
     /// Displacements by line, in the units of the coordinates.
     pub displacements: Vec<DVector<Complex<f64>>>,
     /// Forces of the modal damping on the coordinates by line, against their velocities: their
-    /// power is what the damping ratio dissipates.
+    /// power is dissipated.
     pub damping_forces: Vec<DVector<Complex<f64>>>,
 }
 
-/// What turns modal coordinates into all coordinates.
+/// Transformation of modal coordinates into all coordinates.
 pub(super) struct Coordinates {
     with_inertia: DMatrix<f64>,
     without_inertia: DMatrix<f64>,

@@ -233,8 +233,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         candidates.iter().zip(grids).map(cells).collect()
     }
 
-    /// Returns the state of contact that is given for the grids of an index, if their patches are the
-    /// same.
+    /// Returns the state of contact that is given for the grids of an index, if their patches are
+    /// the same.
     fn given_state(&self, index: usize, patches: &[PatchCells]) -> Option<&GridState> {
         self.under.state?.grids.get(index).filter(|given| given.patches == patches)
     }
