@@ -252,8 +252,6 @@ fn known_solutions_are_found() {
     }
 }
 
-/// An interrupted optimization knows its designs, with the numbers of their searches, and
-/// continues.
 /// The journal contains the derivatives at which SLSQP has asked for them, of each load case.
 #[test]
 fn gradients_are_those_of_the_formula() {
@@ -277,6 +275,8 @@ fn gradients_are_those_of_the_formula() {
     assert!(count >= 4, "{count}");
 }
 
+/// An interrupted optimization knows its designs, with the numbers of their searches, and
+/// continues.
 #[test]
 fn interrupted_optimizations_know_their_designs() {
     let Known { model, study, .. } = &KNOWN[1];

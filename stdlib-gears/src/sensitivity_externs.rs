@@ -20,10 +20,15 @@ calyx_abi::externs! {
 /// numbers.
 ///
 /// # Errors
-/// E0775: there is no such output. E0792: there is no derivative with respect to the param.
+/// E0775: there is no such output. E0792: the output or the param has no derivative.
 pub fn check(host: &ModelHost) -> Result<(), RuntimeError> {
     for RequestedSensitivity { output, param, place } in &host.requested_sensitivities {
         check_output(host, ("output", output), *place)?;
+        if observes_response(host, output) {
+            let message = format!("`{output}` is a value of the forced response, which has no derivatives");
+            let error = refusal("E0792", "output", &message, "compare runs with `calyx sweep`");
+            return Err(RuntimeError { place: Some(*place), ..error });
+        }
         let Some(message) = without_derivative(host, param) else { continue };
         let continuous = host.params.iter().filter(|param| param.is_continuous());
         let names: Vec<&str> = continuous.map(|param| param.name.as_str()).collect();
@@ -34,6 +39,13 @@ pub fn check(host: &ModelHost) -> Result<(), RuntimeError> {
         return Err(RuntimeError { place: Some(*place), ..refusal("E0792", "param", &message, &help) });
     }
     Ok(())
+}
+
+fn observes_response(host: &ModelHost, name: &str) -> bool {
+    let of_response = |index: usize| {
+        host.scene.observables.get(index).is_some_and(|observable| observable.is_of_forced_response())
+    };
+    host.outputs.iter().filter(|output| output.name == name).any(|output| output.observes(of_response))
 }
 
 /// Returns why there is no derivative with respect to a param of a name; `None` if there is one.

@@ -204,8 +204,8 @@ class Model:
                 vectors and arrays are lists. Threads of the run call them one at a time.
             sensitivities: Names of params with respect to which outputs are differentiated, see
                 `Results.sensitivities`. Without names, those that the model requests.
-            sensitivities_of: Names of the outputs to differentiate, which takes less time; without
-                names, all.
+            sensitivities_of: Names of the outputs that `sensitivities` differentiates; fewer take
+                less time. Without names, all.
 
         Raises:
             ParamError: a param, unit or setting is wrong, or a value is out of range.
@@ -272,8 +272,9 @@ class Model:
             RunError: no derivative with respect to a param exists.
         """
         names = [str(name) for name in (params if by is None else by)]
-        # An objective is an output, or an output with a statistic.
-        of = (objective, objective.rpartition(".")[0])
+        # An objective is an output, or an output with a statistic. Elements of arrays are known after
+        # the run.
+        of = [name for name in (objective, objective.rpartition(".")[0]) if name in self._outputs]
         results = self.run(params, sensitivities=names, sensitivities_of=of, **options)
         return results.value(objective), results.gradient(objective)
 

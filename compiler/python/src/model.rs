@@ -164,8 +164,8 @@ impl Model {
         // Without names, the requests of the model remain.
         if !options.sensitivities.is_empty() {
             let requested = instance.request_sensitivities(&options.sensitivities);
+            let requested = requested.and_then(|()| instance.limit_sensitivities(options.sensitivities_of));
             requested.map_err(|error| errors::of_run(py, &self.module, &error))?;
-            instance.limit_sensitivities(options.sensitivities_of);
         }
         let positions = keep_positions(&mut instance);
         let callbacks = Callbacks { progress: options.progress, print: options.print };

@@ -123,11 +123,7 @@ impl Sensitivities {
         let requested =
             if self.to.is_empty() { all_params(instance.description())? } else { self.to.clone() };
         instance.request_sensitivities(&requested)?;
-        instance.limit_sensitivities(self.of.iter().cloned());
-        // The names of array elements are known after the run.
-        if instance.description().declared_outputs.is_empty() {
-            self.of.iter().try_for_each(|name| instance.output(name.as_str()).map(drop))?;
-        }
+        instance.limit_sensitivities(self.of.iter().cloned())?;
         instance.set_cancel(interrupt::flag());
         Ok(instance)
     }

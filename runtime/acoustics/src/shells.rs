@@ -81,13 +81,20 @@ impl ShellSkin {
         }
         orient(&mut shells)?;
         let rims = loops(&free).unwrap_or_default();
+        let opening_of = |rim: &Vec<usize>| {
+            openings.iter().position(|opening| rim.iter().all(|node| opening.contains(node)))
+        };
+        // Rims that touch, or that no opening has as a whole, cannot be closed.
+        let others: Vec<_> = rims.iter().filter(|rim| opening_of(rim).is_none()).cloned().collect();
+        if !others.is_empty() || (rims.is_empty() && !free.is_empty()) {
+            return Err(ShellProblem::Open { rims: others, edges: free.len() });
+        }
         let mut origins: Vec<Vec<usize>> = (0..nodes.len()).map(|node| vec![node]).collect();
         let mut points = nodes.to_vec();
         let directed: BTreeSet<[usize; 2]> = shells.iter().flat_map(edges).collect();
         let mut closed: Vec<usize> = vec![0; openings.len()];
         for rim in &rims {
-            let index = openings.iter().position(|opening| rim.iter().all(|node| opening.contains(node)));
-            closed[index.unwrap_or(0)] += 1;
+            closed[opening_of(rim).unwrap_or_default()] += 1;
             let centre = points.len();
             let sum = rim.iter().fold([0.0; 3], |sum, &node| plus(sum, nodes[node]));
             points.push(scaled(sum, 1.0 / rim.len() as f64));

@@ -53,6 +53,13 @@ fn shells_are_closed_over_named_openings() {
         ShellProblem::Open { rims, edges } => assert_eq!((rims.len(), rims[0].len(), edges), (1, 8, 8)),
         other => panic!("{other:?}"),
     }
+    // Two openings have the rim only together.
+    let ([x, y, z], [far, ..]) = window;
+    let halves = [0.0, 1.0].map(|from| within(&nodes, [x, y + from, z], [far, y + from + 1.0, z]));
+    match ShellSkin::new(&nodes, &open, &halves, None).err().expect("no opening has the whole rim") {
+        ShellProblem::Open { rims, .. } => assert_eq!((rims.len(), rims[0].len()), (1, 8)),
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]
@@ -65,7 +72,7 @@ fn ribs_and_inner_parts_are_left_out() {
     let low = nodes.iter().fold([f64::INFINITY; 3], |low, at| [0, 1, 2].map(|k: usize| low[k].min(at[k])));
     // A rib on the top, along its middle.
     for k in 0..3 {
-        let foot = |k: usize| [low[0] + k as f64 + 0.0, low[1] + 2.0, low[2] + 4.0];
+        let foot = |k: usize| [low[0] + k as f64, low[1] + 2.0, low[2] + 4.0];
         let (a, b) = (at(&nodes, foot(k)), at(&nodes, foot(k + 1)));
         let high = |[x, y, z]: Vector| [x, y, z + 1.0];
         let index = nodes.len();

@@ -83,7 +83,7 @@ pub struct SensitivityRequest {
     pub neighbours: Arc<dyn Neighbours>,
     /// The params.
     pub params: Vec<VariedParam>,
-    /// Names of the outputs to differentiate; empty for all. The derivatives of others are NaN.
+    /// Names of the outputs to differentiate; empty for all. Those of others may be NaN.
     pub outputs: Vec<String>,
 }
 

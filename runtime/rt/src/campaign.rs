@@ -91,6 +91,8 @@ impl Campaign {
             }),
             directory: directory.clone(),
             given: self.given.clone(),
+            // The time of a setting is that of its positions.
+            without_derivatives: true,
             quiet: true,
             progress: ProgressFormat::Human,
             print_to_error: true,

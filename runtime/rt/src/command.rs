@@ -74,6 +74,7 @@ impl RunCommand<'_> {
             }),
             directory: directory.clone(),
             given,
+            without_derivatives: false,
             quiet: arguments.quiet || silent,
             progress: arguments.progress,
             print_to_error: arguments.json,

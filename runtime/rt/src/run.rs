@@ -3,7 +3,7 @@
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::gear_data;
-use crate::instance::Instance;
+use crate::instance::{Instance, NO_PARAMS};
 use crate::param_assignment::ParamAssignment;
 use crate::power_flow;
 use crate::program::Program;
@@ -44,6 +44,8 @@ pub struct RunOptions {
     pub directory: PathBuf,
     /// Values assigned to params; the last one of a name counts.
     pub given: Vec<ParamAssignment>,
+    /// Leaves out the derivatives that the model requests.
+    pub without_derivatives: bool,
     /// Suppresses all output except errors and the text that the program prints.
     pub quiet: bool,
     /// Format of the progress display; `quiet` suppresses the human-readable one.
@@ -126,6 +128,9 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let mut instance = Instance::new(&options.engine, program.clone());
     for given in &options.given {
         instance.give(given).map_err(RunError::Run)?;
+    }
+    if options.without_derivatives {
+        instance.request_sensitivities(NO_PARAMS).map_err(RunError::Run)?;
     }
     instance.limit_time(options.time_limit);
     instance.limit_memory(options.memory_limit);

@@ -37,7 +37,12 @@ impl Steps<'_> {
         let mut states = resolved.collect::<Result<Vec<_>, EngineError>>()?;
         states.append(&mut self.states);
         let rows = self.solved.iter().map(|solved| solved.row.clone()).collect();
-        let requested = request.differentiated(self.outputs);
+        let of_response = |index: usize| {
+            self.scene.observables.get(index).is_some_and(|observable| observable.is_of_forced_response())
+        };
+        let requested = request.differentiated(self.outputs).into_iter().zip(self.outputs);
+        let requested: Vec<bool> =
+            requested.map(|(requested, output)| requested && !output.observes(of_response)).collect();
         let of_observable = |index: usize| {
             let own = self.outputs.iter().zip(&requested).filter(|(_, requested)| **requested);
             own.into_iter().any(|(output, _)| output.observes(|observed| observed == index))
@@ -240,7 +245,5 @@ fn means_of(
 /// Plans and builds the analysis of a neighbouring model.
 fn of_neighbour<'n>(model: &'n Neighbour, options: &AnalysisOptions) -> Result<Steps<'n>, EngineError> {
     let Neighbour { scene, positions, outputs } = model;
-    let mut steps = Steps::new(scene, positions, outputs, options)?;
-    steps.prepare()?;
-    Ok(steps)
+    Steps::new(scene, positions, outputs, options)
 }

@@ -14,8 +14,8 @@ const LOGARITHMS_PER_PAIR: f64 = 250.0;
 const LOGARITHMS_PER_ENTRY: f64 = 1.0;
 /// Assumed number of component modes with pseudo-modes.
 const MODES: f64 = 60.0;
-/// Number of frequencies per wavelength across the body, and those at low frequencies. Measured: 29
-/// for a body of 0.4 wavelengths at the mesh frequency and 1.9 at its highest harmonic.
+/// Number of frequencies per wavelength across the body, and those at low frequencies. The number
+/// adapts to the body; these fit bodies of one to two wavelengths.
 const PER_WAVELENGTH: f64 = 7.0;
 const LOW_FREQUENCIES: f64 = 14.0;
 

@@ -159,6 +159,11 @@ pub trait Observable: Comparable + Debug + Send + Sync {
         None
     }
 
+    /// Returns whether the value is one of the forced response, which has no derivatives.
+    fn is_of_forced_response(&self) -> bool {
+        false
+    }
+
     /// Returns the index of its mode, from 0: vibrations need inertia and a sufficient number of
     /// modes.
     fn mode(&self) -> Option<usize> {

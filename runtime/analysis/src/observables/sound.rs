@@ -38,6 +38,10 @@ pub struct SoundPower {
 }
 
 impl Observable for SoundPower {
+    fn is_of_forced_response(&self) -> bool {
+        true
+    }
+
     fn quantity(&self) -> Quantity {
         Quantity::repeating("radiated_power", "W")
     }
@@ -63,6 +67,10 @@ pub struct SoundPowerLevel {
 }
 
 impl Observable for SoundPowerLevel {
+    fn is_of_forced_response(&self) -> bool {
+        true
+    }
+
     fn quantity(&self) -> Quantity {
         Quantity::repeating("sound_power_level", "1")
     }
@@ -83,6 +91,10 @@ fn own(at: &Equilibrium<'_>, sound: usize, value: impl Fn(&RadiatedSound) -> f64
 pub struct RadiationEfficiency(pub usize);
 
 impl Observable for RadiationEfficiency {
+    fn is_of_forced_response(&self) -> bool {
+        true
+    }
+
     fn quantity(&self) -> Quantity {
         Quantity::repeating("radiation_efficiency", "1")
     }
@@ -108,6 +120,10 @@ pub struct SoundPressureLevel {
 }
 
 impl Observable for SoundPressureLevel {
+    fn is_of_forced_response(&self) -> bool {
+        true
+    }
+
     fn quantity(&self) -> Quantity {
         Quantity::repeating("sound_pressure_level", "1")
     }

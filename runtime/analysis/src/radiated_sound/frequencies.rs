@@ -239,8 +239,9 @@ impl Field {
 
     /// Returns the pressures at the points, Pa.
     pub fn pressures(&self, frequency: f64, velocities: &[c64]) -> Vec<c64> {
+        // Without velocities there is nothing to solve.
         if self.solutions.is_empty() || self.distances.is_empty() {
-            return Vec::new();
+            return vec![c64::new(0.0, 0.0); self.distances.len()];
         }
         let rows = self.interpolated(frequency, |solution| &solution.pressures);
         let turned = |(value, distance): (c64, &f64)| {
@@ -332,11 +333,24 @@ fn products(rows: &Mat<c64>, amplitudes: &[c64]) -> Vec<c64> {
     (0..rows.nrows()).map(row).collect()
 }
 
-/// Returns the first grid of frequencies, with both ends of a range.
-fn grid([low, high]: [f64; 2], step: f64) -> Vec<f64> {
+/// Returns the first grid of frequencies, with both ends of a range. Its distances are larger than a
+/// step if there would be too many.
+fn grid(range: [f64; 2], step: f64) -> Vec<f64> {
+    let mut step = step;
+    loop {
+        let all = stepped(range, step);
+        // Half of the frequencies are for the middles of the intervals.
+        if all.len() <= MOST / 2 {
+            return all;
+        }
+        step *= 1.5;
+    }
+}
+
+fn stepped([low, high]: [f64; 2], step: f64) -> Vec<f64> {
     let mut all = vec![low];
     let mut at = low;
-    while at < high && all.len() < MOST / 2 {
+    while at < high {
         at = (at * RATIO).min(at + step).min(high);
         // The last interval is not much shorter than the others.
         if high - at < 0.3 * (RATIO * at - at).min(step) {
@@ -370,6 +384,15 @@ mod tests {
                 assert!(pair[1] > pair[0] && pair[1] <= 1.31 * RATIO * pair[0]);
                 assert!(pair[1] - pair[0] <= 1.31 * step, "{found:?}");
             }
+        }
+    }
+
+    #[test]
+    fn the_first_grid_of_a_wide_range_has_both_ends_and_room_for_the_middles() {
+        for (range, step) in [([100.0, 5000.0], 55.0), ([1e-3, 2e4], 10.0)] {
+            let found = grid(range, step);
+            assert_eq!((found[0], found[found.len() - 1]), (range[0], range[1]));
+            assert!(found.len() <= MOST / 2, "{}", found.len());
         }
     }
 }

@@ -91,8 +91,12 @@ impl Vibrating {
         let first = system.connection_modes().into_iter();
         let first = first.filter(|(other, _)| std::ptr::eq(*other, condensed)).map(|(_, first)| first).next();
         let unknowns = shapes.displacements.len() - shapes.eigenvalues.len();
+        let first = match condensed.modes.count() {
+            0 => 0,
+            _ => first.ok_or_else(lost)?,
+        };
         for mode in 0..condensed.modes.count() {
-            coordinates.push(system.dofs.len() + system.modes.count() + first.unwrap_or(0) + mode);
+            coordinates.push(system.dofs.len() + system.modes.count() + first + mode);
             moved.push(vec![(unknowns + mode, 1.0)]);
         }
         let room = resources.interrupt.reserve_memory((8 * triangles * coordinates.len()) as u64)?;

@@ -256,7 +256,7 @@ impl RadiatedSound {
         }
         if radiated > 0.0 {
             all.push(format!(
-                "\"{name}\" radiates up to {:.0} % of the power that its damping dissipates, so the sound itself would damp it: the computed power is an upper bound; include the damping by the fluid in `damping_ratio`",
+                "\"{name}\" radiates up to {:.0} % of the power that its damping dissipates, so the sound itself would damp it: the computed power is too high at resonances; include the damping by the fluid in `damping_ratio`",
                 1e2 * radiated / dissipated
             ));
         }

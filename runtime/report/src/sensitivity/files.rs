@@ -11,12 +11,32 @@ pub const SENSITIVITIES: &str = "sensitivities.csv";
 /// File name of the derivatives by position.
 pub const SENSITIVITIES_BY_POSITION: &str = "sensitivities_by_position.csv";
 
+/// Columns of the table: the fields of [`DerivativeRow`].
+const COLUMNS: [&str; 14] = [
+    "output",
+    "statistic",
+    "value",
+    "unit",
+    "param",
+    "param_value",
+    "param_unit",
+    "derivative",
+    "derivative_below",
+    "derivative_above",
+    "derivative_unit",
+    "estimated_error",
+    "effect_of_1_percent",
+    "structures",
+];
+
 /// Writes a row per statistic of an output and param.
 ///
 /// # Errors
 /// The file cannot be written.
 pub fn write_table(path: &Path, all: &SensitivityTable) -> io::Result<()> {
-    let mut table = csv::Writer::from_path(path)?;
+    // A table without rows has its head, too.
+    let mut table = csv::WriterBuilder::new().has_headers(false).from_path(path)?;
+    table.write_record(COLUMNS)?;
     for row in all.rows() {
         table.serialize(row)?;
     }

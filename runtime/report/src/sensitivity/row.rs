@@ -156,7 +156,7 @@ impl DerivativeRow {
     pub fn remarks(&self) -> Vec<String> {
         let mut all = Vec::new();
         if self.derivative.is_none() {
-            all.push("the state of contact changes next to this value".to_owned());
+            all.push("contact changes next to this value, or a value of a forced response".to_owned());
         }
         if self.is_kink() {
             all.push("kink".to_owned());

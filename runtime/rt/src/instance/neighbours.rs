@@ -49,10 +49,21 @@ impl Instance {
     }
 
     /// Limits the derivatives that [`Instance::request_sensitivities`] requests to the outputs of
-    /// some names, which takes less time; those of others are NaN. Without names, all outputs are
+    /// some names, which takes less time; those of others may be NaN. Without names, all outputs are
     /// differentiated.
-    pub fn limit_sensitivities<S: Into<String>>(&mut self, outputs: impl IntoIterator<Item = S>) {
-        self.setup.differentiated_outputs = outputs.into_iter().map(Into::into).collect();
+    ///
+    /// # Errors
+    /// There is no such output. The names of array elements are known after the run only.
+    pub fn limit_sensitivities<S: Into<String>>(
+        &mut self,
+        outputs: impl IntoIterator<Item = S>,
+    ) -> Result<(), Error> {
+        let outputs: Vec<String> = outputs.into_iter().map(Into::into).collect();
+        if self.description().declared_outputs.is_empty() {
+            outputs.iter().try_for_each(|name| self.output(name.as_str()).map(drop))?;
+        }
+        self.setup.differentiated_outputs = outputs;
+        Ok(())
     }
 }
 

@@ -82,10 +82,11 @@ impl Evaluator<'_> {
         if let Some(known) = known.filter(|known| by.iter().all(|name| known.by.contains(name))) {
             return Ok(Some(known.slopes));
         }
-        if prepared.instance.request_sensitivities(by).is_err() {
+        let requested = prepared.instance.request_sensitivities(by);
+        let outputs = self.outputs.iter().cloned();
+        if requested.and_then(|()| prepared.instance.limit_sensitivities(outputs)).is_err() {
             return Ok(None);
         }
-        prepared.instance.limit_sensitivities(self.outputs.iter().cloned());
         let Ok(results) = solved(&prepared.instance)? else { return Ok(None) };
         let names: Vec<&str> =
             results.description().outputs.iter().map(|output| output.name.as_str()).collect();
