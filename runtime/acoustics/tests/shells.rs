@@ -56,7 +56,7 @@ fn shells_are_closed_over_named_openings() {
     // Two openings have the rim only together.
     let ([x, y, z], [far, ..]) = window;
     let halves = [0.0, 1.0].map(|from| within(&nodes, [x, y + from, z], [far, y + from + 1.0, z]));
-    match ShellSkin::new(&nodes, &open, &halves, None).err().expect("no opening has the whole rim") {
+    match ShellSkin::new(&nodes, &open, &halves, None).expect_err("no opening has the whole rim") {
         ShellProblem::Open { rims, .. } => assert_eq!((rims.len(), rims[0].len()), (1, 8)),
         other => panic!("{other:?}"),
     }
