@@ -1,9 +1,15 @@
 //! Derivatives of outputs with respect to params: agreement with high-precision differences of
 //! separate runs, closed forms, kinks, and errors.
 
-use calyx::rt::Results;
+use calyx::rt::run_directory::{Kind as DirectoryKind, RunDirectory};
+use calyx::rt::sensitivity_journal::{SENSITIVITY_JOURNAL, SensitivityJournal};
+use calyx::rt::{Cancel, Results};
 use calyx::{Engine, EngineConfig, Instance, Module};
 use calyx_runtime::sensitivity::{Kind, Sensitivity};
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+use tempfile::TempDir;
 
 /// A pair of spur gears, with a load, a flank modification, a position of an axis and a property of
 /// a structure as params.
@@ -192,6 +198,51 @@ fn derivatives_do_not_depend_on_the_number_of_threads() {
         format!("{:?}", instance.solve().unwrap().sensitivities())
     };
     assert_eq!(sensitivities(1), sensitivities(3));
+}
+
+/// Returns an instance that stores derivatives in a directory, which it locks.
+fn storing(directory: &Path, params: &[&str]) -> Instance {
+    let mut instance = instance(PAIR);
+    instance.request_sensitivities(params.iter().copied()).unwrap();
+    let locked = RunDirectory::lock(directory, DirectoryKind::Sensitivities, false).unwrap();
+    let journal = SensitivityJournal::of_instance(&instance, Arc::new(locked), &[]).unwrap();
+    instance.store_sensitivities(Arc::new(journal));
+    instance
+}
+
+#[test]
+fn interrupted_derivatives_continue_to_the_same_bits() {
+    let directory = TempDir::new().unwrap();
+    let params = ["torque", "relief", "distance"];
+    let mut interrupted = storing(directory.path(), &params);
+    let cancel = Cancel::default();
+    interrupted.set_cancel(cancel.clone());
+    interrupted.on_progress(move |now| {
+        if now.stage == "sensitivities" && now.done == 1 {
+            cancel.cancel();
+        }
+    });
+    assert!(interrupted.solve().is_err());
+    drop(interrupted);
+    let stored = || fs::read_to_string(directory.path().join(SENSITIVITY_JOURNAL)).unwrap();
+    let first = stored();
+    assert_eq!(first.lines().count(), 2, "a head and the torque");
+
+    let shown = |results: &Results| format!("{:?}", results.sensitivities());
+    let continued = storing(directory.path(), &params);
+    let found = shown(&continued.solve().unwrap());
+    drop(continued);
+    assert_eq!(found, shown(&solved(PAIR, &params)));
+    let all = stored();
+    assert!(all.starts_with(&first) && all.lines().count() == 4, "{all}");
+    let again = storing(directory.path(), &params);
+    assert_eq!(shown(&again.solve().unwrap()), found);
+    drop(again);
+    assert_eq!(stored(), all, "nothing is computed again");
+
+    let mut other = storing(directory.path(), &["torque"]);
+    other.set("torque", "21 N*m").unwrap();
+    assert_eq!(other.solve().unwrap().sensitivities()[0].param.value, 21.0);
 }
 
 #[test]

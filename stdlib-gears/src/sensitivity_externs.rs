@@ -5,6 +5,7 @@ use crate::host::{ModelHost, RequestedSensitivity};
 use crate::signal_externs::check_output;
 use calyx_abi::RuntimeError;
 use calyx_runtime::sensitivity::SensitivityRequest;
+use std::collections::BTreeSet;
 
 calyx_abi::externs! {
     Scene fn calyx_gears_sensitivity(context, output: String, param: String) -> () {
@@ -65,11 +66,18 @@ pub fn requested(host: &ModelHost) -> Option<SensitivityRequest> {
     if host.analysis.sensitivities.is_some() {
         return host.analysis.sensitivities.clone();
     }
-    let SensitivityRequest { neighbours, params, .. } = host.differentiable.as_ref()?;
+    let SensitivityRequest { neighbours, params, store, .. } = host.differentiable.as_ref()?;
     let is_requested = |name: &str| host.requested_sensitivities.iter().any(|own| own.param == name);
     let params: Vec<_> = params.iter().filter(|param| is_requested(&param.name)).cloned().collect();
     let outputs = host.requested_sensitivities.iter().map(|own| own.output.clone()).collect();
-    (!params.is_empty()).then(|| SensitivityRequest { neighbours: neighbours.clone(), params, outputs })
+    let (neighbours, store) = (neighbours.clone(), store.clone());
+    (!params.is_empty()).then(|| SensitivityRequest { neighbours, params, outputs, store })
+}
+
+/// Returns the number of params with respect to which the model requests derivatives.
+pub fn params_of_derivatives(host: &ModelHost) -> usize {
+    let params: BTreeSet<&str> = host.requested_sensitivities.iter().map(|own| own.param.as_str()).collect();
+    params.len()
 }
 
 /// Returns the indices of the outputs that are differentiated, in order.

@@ -35,6 +35,12 @@ impl PlannedCost {
         self.search.as_ref().map_or(self.analysis.time(), |(_, search)| search.most)
     }
 
+    /// Returns the time of a run of a study, s: it does not compute the derivatives that the model
+    /// requests.
+    pub fn time_in_study(&self) -> f64 {
+        self.time() - if self.search.is_none() { self.analysis.derivatives.time } else { 0.0 }
+    }
+
     /// Returns the peak memory use, bytes.
     pub fn memory(&self) -> f64 {
         let candidates = self.search.iter().flat_map(|(_, search)| &search.candidates);
@@ -59,6 +65,7 @@ impl PlannedCost {
             of_forced_response,
             sounds,
             errors,
+            derivatives,
         } = &self.analysis;
         let mut lines = vec!["Predicted for this machine, without cached structures".to_owned()];
         for (bodies, cost) in structures {
@@ -94,6 +101,12 @@ impl PlannedCost {
         }
         if self.estimates != Estimates::None {
             lines.push(format!("\"{}\" error estimates: {}", self.estimates.name(), seconds(errors.time)));
+        }
+        if derivatives.time > 0.0 {
+            lines.push(format!(
+                "derivatives: {}; params that change structures take longer",
+                seconds(derivatives.time)
+            ));
         }
         lines.push(format!("total {}, peak memory {}", seconds(self.time()), bytes(self.memory())));
         lines

@@ -7,6 +7,7 @@ use crate::planned_sound;
 use crate::shown::{grouped, in_unit, of_thousands, rounded};
 use calyx_abi::description::ModelDescription;
 use calyx_gears::host::{LengthUnit, ModelHost};
+use calyx_gears::sensitivity_externs::params_of_derivatives;
 use calyx_lang::dimension::Dimension;
 use calyx_lang::units::UnitSystem;
 use calyx_report::view::content;
@@ -74,6 +75,7 @@ pub struct PlannedWork {
     estimates: Estimates,
     highest_frequency: f64,
     tolerance: Option<f64>,
+    differentiated: usize,
 }
 
 impl PlannedWork {
@@ -91,6 +93,7 @@ impl PlannedWork {
             estimates: host.asked.map_or(Estimates::None, |asked| asked.estimates),
             highest_frequency: host.asked.map_or(0.0, |asked| asked.highest_frequency),
             tolerance: host.asked.and_then(|asked| asked.tolerance),
+            differentiated: params_of_derivatives(host),
         }
     }
 
@@ -136,6 +139,7 @@ impl PlannedWork {
             in_time: self.in_time,
             estimates: self.estimates,
             highest_frequency: self.highest_frequency,
+            differentiated: self.differentiated,
         }
     }
 

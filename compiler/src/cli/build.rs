@@ -17,7 +17,8 @@ pub const EXAMPLES: &str = "Examples:
   CC=clang calyx build pair.cx
   calyx build pair.cx --bundle                 needs no linker; the executable is as large as calyx
 
-Exit status: 0 if everything was built, 1 if the model has errors or cannot be built, 2 for wrong usage of the command.";
+Exit status: 0 if everything was built, 1 if the model has errors or cannot be built, 2 for wrong
+usage of the command.";
 
 /// Kind of output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

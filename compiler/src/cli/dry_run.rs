@@ -27,7 +27,7 @@ fn time_of(file: &Path, sweep: &Sweep, case: &Case, allowed: &Arc<[PathBuf]>, ra
     let (given, overrides) = sweep.given_in(case);
     let checked = check_run_within(file, allowed, &given, overrides, None).ok()?;
     // A model without an analysis takes no time.
-    Some(checked.plan.filter(|_| checked.refused.is_none())?.cost(rates).time())
+    Some(checked.plan.filter(|_| checked.refused.is_none())?.cost(rates).time_in_study())
 }
 
 /// Prints the cases. Each is planned, which solves nothing, to predict its time on this machine.

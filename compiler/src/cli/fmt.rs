@@ -15,8 +15,8 @@ pub const EXAMPLES: &str = "Examples:
   calyx fmt --check models
   calyx fmt --stdin < pair.cx
 
-Exit status: 0 on success, 1 if a file has syntax errors or, with --check, is not formatted, 2 for wrong
-usage of the command.";
+Exit status: 0 on success, 1 if a file has syntax errors or, with --check, is not formatted, 2 for
+wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Fmt {

@@ -25,7 +25,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 pub const EXAMPLES: &str = "\
-The study file has variables with their ranges, an objective, and usually constraints and load cases:
+The study file has variables with their ranges, an objective, and usually constraints and load
+cases:
 
   objective = \"min transmission_error.peak_to_peak\"
   constraints = [\"max_contact_pressure <= 200 ksi\"]
@@ -57,11 +58,11 @@ Examples:
   calyx optimize pair.cx study.toml                    continues after an interruption
   calyx run pair.cx --params pair.cx.optimum/optimum.toml
 
-Constraints hold in every load case. Estimates of errors are not computed, unless --error-estimates asks for them: run the optimum
-with them afterwards.
+Constraints hold in every load case. Estimates of errors are not computed, unless --error-estimates
+asks for them: run the optimum with them afterwards.
 
-Exit status: 0 if an optimum was found that meets all constraints, 1 if not or after an interruption, 2 for wrong usage of the
-command.";
+Exit status: 0 if an optimum was found that meets all constraints, 1 if not or after an
+interruption, 2 for wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Optimize {

@@ -34,7 +34,8 @@ A params file, case.toml:
   torque = 500              # in the unit of the param's default
   tip_radius = \"0.5 mm\"
 
-Exit status: 0 if the results were written, 1 if the model or its analysis failed, 2 for wrong usage of the command.";
+Exit status: 0 if the results were written, 1 if the model or its analysis failed, 2 for wrong usage
+of the command.";
 
 #[derive(Args)]
 pub struct Run {

@@ -12,12 +12,14 @@ use calyx::rt::run_directory::{DirectoryError, Kind, RunDirectory};
 use calyx::rt::sensitivity::{
     SENSITIVITIES, SENSITIVITIES_BY_POSITION, SensitivityTable, text, write_positions, write_table,
 };
+use calyx::rt::sensitivity_journal::SensitivityJournal;
 use calyx::rt::settings_override::OverrideArguments;
 use calyx::rt::{
     Error, Instance, InvalidParam, ModelDescription, ParamAssignment, Results, RunError, interrupt,
 };
 use calyx::{Module, check_run_within};
 use calyx_runtime::estimate::Estimates;
+use calyx_runtime::sensitivity::is_named;
 use clap::Args;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -29,17 +31,19 @@ Examples:
   calyx sensitivities pair.cx --of transmission_error --to torque --to tip_relief
   calyx sensitivities pair.cx --set torque=500 --fidelity plane
 
-Without `--to`, outputs are differentiated with respect to all params that take decimal numbers. A model with an analysis in time or
-a tolerance search has no derivatives: give a fidelity level for the latter.
+Without `--to`, outputs are differentiated with respect to all params that take decimal numbers. A
+model with an analysis in time or a tolerance search has no derivatives: give a fidelity level for
+the latter. Derivatives of an interrupted command, or of former params, are not computed again.
 
-Exit status: 0 if the results were written, 1 if the model or its analysis failed or after an interruption, 2 for wrong usage of the
-command.";
+Exit status: 0 if the results were written, 1 if the model or its analysis failed or after an
+interruption, 2 for wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Sensitivities {
     /// The model (.cx file)
     file: PathBuf,
-    /// Show derivatives of this output only; may be repeated [default: all outputs]
+    /// Show derivatives of this output, or of all elements of an array; may be repeated [default: all
+    /// outputs]
     #[arg(long, value_name = "OUTPUT")]
     of: Vec<String>,
     /// Differentiate with respect to this param; may be repeated [default: all that take decimal numbers]
@@ -57,8 +61,9 @@ pub struct Sensitivities {
     allow: AllowPath,
     /// Directory for the results [default: the model's file name with the suffix .sensitivities]
     ///
-    /// Contains sensitivities.html, sensitivities.csv (derivatives of the statistics of outputs) and
-    /// sensitivities_by_position.csv.
+    /// Contains sensitivities.html, sensitivities.csv (derivatives of the statistics of outputs),
+    /// sensitivities_by_position.csv, and sensitivities.jsonl, from which the same command continues
+    /// after an interruption.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write to a directory that contains other files
@@ -91,19 +96,25 @@ impl Sensitivities {
             Ok(compiled) => compiled,
             Err(status) => return status,
         };
-        let instance = match self.instance(&module, &given) {
+        let mut instance = match self.instance(&module, &given) {
             Ok(instance) => instance,
             Err(error) => return failed(format, &module, RunError::Run(error)),
         };
         let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".sensitivities"));
         let locked = RunDirectory::lock(&directory, Kind::Sensitivities, self.force).and_then(|locked| {
             let listed = locked.claim_all([SENSITIVITIES, SENSITIVITIES_BY_POSITION, page::NAME]);
-            listed.map(|()| locked).map_err(|error| DirectoryError::Io { path: directory.clone(), error })
+            listed
+                .map(|()| Arc::new(locked))
+                .map_err(|error| DirectoryError::Io { path: directory.clone(), error })
         });
         let locked = match locked {
             Ok(locked) => locked,
             Err(error) => return format.directory(&error),
         };
+        match SensitivityJournal::of_instance(&instance, locked.clone(), &self.of) {
+            Ok(journal) => instance.store_sensitivities(Arc::new(journal)),
+            Err(error) => return failed(format, &module, RunError::Run(error)),
+        }
         match self.solve(instance).and_then(|results| Ok((self.shown(&results)?, results))) {
             Ok((shown, results)) => self.report(&results.sensitivity_table(shown), &locked),
             Err(error) => failed(format, &module, RunError::Run(error)),
@@ -145,7 +156,15 @@ impl Sensitivities {
         if self.of.is_empty() {
             return Ok((0..results.description().outputs.len()).collect());
         }
-        self.of.iter().map(|name| results.output(name.as_str()).map(|output| output.index())).collect()
+        let outputs = &results.description().outputs;
+        let of_name = |name: &String| -> Result<Vec<usize>, Error> {
+            let elements: Vec<usize> =
+                (0..outputs.len()).filter(|&index| is_named(&outputs[index].name, name)).collect();
+            // Neither an output nor an array: the message lists the outputs.
+            if elements.is_empty() { Ok(vec![results.output(name.as_str())?.index()]) } else { Ok(elements) }
+        };
+        let shown = self.of.iter().map(of_name).collect::<Result<Vec<_>, Error>>()?;
+        Ok(shown.into_iter().flatten().collect())
     }
 
     /// Writes the results and prints the table.

@@ -16,10 +16,12 @@ Examples:
   calyx studio pair.cx --no-browser --port 8080
   calyx studio pair.cx --listen 192.168.1.20
 
-Runs are stored in pair.cx.studio/run-0001 and so on; pair.cx.studio/session.json has the values of the form. Nothing is overwritten.
+Runs are stored in pair.cx.studio/run-0001 and so on; pair.cx.studio/session.json has the values of
+the form. Nothing is overwritten.
 
-The printed address includes a token that every request needs. The server listens on this computer only, unless --listen names another
-address. Connections are not encrypted: on a remote computer, forward the port with `ssh -L 8080:localhost:8080 HOST`.
+The printed address includes a token that every request needs. The server listens on this computer
+only, unless --listen names another address. Connections are not encrypted: on a remote computer,
+forward the port with `ssh -L 8080:localhost:8080 HOST`.
 
 Ctrl-C ends the server and the runs that it started.
 

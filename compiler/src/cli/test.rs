@@ -22,8 +22,9 @@ A test is a function without parameters that asserts:
       assert(abs(area(2 mm) - pi * 1 mm^2) < 1e-12 mm^2);
   }
 
-It sees functions, constants, records and params (at their defaults), not the variables of the model, and runs on its own.
-Nothing is solved. Exit status: 0 if all tests passed, 1 if one failed, 2 for wrong usage of the command.";
+It sees functions, constants, records and params (at their defaults), not the variables of the
+model, and runs on its own. Nothing is solved. Exit status: 0 if all tests passed, 1 if one failed,
+2 for wrong usage of the command.";
 
 #[derive(Args)]
 pub struct Test {

@@ -28,12 +28,14 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 pub const EXAMPLES: &str = "\
-Every setting is a separate run below runs/ in the results directory, with the same params and positions and without cached
-structures. The error of a setting is its largest deviation from the reference at any position, divided by the largest magnitude of
-the output in the reference run; for settings with fewer positions, the deviation of extremes and mean. The reference is the finest level
-within --longest, with contact grids twice as fine and, if that is within --longest too, a finer mesh than any other setting. Settings whose mesh
-is not coarser than that of the reference are marked: their errors exclude the mesh error. No figure includes the error of the
-reference itself: a model that agrees with it to 1 % has an error of up to 1 % plus that of the reference.
+Every setting is a separate run below runs/ in the results directory, with the same params and
+positions and without cached structures. The error of a setting is its largest deviation from the
+reference at any position, divided by the largest magnitude of the output in the reference run; for
+settings with fewer positions, the deviation of extremes and mean. The reference is the finest level
+within --longest, with contact grids twice as fine and, if that is within --longest too, a finer
+mesh than any other setting. Settings whose mesh is not coarser than that of the reference are
+marked: their errors exclude the mesh error. No figure includes the error of the reference itself: a
+model that agrees with it to 1 % has an error of up to 1 % plus that of the reference.
 
 Examples:
   calyx tradeoff pair.cx                                results go to pair.cx.tradeoff
@@ -43,7 +45,8 @@ Examples:
 
 Then run with the recommended settings, e.g. calyx run pair.cx --fidelity plane --contact-cells 12.
 
-Exit status: 0 if the comparison was written, 1 if the model or all levels failed, 2 for wrong usage of the command.";
+Exit status: 0 if the comparison was written, 1 if the model or all levels failed, 2 for wrong usage
+of the command.";
 
 #[derive(Args)]
 pub struct Tradeoff {
@@ -260,7 +263,7 @@ impl Tradeoff {
                         continue;
                     }
                 };
-                let time = cost.time();
+                let time = cost.time_in_study();
                 let longest = self.longest.as_secs_f64();
                 let reason = match budget::available() {
                     _ if time > longest => {

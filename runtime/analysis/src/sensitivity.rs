@@ -21,6 +21,7 @@ use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
 use std::fmt::{self, Debug, Formatter};
+use std::io;
 use std::sync::Arc;
 
 /// Widths of differences, relative to the scale of the param, in the order in which they are tried.
@@ -53,6 +54,19 @@ pub trait Neighbours: Send + Sync {
     fn at(&self, param: usize, value: f64) -> Result<Neighbour, EngineError>;
 }
 
+/// Storage of derivatives by param, from which an interrupted analysis continues.
+pub trait SensitivityStore: Send + Sync {
+    /// Returns the stored derivatives with respect to a param at its value; `None` without any. The
+    /// derivatives of statistics may be missing.
+    fn find(&self, param: &VariedParam) -> Option<Sensitivity>;
+
+    /// Stores the derivatives with respect to a param.
+    ///
+    /// # Errors
+    /// They cannot be written.
+    fn store(&self, found: &Sensitivity) -> io::Result<()>;
+}
+
 /// Param with respect to which outputs are differentiated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VariedParam {
@@ -83,16 +97,42 @@ pub struct SensitivityRequest {
     pub neighbours: Arc<dyn Neighbours>,
     /// The params.
     pub params: Vec<VariedParam>,
-    /// Names of the outputs to differentiate; empty for all. Those of others may be NaN.
+    /// Names of the outputs to differentiate, that of an array for all its elements; empty for all
+    /// outputs. Derivatives of others may be NaN.
     pub outputs: Vec<String>,
+    /// Where derivatives are stored as soon as they are found.
+    pub store: Option<Arc<dyn SensitivityStore>>,
 }
 
 impl SensitivityRequest {
     /// Returns for each output of a list whether it is differentiated.
     pub fn differentiated(&self, outputs: &[OutputRequest]) -> Vec<bool> {
-        let is_requested = |output: &OutputRequest| self.outputs.contains(&output.name);
+        let is_requested =
+            |output: &OutputRequest| self.outputs.iter().any(|name| is_named(&output.name, name));
         outputs.iter().map(|output| self.outputs.is_empty() || is_requested(output)).collect()
     }
+
+    /// Returns the stored derivatives with respect to a param.
+    pub(crate) fn find(&self, param: &VariedParam) -> Option<Sensitivity> {
+        self.store.as_ref()?.find(param)
+    }
+
+    /// Stores the derivatives with respect to a param, unless they failed.
+    pub(crate) fn store(&self, found: &Sensitivity) -> Result<(), EngineError> {
+        let Some(store) = self.store.as_ref().filter(|_| found.failure.is_none()) else { return Ok(()) };
+        store.store(found).map_err(|error| {
+            EngineError::new(
+                "E0712",
+                format!("derivatives cannot be stored: {error}"),
+                "free space on the disk",
+            )
+        })
+    }
+}
+
+/// Returns whether a name is that of an output, or of the array of which it is an element.
+pub fn is_named(output: &str, name: &str) -> bool {
+    output.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('['))
 }
 
 impl Debug for SensitivityRequest {

@@ -203,8 +203,8 @@ impl JournalEntry {
 
 /// Number that parses to the same bits. JSON has no infinity, so a number that is not finite is a
 /// text.
-#[derive(Clone, Copy)]
-struct ExactNumber(f64);
+#[derive(Clone, Copy, Debug)]
+pub struct ExactNumber(pub f64);
 
 impl Serialize for ExactNumber {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

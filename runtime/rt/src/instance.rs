@@ -30,6 +30,7 @@ use calyx_runtime::analysis::Event;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
 use calyx_runtime::results::Solved;
+use calyx_runtime::sensitivity::SensitivityStore;
 use calyx_runtime::settings_override::Override;
 use calyx_runtime::tolerance::SearchProgress;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -88,6 +89,8 @@ struct Setup {
     sensitivities: Option<Vec<usize>>,
     /// Names of the outputs whose derivatives the program requests; empty for all.
     differentiated_outputs: Vec<String>,
+    /// Where derivatives are stored.
+    sensitivity_store: Option<Arc<dyn SensitivityStore>>,
     overrides: Override,
 }
 
@@ -113,6 +116,7 @@ impl Instance {
             component_loads: false,
             sensitivities: None,
             differentiated_outputs: Vec::new(),
+            sensitivity_store: None,
             overrides: Override::default(),
         };
         Instance { setup, time_limit: None, memory_limit: None, cancel: Cancel::default() }
@@ -343,6 +347,12 @@ impl Instance {
     /// Sets the overrides of the model's analysis settings for future runs.
     pub fn override_analysis(&mut self, overrides: Override) {
         self.setup.overrides = overrides;
+    }
+
+    /// Returns the overrides of the model's analysis settings.
+    #[cfg(feature = "command")]
+    pub(crate) fn overrides(&self) -> &Override {
+        &self.setup.overrides
     }
 
     /// Runs the model on its own thread, position by position: the next position starts when the

@@ -59,6 +59,8 @@ pub mod run;
 pub mod run_directory;
 #[cfg(feature = "command")]
 pub mod schema;
+#[cfg(feature = "command")]
+pub mod sensitivity_journal;
 mod sensitivity_table;
 #[cfg(feature = "command")]
 pub mod settings_override;

@@ -11,6 +11,7 @@ use crate::progress::{Progress, ProgressFormat};
 use crate::results::Results;
 use crate::resume::{self, EarlierRun};
 use crate::run_directory::{DirectoryError, Kind, RunDirectory};
+use crate::sensitivity_journal::{SENSITIVITY_JOURNAL, SensitivityJournal};
 use calyx_abi::description::{ModelDescription, OutputDescription};
 use calyx_abi::{Cancel, RuntimeError, Status};
 use calyx_gears::host::Finding;
@@ -142,6 +143,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let description = program.description();
     let head = head(description, &params, &options.overrides);
     let directory = lock(path, description, options.force)?;
+    instance.store_sensitivities(Arc::new(SensitivityJournal::new(directory.clone(), &head, &[])));
     let progress = Arc::new(Progress::new(options.progress, options.quiet, options.print_to_error));
     let found = match earlier(options, &head)? {
         EarlierRun::Finished => {
@@ -332,6 +334,7 @@ fn write_results(
     let outputs = RunOutputs { description, rows: results.rows(), summaries: results.summaries() };
     write_run(path, head, (outputs, result), listed, &warnings, stages)?;
     journal::remove(path)?;
+    directory.remove_owned(SENSITIVITY_JOURNAL)?;
     directory.claim_all(page::FILES)?;
     page::write_with_advice(path)
 }

@@ -48,9 +48,11 @@ Load cases in a file, with param names in the first line and optional columns `n
   drive,120 N*m,3000 rpm,400 hour
   coast,-40 N*m,3000 rpm,100 hour
 
-With load cases, sweep.html and component_loads.csv have the loads of all meshes and bearings by case. A column `duration` makes the
-cases a duty cycle with equivalent values in sweep.html and duty_cycle.csv. Its entries are times with a unit, percentages that add up
-to 100 %, or plain numbers, of which only the proportions count. If the model has a param `duration`, the column is the param instead.
+With load cases, sweep.html and component_loads.csv have the loads of all meshes and bearings by
+case. A column `duration` makes the cases a duty cycle with equivalent values in sweep.html and
+duty_cycle.csv. Its entries are times with a unit, percentages that add up to 100 %, or plain
+numbers, of which only the proportions count. If the model has a param `duration`, the column is the
+param instead.
 
 Examples:
   calyx sweep pair.cx --over torque=50..500:10          results go to pair.cx.sweep
@@ -66,12 +68,14 @@ On a cluster, or for any queue: a plan, a process per index on any machine, and 
   calyx sweep --work cases/ --index 1                   and so on to index 20
   calyx sweep --collect cases/
   calyx sweep pair.cx --over torque=50..500:1000 --on slurm --slurm-options \"--time=1:00:00 --cpus-per-task=4\"
-Indices may run at the same time and be killed; each solves its cases that are left. The results are those of a sweep on one machine.
+Indices may run at the same time and be killed; each solves its cases that are left. The results are
+those of a sweep on one machine.
 
-Several axes give all their combinations. A case has the same numbers as `calyx run` with these params, to the last bit. A case that
-fails is a row with its reason.
+Several axes give all their combinations. A case has the same numbers as `calyx run` with these
+params, to the last bit. A case that fails is a row with its reason.
 
-Exit status: 0 if all cases were solved, 1 if the model or some cases failed, 2 for wrong usage of the command.";
+Exit status: 0 if all cases were solved, 1 if the model or some cases failed, 2 for wrong usage of
+the command.";
 
 /// Queue of a cluster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

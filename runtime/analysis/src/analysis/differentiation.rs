@@ -28,6 +28,22 @@ impl Steps<'_> {
     ) -> Result<Vec<Sensitivity>, EngineError> {
         let Some(request) = self.sensitivities.take() else { return Ok(Vec::new()) };
         let started = Instant::now();
+        let stored: Vec<_> = request.params.iter().map(|param| request.find(param)).collect();
+        let found = if stored.iter().all(Option::is_some) {
+            let rows: Vec<StepRow> = self.solved.iter().map(|solved| solved.row.clone()).collect();
+            stored.into_iter().flatten().map(|own| with_statistics(own, &rows)).collect()
+        } else {
+            let base = self.base(&request)?;
+            let count = request.params.len();
+            let begin = |index| observer.observe(Event::Differentiated { index, count });
+            base.sensitivities(&request, stored, begin)?
+        };
+        self.timing.add(SENSITIVITIES, started.elapsed());
+        Ok(found)
+    }
+
+    /// Returns the solved positions in their states of contact.
+    fn base(&mut self, request: &SensitivityRequest) -> Result<Base<'_, '_>, EngineError> {
         // An earlier run has solved the first positions without their states.
         let missing = self.solved.len() - self.states.len();
         let resolved = self.positions[..missing].iter().map(|position| {
@@ -49,12 +65,7 @@ impl Steps<'_> {
         };
         let observed = (0..self.scene.observables.len()).map(of_observable).collect();
         let base = Base { steps: self, rows, states, requested, observed, values: Vec::new() };
-        let base = Base { values: base.values_in_state()?, ..base };
-        let count = request.params.len();
-        let begin = |index| observer.observe(Event::Differentiated { index, count });
-        let found = base.sensitivities(&request, begin)?;
-        self.timing.add(SENSITIVITIES, started.elapsed());
-        Ok(found)
+        Ok(Base { values: base.values_in_state()?, ..base })
     }
 
     /// Returns the options of the analysis itself, without those of its results.
@@ -137,27 +148,30 @@ impl Base<'_, '_> {
         self.steps.resources.install(all)
     }
 
-    /// Differentiates all outputs with respect to each requested param. `begin` receives the index
-    /// of each param before its turn.
+    /// Differentiates all outputs with respect to each requested param without `stored` derivatives.
+    /// `begin` receives the index of each param before its turn.
     ///
     /// # Errors
-    /// Those of the interrupt and of `begin`.
+    /// Those of the interrupt, of `begin`, and of the store.
     fn sensitivities(
         &self,
         request: &SensitivityRequest,
+        stored: Vec<Option<Sensitivity>>,
         mut begin: impl FnMut(usize) -> Result<(), EngineError>,
     ) -> Result<Vec<Sensitivity>, EngineError> {
         let mut all = Vec::with_capacity(request.params.len());
-        for (index, param) in request.params.iter().enumerate() {
+        for (index, (param, stored)) in request.params.iter().zip(stored).enumerate() {
             begin(index)?;
+            if let Some(stored) = stored {
+                all.push(with_statistics(stored, &self.rows));
+                continue;
+            }
             let neighbours = request.neighbours.as_ref();
             let differences = |stencil: &Stencil| self.differences(neighbours, param, stencil);
-            let mut found =
+            let found =
                 narrowed(param, &self.requested, differences, || self.steps.resources.interrupt.check())?;
-            if found.failure.is_none() {
-                found.statistics = statistics_of(&self.rows, &found.positions, &found.means);
-            }
-            all.push(found);
+            request.store(&found)?;
+            all.push(with_statistics(found, &self.rows));
         }
         Ok(all)
     }
@@ -211,6 +225,15 @@ impl Base<'_, '_> {
             failure: None,
         })
     }
+}
+
+/// Adds the derivatives of the statistics over the positions.
+fn with_statistics(found: Sensitivity, rows: &[StepRow]) -> Sensitivity {
+    if found.failure.is_some() {
+        return found;
+    }
+    let statistics = statistics_of(rows, &found.positions, &found.means);
+    Sensitivity { statistics, ..found }
 }
 
 impl Neighbour {

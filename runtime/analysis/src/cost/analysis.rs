@@ -34,6 +34,8 @@ pub struct Task<'a> {
     pub estimates: Estimates,
     /// Highest frequency of component modes, Hz.
     pub highest_frequency: f64,
+    /// Number of params with respect to which outputs are differentiated.
+    pub differentiated: usize,
 }
 
 /// Costs of the parts of an analysis.
@@ -53,6 +55,8 @@ pub struct AnalysisCost {
     pub sounds: Vec<(String, Cost)>,
     /// Cost of the error estimates, including structures of other meshes.
     pub errors: Cost,
+    /// Cost of derivatives with respect to params that keep all structures.
+    pub derivatives: Cost,
 }
 
 impl AnalysisCost {
@@ -60,7 +64,7 @@ impl AnalysisCost {
     pub fn time(&self) -> f64 {
         let structures = self.structures.iter().map(|(_, cost)| cost.time).sum::<f64>();
         let sounds = self.sounds.iter().map(|(_, cost)| cost.time).sum::<f64>();
-        structures + self.positions.time + sounds + self.errors.time
+        structures + self.positions.time + sounds + self.errors.time + self.derivatives.time
     }
 
     /// Returns the peak memory, bytes. Structures are condensed in parallel, and positions are
@@ -75,6 +79,10 @@ impl AnalysisCost {
 /// Cost of the error estimates of a transient analysis relative to that of its steps: the motion is
 /// repeated with steps of twice the length, and partly on other grids and meshes.
 const OF_STEPS: f64 = 0.75;
+
+/// Time of the derivatives with respect to a param relative to that of all positions: four solutions
+/// in known states of contact, for mostly one width of differences.
+const OF_DERIVATIVES: f64 = 2.0;
 
 impl Task<'_> {
     /// Predicts the cost on a machine of given rates, without cached structures.
@@ -107,6 +115,12 @@ impl Task<'_> {
         let of_sound = if scene.sounds.is_empty() { 0 } else { of_forced_response };
         let own = self.positions + of_load_factors + of_forced_response;
         let own = solve(fidelity, three_dimensional, flanks, false, own);
+        let of_params = OF_DERIVATIVES * self.differentiated as f64;
+        let derivatives = match self.differentiated {
+            0 => Cost::default(),
+            _ => solve(fidelity, three_dimensional, flanks, false, self.positions),
+        };
+        let derivatives = Cost { time: of_params * derivatives.time, ..derivatives };
         let mut errors = Cost::default();
         let mut add = |cost: Cost| {
             errors.time += cost.time;
@@ -155,6 +169,7 @@ impl Task<'_> {
                     .collect(),
             },
             errors,
+            derivatives,
         })
     }
 

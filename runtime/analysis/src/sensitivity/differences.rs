@@ -54,6 +54,17 @@ impl Derivative {
         Derivative { sides: [value; 2], least: [value; 2], error, rounding: 0.0 }
     }
 
+    /// Returns all numbers, for storage.
+    pub fn to_array(self) -> [f64; 6] {
+        let Derivative { sides: [below, above], least: [least_below, least_above], error, rounding } = self;
+        [below, above, least_below, least_above, error, rounding]
+    }
+
+    /// Returns the derivative of the numbers of [`Derivative::to_array`].
+    pub fn from_array([below, above, least_below, least_above, error, rounding]: [f64; 6]) -> Derivative {
+        Derivative { sides: [below, above], least: [least_below, least_above], error, rounding }
+    }
+
     /// Returns the derivative, at a kink the mean of both sides.
     pub fn value(&self) -> f64 {
         0.5 * (self.sides[0] + self.sides[1])

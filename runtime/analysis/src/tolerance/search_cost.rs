@@ -57,6 +57,7 @@ impl SearchWork {
             in_time: false,
             estimates,
             highest_frequency,
+            differentiated: 0,
         };
         // A setting that cannot be planned fails immediately.
         let cost = task.cost_with(&mut self.meshes, &NOMINAL).unwrap_or_default();

@@ -15,7 +15,7 @@ use calyx_gears::host::ModelHost;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::results::{OutputRequest, Solved};
 use calyx_runtime::sensitivity::{
-    Neighbour, Neighbours, Sensitivity, SensitivityRequest, VariedParam, of_calculation,
+    Neighbour, Neighbours, Sensitivity, SensitivityRequest, SensitivityStore, VariedParam, of_calculation,
 };
 use std::sync::Arc;
 
@@ -49,21 +49,30 @@ impl Instance {
     }
 
     /// Limits the derivatives that [`Instance::request_sensitivities`] requests to the outputs of
-    /// some names, which takes less time; those of others may be NaN. Without names, all outputs are
-    /// differentiated.
+    /// some names, which takes less time; those of others may be NaN. The name of an array stands for
+    /// all its elements. Without names, all outputs are differentiated.
     ///
     /// # Errors
-    /// There is no such output. The names of array elements are known after the run only.
+    /// There is no such output. Which elements an array has is known after the run only.
     pub fn limit_sensitivities<S: Into<String>>(
         &mut self,
         outputs: impl IntoIterator<Item = S>,
     ) -> Result<(), Error> {
         let outputs: Vec<String> = outputs.into_iter().map(Into::into).collect();
-        if self.description().declared_outputs.is_empty() {
-            outputs.iter().try_for_each(|name| self.output(name.as_str()).map(drop))?;
-        }
+        let declared = &self.description().declared_outputs;
+        let array = |name: &str| name.split('[').next().unwrap_or_default().to_owned();
+        let is_array =
+            |name: &str| declared.iter().any(|output| output.is_array && output.name == array(name));
+        let others = outputs.iter().filter(|name| !is_array(name));
+        others.map(|name| self.output(name.as_str())).try_for_each(|found| found.map(drop))?;
         self.setup.differentiated_outputs = outputs;
         Ok(())
+    }
+
+    /// Stores derivatives of an analysis as soon as they are found, and takes those that are
+    /// already stored. The store must belong to the values and settings of this instance.
+    pub fn store_sensitivities(&mut self, store: Arc<dyn SensitivityStore>) {
+        self.setup.sensitivity_store = Some(store);
     }
 }
 
@@ -106,7 +115,8 @@ impl Job {
         let (setup, limits, cancel) = (self.setup.clone(), self.limits, self.cancel.clone());
         let neighbours = Arc::new(ModelNeighbours { setup, limits, cancel });
         let outputs = self.setup.differentiated_outputs.clone();
-        let request = Some(SensitivityRequest { neighbours, params: varied, outputs });
+        let store = self.setup.sensitivity_store.clone();
+        let request = Some(SensitivityRequest { neighbours, params: varied, outputs, store });
         if let Some(host) = context.host::<ModelHost>() {
             match self.setup.sensitivities {
                 Some(_) => host.analysis.sensitivities = request,

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::param_assignment::AssignedValue;
 use crate::params::{InvalidParam, check_number, index_of, output_of, read_number, shown};
+use crate::sweep::objective::output_and_statistic;
 use crate::sweep::{Axis, Varied};
 use calyx_abi::Repr;
 use calyx_abi::description::{ModelDescription, OutputDescription, ParamDescription, ParamValue};
@@ -167,11 +168,8 @@ pub(crate) fn parse_constraint(text: &str, description: &ModelDescription) -> Re
     };
     let (name, bound) = (name.trim(), bound.trim());
     let whole = if at_most { Statistic::Max } else { Statistic::Min };
-    let parts = name.rsplit_once('.').and_then(|(output, part)| Some((output, Statistic::named(part)?)));
-    let (name, statistic) = match output_of(description, name) {
-        Ok(_) => (name, whole),
-        Err(_) => parts.unwrap_or((name, whole)),
-    };
+    let (name, statistic) = output_and_statistic(name, description)?;
+    let statistic = statistic.unwrap_or(whole);
     let output = &description.outputs[output_of(description, name)?];
     let bound = bound_of(bound, output, description)?;
     Ok(Constraint { output: name.to_owned(), statistic, at_most, bound })

@@ -1,5 +1,6 @@
 //! Names of files in directories of results.
 
+use crate::sensitivity_journal::SENSITIVITY_JOURNAL;
 use calyx_report::directory::REPORT;
 use calyx_report::optimization::{DESIGNS, OPTIMUM};
 use calyx_report::sensitivity::{SENSITIVITIES, SENSITIVITIES_BY_POSITION};
@@ -32,15 +33,16 @@ pub(super) const FILES_OF_AN_OPTIMIZATION: [&str; 4] =
     [OPTIMUM, DESIGNS, "evaluations.jsonl", page::optimization::NAME];
 
 /// Files of sensitivities.
-pub(super) const FILES_OF_SENSITIVITIES: [&str; 3] =
-    [SENSITIVITIES, SENSITIVITIES_BY_POSITION, page::sensitivity::NAME];
+pub(super) const FILES_OF_SENSITIVITIES: [&str; 4] =
+    [SENSITIVITIES, SENSITIVITIES_BY_POSITION, SENSITIVITY_JOURNAL, page::sensitivity::NAME];
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-pub(super) const FILES_OF_A_RUN: [&str; 38] = [
+pub(super) const FILES_OF_A_RUN: [&str; 39] = [
     view::page::NAME,
     "run.json",
     "journal.jsonl",
+    SENSITIVITY_JOURNAL,
     "run.json.part",
     "timing.json",
     "timing.json.part",

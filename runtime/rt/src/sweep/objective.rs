@@ -23,13 +23,27 @@ pub fn parse(text: &str, description: &ModelDescription) -> Result<Objective, Er
         "max" => true,
         _ => return Err(refused(format!("an objective begins with min or max, not `{direction}`"), FORM)),
     };
-    let of = |output: &str, statistic| Objective { output: output.to_owned(), statistic, maximize };
-    if output_of(description, name).is_ok() {
-        return Ok(of(name, Statistic::Max));
+    let (output, statistic) = output_and_statistic(name, description)?;
+    let statistic = statistic.unwrap_or(Statistic::Max);
+    Ok(Objective { output: output.to_owned(), statistic, maximize })
+}
+
+/// Splits `OUTPUT.STATISTIC`, or `OUTPUT` alone.
+///
+/// # Errors
+/// The model has no such output, or there is no such statistic.
+pub(crate) fn output_and_statistic<'n>(
+    name: &'n str,
+    description: &ModelDescription,
+) -> Result<(&'n str, Option<Statistic>), Error> {
+    let Err(unknown) = output_of(description, name) else { return Ok((name, None)) };
+    let Some((output, part)) = name.rsplit_once('.') else { return Err(unknown) };
+    output_of(description, output)?;
+    match Statistic::named(part) {
+        Some(statistic) => Ok((output, Some(statistic))),
+        None => Err(refused(
+            format!("`{output}` has no statistic called `{part}`"),
+            "choose among .min, .mean, .max and .peak_to_peak",
+        )),
     }
-    let parts = name.rsplit_once('.').and_then(|(output, part)| Some((output, Statistic::named(part)?)));
-    if let Some((output, statistic)) = parts {
-        return output_of(description, output).map(|_| of(output, statistic));
-    }
-    output_of(description, name).map(|_| of(name, Statistic::Max))
 }
