@@ -237,7 +237,7 @@ fn check_differentiable(in_time: bool, is_search: bool) -> Result<(), EngineErro
         ),
         (_, true) => refuse(
             "the outputs of a tolerance search have no derivatives, because its settings may differ next to the values of the params",
-            "choose a fidelity level with `--fidelity`",
+            "give `analyze` a `fidelity` in place of `tolerance`, or run the model with `--fidelity`",
         ),
         _ => Ok(()),
     }

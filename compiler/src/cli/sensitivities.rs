@@ -96,6 +96,9 @@ impl Sensitivities {
             Ok(compiled) => compiled,
             Err(status) => return status,
         };
+        if module.has_errors() {
+            return ExitCode::from(MODEL_ERROR);
+        }
         let mut instance = match self.instance(&module, &given) {
             Ok(instance) => instance,
             Err(error) => return failed(format, &module, RunError::Run(error)),

@@ -234,6 +234,15 @@ pub(crate) fn highest_frequency(scene: &Mechanism, request: &ForcedResponseReque
     })
 }
 
+/// Returns the lowest frequency of a line at the speed of the scene, Hz; zero if the request is
+/// rejected.
+pub(crate) fn lowest_frequency(scene: &Mechanism, request: &ForcedResponseRequest) -> f64 {
+    Excitation::new(scene, request).map_or(0.0, |excitation| {
+        let orders = excitation.orders.lines().map(|(order, _)| order).filter(|order| *order > 0);
+        orders.min().map_or(0.0, |lowest| lowest as f64 / excitation.period)
+    })
+}
+
 /// Checks that a scene can have a forced response at a fidelity level with component modes up to a
 /// frequency (Hz), and this number of DOFs.
 ///

@@ -10,6 +10,7 @@
 
 mod frequencies;
 mod motion;
+mod plane;
 mod results;
 mod surface;
 
@@ -98,7 +99,7 @@ impl SoundRequest {
     pub fn level_at(&self, fidelity: Fidelity) -> SoundLevel {
         match self.level {
             Some(level) => level,
-            None if !self.points.is_empty() => SoundLevel::BoundaryElements,
+            None if !self.points.is_empty() || self.plane.is_some() => SoundLevel::BoundaryElements,
             None => SoundLevel::of_fidelity(fidelity),
         }
     }
@@ -157,18 +158,19 @@ fn engine_error(error: AcousticError) -> EngineError {
 }
 
 /// Checks everything about the requested sound that is known before a structure is built, at a
-/// highest frequency of the component modes (Hz).
+/// highest frequency of the component modes (Hz). `lowest_line` is the lowest frequency of the forced
+/// response at the speed of the model, Hz.
 ///
 /// # Errors
-/// E0784: there is no forced response, or a body has no surface, mass or component modes, rotates,
-/// or encloses a point. E0785: the surface of a body is open.
+/// E0784: there is no forced response, or no line with sound; a body has no surface, mass or
+/// component modes, rotates, is behind the rigid plane, or encloses a point. E0785: the surface of a body is open.
 pub(crate) fn check(
     scene: &Mechanism,
-    (sounds, has_response): (&[SoundRequest], bool),
+    (sounds, lowest_line): (&[SoundRequest], Option<f64>),
     plan: &Plan,
     highest_frequency: f64,
 ) -> Result<(), EngineError> {
-    if !sounds.is_empty() && !has_response {
+    if !sounds.is_empty() && lowest_line.is_none() {
         return Err(refused(
             "the model observes radiated sound, but has no forced response whose vibration radiates",
             "add `gears.forced_response(mesh, highest_speed = 6000 rpm);` before `analyze`",
@@ -208,6 +210,15 @@ pub(crate) fn check(
             )
             .blame("highest_frequency"));
         }
+        if let Some(lowest) = lowest_line.filter(|lowest| *lowest > highest_frequency) {
+            return Err(refused(
+                format!(
+                    "the lowest line of the forced response at the speed of the model is at {lowest:.0} Hz, above the `highest_frequency` of {highest_frequency:.0} Hz, so there is no sound"
+                ),
+                format!("set `highest_frequency` in `analyze` above {lowest:.0} Hz, or lower the speed"),
+            )
+            .blame("highest_frequency"));
+        }
         let reference = connection.bodies().next().and_then(|body| scene.bodies.get(body.0));
         let turns = reference.map_or(0.0, |body| length(angular_velocity(body.motion.as_ref(), 0.0)));
         if turns > AT_REST {
@@ -224,9 +235,28 @@ pub(crate) fn check(
             )
             .blame("method"));
         }
+        plane::check(scene, (connection, request), level)?;
         Surface::new(scene, request)?.check_points(request)?;
     }
     Ok(())
+}
+
+/// Checks that a forced response with a number of harmonics has those whose sound is observed.
+///
+/// # Errors
+/// E0784: it has fewer.
+pub(crate) fn check_harmonics(
+    count: usize,
+    mut observed: impl Iterator<Item = usize>,
+) -> Result<(), EngineError> {
+    match observed.find(|harmonic| *harmonic > count) {
+        None => Ok(()),
+        Some(harmonic) => Err(refused(
+            format!("the sound of harmonic {harmonic} is observed, and the forced response has {count}"),
+            format!("give `gears.forced_response` the argument `harmonics = {harmonic}`"),
+        )
+        .blame("harmonic")),
+    }
 }
 
 /// Sound of all requests of a scene, with what can be shared by other systems with the same bodies.

@@ -157,8 +157,14 @@ impl<'a> Request<'a> {
             let help = "use `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24))` with `gears.forced_response`";
             return Err(EngineError::new("E0784", message, help));
         }
-        let sounds = (&scene.sounds[..], scene.forced_response.is_some());
+        let response = scene.forced_response.as_ref();
+        let lowest_line = response.map(|request| forced_response::lowest_frequency(scene, request));
+        let sounds = (&scene.sounds[..], lowest_line);
         radiated_sound::check(scene, sounds, &plan, highest_frequency)?;
+        if let Some(request) = response {
+            let observed = scene.observables.iter().filter_map(|observable| observable.harmonic());
+            radiated_sound::check_harmonics(request.harmonics, observed)?;
+        }
         let modes = scene.observables.iter().any(|observable| observable.mode().is_some());
         if method.has_inertia() {
             let times = method.checked_times();

@@ -170,6 +170,11 @@ pub trait Observable: Comparable + Debug + Send + Sync {
         None
     }
 
+    /// Returns the harmonic of the mesh frequencies whose sound it is.
+    fn harmonic(&self) -> Option<usize> {
+        None
+    }
+
     /// Returns the bearing that it depends on.
     fn bearing_of(&self) -> Option<BearingId> {
         None

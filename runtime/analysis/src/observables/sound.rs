@@ -15,6 +15,13 @@ pub enum SoundLines {
 }
 
 impl SoundLines {
+    fn harmonic(self) -> Option<usize> {
+        match self {
+            SoundLines::All => None,
+            SoundLines::Harmonic(harmonic) => Some(harmonic),
+        }
+    }
+
     /// Returns the weighted power of these lines at the speed of the model, W; NaN without a
     /// result.
     fn power(self, at: &Equilibrium<'_>, sound: usize, weighting: Weighting) -> f64 {
@@ -40,6 +47,10 @@ pub struct SoundPower {
 impl Observable for SoundPower {
     fn is_of_forced_response(&self) -> bool {
         true
+    }
+
+    fn harmonic(&self) -> Option<usize> {
+        self.lines.harmonic()
     }
 
     fn quantity(&self) -> Quantity {
@@ -69,6 +80,10 @@ pub struct SoundPowerLevel {
 impl Observable for SoundPowerLevel {
     fn is_of_forced_response(&self) -> bool {
         true
+    }
+
+    fn harmonic(&self) -> Option<usize> {
+        self.lines.harmonic()
     }
 
     fn quantity(&self) -> Quantity {
