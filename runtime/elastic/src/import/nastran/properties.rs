@@ -194,7 +194,7 @@ impl Properties {
         Ok(Property::Shell { material, thickness, added_mass: card.not_negative(8, "NSM")? })
     }
 
-    fn solid(&self, card: &Card) -> Result<Property> {
+    fn solid(&mut self, card: &Card) -> Result<Property> {
         if !card.is_blank(7) && card.text(7) != "SMECH" {
             let message = format!("{} is a fluid (FCTN = {})", card.subject(), card.text(7));
             return Err(card.problem(message, "export the structure only"));
@@ -207,6 +207,12 @@ impl Properties {
                 return Err(card.problem(message, "leave IN blank, or state BUBBLE, TWO or THREE"));
             }
         };
+        if !bubble && matches!(card.text(6), "0" | "REDUCED") {
+            self.notes.push(format!(
+                "{} asks for reduced shear integration (ISOP), and the model integrates fully, which is stiffer in bending",
+                card.subject()
+            ));
+        }
         Ok(Property::Solid { material: self.material(card, 2, "MID")?, bubble })
     }
 
