@@ -147,6 +147,45 @@ impl ModelElasticBody {
         Ok(())
     }
 
+    /// Adds a panel of the surface of the body, whose contribution to its sound is of interest.
+    ///
+    /// # Errors
+    /// E0991: the body has no such nodes, no mesh, or another panel of this name.
+    pub fn add_panel(
+        &mut self,
+        scene: &mut Scene,
+        name: String,
+        part: &AttachedPart,
+    ) -> Result<(), EngineError> {
+        match (&mut self.source, part) {
+            (BodySource::Elements(body), AttachedPart::Region(region)) => body.add_panel(name, region)?,
+            (BodySource::Elements(_), AttachedPart::Node(_)) => {
+                let message = format!("panel \"{name}\": a single node is no part of the surface");
+                return Err(EngineError::new(
+                    "E0991",
+                    message,
+                    "select all nodes of the elements of the panel",
+                ));
+            }
+            (BodySource::Matrices(_), _) => {
+                let message = format!("panel \"{name}\": a condensed body has nodes, and no surfaces");
+                return Err(EngineError::new("E0991", message, "leave the panel out"));
+            }
+        }
+        if let Some(ConnectionId(index)) = self.connection {
+            scene.connections[index].body = Some(SharedElasticBody(self.source.shared()));
+        }
+        Ok(())
+    }
+
+    /// Returns the names of the panels of the body.
+    pub fn panels(&self) -> Vec<String> {
+        match &self.source {
+            BodySource::Elements(body) => body.panels().map(str::to_owned).collect(),
+            BodySource::Matrices(_) => Vec::new(),
+        }
+    }
+
     /// Adds an attachment to the body, as a body of the scene at this motion. If `fixed`, the
     /// attachment follows its motion exactly.
     ///

@@ -1,5 +1,5 @@
 //! Elastic bodies for programs: the Rust side of `nastran`, `abaqus`, `gmsh`, `condensed_body`,
-//! `attachment`, `opening` and the regions in `gears.cx`.
+//! `attachment`, `opening`, `panel` and the regions in `gears.cx`.
 
 use crate::body_externs::BodyPlacement;
 use crate::elastic_bodies::{AttachedPart, BodySource, ModelElasticBody, RequestedAttachment};
@@ -151,6 +151,15 @@ calyx_abi::externs! {
         let index = elastic_body(context, body)?;
         let ModelHost { scene, elastic_bodies, .. } = host(context)?;
         elastic_bodies[index].close(scene, name, &part).map_err(|error| blamed(externs::engine(error)))
+    }
+
+    Scene fn calyx_gears_panel(context, name: String, body: Handle, region: Handle) -> () {
+        externs::before_analysis(context, format_args!("the panel \"{name}\""))?;
+        let name = context.name_in_instance(name);
+        let part = entry(&host(context)?.regions, region)?.clone();
+        let index = elastic_body(context, body)?;
+        let ModelHost { scene, elastic_bodies, .. } = host(context)?;
+        elastic_bodies[index].add_panel(scene, name, &part).map_err(|error| blamed(externs::engine(error)))
     }
 
     Scene fn calyx_gears_attached_body(

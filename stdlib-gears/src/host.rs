@@ -33,6 +33,7 @@ use calyx_runtime::estimate::Estimates;
 use calyx_runtime::load::Load;
 use calyx_runtime::material::Material;
 use calyx_runtime::observables::Gauge;
+use calyx_runtime::radiated_sound::FieldRequest;
 use calyx_runtime::results::{AnalysisResult, OutputRequest};
 use calyx_runtime::scene::{BodyId, Fidelity, Prototype, Scene, StructureOptions};
 use calyx_runtime::sensitivity::SensitivityRequest;
@@ -180,6 +181,8 @@ pub struct ModelHost {
     pub mesh_parts: Vec<GmshPart>,
     /// Parts of elastic bodies to which attachments refer.
     pub regions: Vec<AttachedPart>,
+    /// Field meshes for sound pressures.
+    pub sound_fields: Vec<FieldRequest>,
     /// Gears.
     pub gears: Vec<GearModel>,
     /// Source locations of the calls that created each gear.

@@ -1,15 +1,18 @@
-//! Radiated sound for programs: the Rust side of `radiated_power` and its companions in `gears.cx`.
+//! Radiated sound for programs: the Rust side of `radiated_power` and its companions, and of the
+//! field meshes, in `gears.cx`.
 
 use crate::elastic_externs::as_elastic_body;
-use crate::externs::{host, refusal};
+use crate::externs::{entry, host, refusal};
+use crate::host::keep;
 use crate::observable_externs::observe;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::acoustics::Fluid;
 use calyx_runtime::observables::{
-    RadiationEfficiency, SoundLines, SoundPower, SoundPowerLevel, SoundPressureLevel,
+    RadiationEfficiency, SoundFieldLevel, SoundLines, SoundPower, SoundPowerLevel, SoundPressureLevel,
 };
-use calyx_runtime::radiated_sound::{SoundLevel, SoundRequest, Weighting};
+use calyx_runtime::radiated_sound::{FieldRequest, FieldShape, SoundLevel, SoundRequest, Weighting};
+use calyx_runtime::scene::AddedSound;
 
 /// Arguments that all functions share: fluid, method, point of the plane and its normal.
 type Surroundings = (String, Option<String>, Option<[f64; 3]>, [f64; 3]);
@@ -17,27 +20,29 @@ type Surroundings = (String, Option<String>, Option<[f64; 3]>, [f64; 3]);
 calyx_abi::externs! {
     Scene fn calyx_gears_radiated_power(
         context, body: Handle, fluid: String, method: Option<String>, harmonic: Option<f64>,
-        plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+        panel: Option<String>, plane: Option<[f64; 3]>, plane_normal: [f64; 3],
     ) -> Handle {
         let lines = lines(harmonic)?;
-        let (sound, _) = requested(context, body, (fluid, method, plane, plane_normal), None)?;
-        observe(context, SoundPower { sound, lines })
+        let panel = self::panel(context, body, panel)?;
+        let sound = requested(context, body, (fluid, method, plane, plane_normal), Wanted::Nothing)?.sound;
+        observe(context, SoundPower { sound, panel, lines })
     }
 
     Scene fn calyx_gears_sound_power_level(
         context, body: Handle, weighting: String, fluid: String, method: Option<String>, harmonic: Option<f64>,
-        plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+        panel: Option<String>, plane: Option<[f64; 3]>, plane_normal: [f64; 3],
     ) -> Handle {
         let lines = lines(harmonic)?;
-        let (sound, _) = requested(context, body, (fluid, method, plane, plane_normal), None)?;
-        observe(context, SoundPowerLevel { sound, lines, weighting: self::weighting(&weighting) })
+        let panel = self::panel(context, body, panel)?;
+        let sound = requested(context, body, (fluid, method, plane, plane_normal), Wanted::Nothing)?.sound;
+        observe(context, SoundPowerLevel { sound, panel, lines, weighting: self::weighting(&weighting) })
     }
 
     Scene fn calyx_gears_radiation_efficiency(
         context, body: Handle, fluid: String, method: Option<String>, plane: Option<[f64; 3]>,
         plane_normal: [f64; 3],
     ) -> Handle {
-        let (sound, _) = requested(context, body, (fluid, method, plane, plane_normal), None)?;
+        let sound = requested(context, body, (fluid, method, plane, plane_normal), Wanted::Nothing)?.sound;
         observe(context, RadiationEfficiency(sound))
     }
 
@@ -45,10 +50,111 @@ calyx_abi::externs! {
         context, body: Handle, at: [f64; 3], weighting: String, fluid: String, method: Option<String>,
         plane: Option<[f64; 3]>, plane_normal: [f64; 3],
     ) -> Handle {
-        let (sound, points) = requested(context, body, (fluid, method, plane, plane_normal), Some(at))?;
-        let point = points.first().copied().unwrap_or_default();
+        let added = requested(context, body, (fluid, method, plane, plane_normal), Wanted::Point(at))?;
+        let point = added.points.first().copied().unwrap_or_default();
+        let sound = added.sound;
         observe(context, SoundPressureLevel { sound, point, weighting: self::weighting(&weighting) })
     }
+
+    Scene fn calyx_gears_mean_sound_pressure_level(
+        context, body: Handle, field: Handle, weighting: String, fluid: String, method: Option<String>,
+        plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+    ) -> Handle {
+        let surroundings = (fluid, method, plane, plane_normal);
+        let level = field_level(context, (body, field), surroundings, (&weighting, false))?;
+        observe(context, level)
+    }
+
+    Scene fn calyx_gears_measured_sound_power_level(
+        context, body: Handle, field: Handle, weighting: String, fluid: String, method: Option<String>,
+        plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+    ) -> Handle {
+        let surroundings = (fluid, method, plane, plane_normal);
+        let level = field_level(context, (body, field), surroundings, (&weighting, true))?;
+        observe(context, level)
+    }
+
+    Pure fn calyx_gears_sphere_field(
+        context, name: String, radius: f64, center: Option<[f64; 3]>, rings: f64,
+    ) -> Handle {
+        let rings = whole("rings", rings)?;
+        field(context, name, FieldShape::Sphere { center, radius, rings })
+    }
+
+    Pure fn calyx_gears_hemisphere_field(
+        context, name: String, radius: f64, center: Option<[f64; 3]>, rings: Option<f64>,
+    ) -> Handle {
+        let rings = rings.map(|rings| whole("rings", rings)).transpose()?;
+        field(context, name, FieldShape::Hemisphere { center, radius, rings })
+    }
+
+    Pure fn calyx_gears_box_field(context, name: String, distance: f64) -> Handle {
+        field(context, name, FieldShape::Box { distance })
+    }
+
+    Pure fn calyx_gears_plane_field(
+        context, name: String, corner: [f64; 3], first_edge: [f64; 3], second_edge: [f64; 3], first_points: f64,
+        second_points: f64,
+    ) -> Handle {
+        let counts = [whole("first_points", first_points)?, whole("second_points", second_points)?];
+        field(context, name, FieldShape::Plane { corner, edges: [first_edge, second_edge], counts })
+    }
+}
+
+fn whole(argument: &str, number: f64) -> Result<usize, RuntimeError> {
+    match number.fract() == 0.0 {
+        true => Ok(number as usize),
+        false => {
+            let message = format!("`{argument}` cannot be {number}");
+            Err(refusal("E0784", argument, &message, "give a whole number"))
+        }
+    }
+}
+
+fn field(context: &mut Context, name: String, shape: FieldShape) -> Result<Handle, RuntimeError> {
+    let name = context.name_in_instance(name);
+    Ok(keep(&mut host(context)?.sound_fields, FieldRequest { name, shape }))
+}
+
+/// Requests the pressure on a field mesh, and returns its mean level, or the sound power level that
+/// this gives.
+fn field_level(
+    context: &mut Context,
+    (body, field): (Handle, Handle),
+    surroundings: Surroundings,
+    (weighting, is_power): (&str, bool),
+) -> Result<SoundFieldLevel, RuntimeError> {
+    let wanted = entry(&host(context)?.sound_fields, field)?.clone();
+    if is_power && !wanted.shape.encloses() {
+        return Err(refusal(
+            "E0784",
+            "field",
+            &format!("the plane \"{}\" does not enclose the body, so it gives no sound power", wanted.name),
+            "give a sphere, a hemisphere or a box, or observe `mean_sound_pressure_level`",
+        ));
+    }
+    let AddedSound { sound, fields, .. } = requested(context, body, surroundings, Wanted::Field(wanted))?;
+    let field = fields.first().copied().unwrap_or_default();
+    Ok(SoundFieldLevel { sound, field, weighting: self::weighting(weighting), is_power })
+}
+
+/// Returns the index of a panel of a body by its name.
+fn panel(context: &mut Context, body: Handle, name: Option<String>) -> Result<Option<usize>, RuntimeError> {
+    let Some(name) = name else { return Ok(None) };
+    let in_instance = context.name_in_instance(name.clone());
+    let host = host(context)?;
+    let Some(index) = as_elastic_body(host, body) else { return Ok(None) };
+    let panels = host.elastic_bodies[index].panels();
+    let find = |name: &String| panels.iter().position(|panel| panel == name);
+    if let Some(found) = find(&name).or_else(|| find(&in_instance)) {
+        return Ok(Some(found));
+    }
+    let quoted: Vec<String> = panels.iter().map(|panel| format!("\"{panel}\"")).collect();
+    let help = match quoted.is_empty() {
+        true => format!("add it before by `gears.panel(\"{name}\", housing, region)`"),
+        false => format!("give one of its panels: {}", quoted.join(", ")),
+    };
+    Err(refusal("E0784", "panel", &format!("the body has no panel \"{name}\""), &help))
 }
 
 fn weighting(name: &str) -> Weighting {
@@ -71,13 +177,20 @@ fn lines(harmonic: Option<f64>) -> Result<SoundLines, RuntimeError> {
     }
 }
 
-/// Adds a request to the scene, and returns its index and that of its point.
+/// Pressure that is requested.
+enum Wanted {
+    Nothing,
+    Point([f64; 3]),
+    Field(FieldRequest),
+}
+
+/// Adds a request to the scene, and returns its index and that of its point or field mesh.
 fn requested(
     context: &mut Context,
     body: Handle,
     (fluid, method, plane, normal): Surroundings,
-    point: Option<[f64; 3]>,
-) -> Result<(usize, Vec<usize>), RuntimeError> {
+    wanted: Wanted,
+) -> Result<AddedSound, RuntimeError> {
     let host = host(context)?;
     let Some(index) = as_elastic_body(host, body) else {
         return Err(refusal(
@@ -102,7 +215,8 @@ fn requested(
         fluid: if fluid == "water" { Fluid::WATER } else { Fluid::AIR },
         level: method.as_deref().and_then(SoundLevel::named),
         plane: plane.map(|point| [point, normal]),
-        points: point.into_iter().collect(),
+        points: if let Wanted::Point(at) = wanted { vec![at] } else { Vec::new() },
+        fields: if let Wanted::Field(field) = wanted { vec![field] } else { Vec::new() },
     };
     Ok(host.scene.add_sound(request))
 }

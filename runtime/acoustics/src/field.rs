@@ -79,6 +79,65 @@ impl FieldMesh {
         Ok(Self { points, normals, areas: vec![area; ISO_3744.len()], faces: Vec::new() })
     }
 
+    /// Creates the nine key positions of ISO 3744 on a box around a small source: the middles of
+    /// the sides and of the top, and the upper corners. The box has this distance from the
+    /// reference box with these sides, m, whose base has this centre on the ground; its height is
+    /// along the normal, and its other sides along [`tangents`] of the normal. All represent the
+    /// same area.
+    ///
+    /// # Errors
+    /// A length is not positive and finite, the normal vanishes, or the reference box is not small:
+    /// its sides exceed the distance, or its height twice the distance.
+    pub fn iso_3744_box(
+        base: Vector,
+        normal: Vector,
+        [first, second, height]: [f64; 3],
+        distance: f64,
+    ) -> Result<Self, AcousticError> {
+        check_size(distance, 2)?;
+        let axis = checked_normal(normal)?;
+        let sides = [first, second, height];
+        if sides.iter().any(|side| !(*side > 0.0 && side.is_finite())) {
+            return Err(AcousticError::input(
+                format!("the reference box has the sides {sides:?} m"),
+                "state sides that are positive and finite",
+            ));
+        }
+        let least = first.max(second).max(0.5 * height);
+        if least > distance {
+            return Err(AcousticError::input(
+                format!(
+                    "nine microphones at a distance of {distance} m are too few for a box of {first:.3} m by {second:.3} m by {height:.3} m"
+                ),
+                format!("give a distance of at least {:.3} m", 1e-3 * (1e3 * least).ceil()),
+            ));
+        }
+        let [x, y] = tangents(axis);
+        let (a, b, c) = (0.5 * first + distance, 0.5 * second + distance, height + distance);
+        let h = 0.5 * c;
+        let sides = [
+            ([a, 0.0, h], x),
+            ([0.0, b, h], y),
+            ([-a, 0.0, h], scaled(x, -1.0)),
+            ([0.0, -b, h], scaled(y, -1.0)),
+        ];
+        let corners = [[a, b, c], [-a, b, c], [-a, -b, c], [a, -b, c]]
+            .map(|at @ [p, q, r]| (at, unit(plus(plus(scaled(x, p), scaled(y, q)), scaled(axis, r)))));
+        let all =
+            || sides.iter().chain(&corners).chain([&([0.0, 0.0, c], axis)]).copied().collect::<Vec<_>>();
+        let point = |([p, q, r], _): &([f64; 3], Vector)| {
+            plus(base, plus(plus(scaled(x, *p), scaled(y, *q)), scaled(axis, *r)))
+        };
+        let points: Vec<Vector> = all().iter().map(point).collect();
+        let area = 4.0 * (a * b + b * c + c * a) / points.len() as f64;
+        Ok(Self {
+            areas: vec![area; points.len()],
+            normals: all().iter().map(|(_, normal)| *normal).collect(),
+            faces: Vec::new(),
+            points,
+        })
+    }
+
     /// Creates a parallelogram from a corner and two edges, m, with the points in the centres of
     /// `counts` cells along each edge.
     ///
@@ -133,6 +192,16 @@ impl FieldMesh {
         mesh
     }
 
+    /// Returns the area, m².
+    pub fn area(&self) -> f64 {
+        self.areas.iter().sum()
+    }
+
+    /// Returns the mean over the area of values at the points.
+    pub fn mean(&self, values: impl IntoIterator<Item = f64>) -> f64 {
+        values.into_iter().zip(&self.areas).map(|(value, area)| value * area).sum::<f64>() / self.area()
+    }
+
     /// Returns the power through the field mesh in the far field, W: ∫ |p|²/(2ρc) dS, from the
     /// pressures at its points and the impedance ρc.
     pub fn far_field_power(&self, pressures: &[faer::c64], impedance: f64) -> f64 {
@@ -164,7 +233,7 @@ fn checked_normal(normal: Vector) -> Result<Vector, AcousticError> {
 
 /// Returns two unit vectors normal to an axis and to each other, which form a right-handed system
 /// with it. They are x and y if the axis is z.
-fn tangents(axis: Vector) -> [Vector; 2] {
+pub fn tangents(axis: Vector) -> [Vector; 2] {
     let helper = if axis[0].abs() < 0.9 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
     let x = unit(plus(helper, scaled(axis, -dot(helper, axis))));
     [x, cross(axis, x)]

@@ -11,11 +11,10 @@ use crate::pair::PairQuadrature;
 use crate::plane::RigidPlane;
 use crate::point::{PointQuadrature, distance};
 use crate::radiation::Radiation;
-use crate::transfer::{RadiationImpedance, TransferVectors};
+use crate::transfer::TransferVectors;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, length, minus};
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par, c64};
+use faer::{Mat, c64};
 use rayon::prelude::*;
 
 /// Largest number of vertices for which [`Method::Automatic`] selects dense matrices: they take
@@ -116,7 +115,7 @@ impl RadiationModel {
 
     /// Returns the normal derivative of the pressure for a normal velocity, divided by the
     /// velocity: -iωρ.
-    fn inertia(&self, frequency: f64) -> c64 {
+    pub(crate) fn inertia(&self, frequency: f64) -> c64 {
         c64::new(0.0, -std::f64::consts::TAU * frequency * self.fluid.density)
     }
 }
@@ -259,64 +258,8 @@ impl<'m> Equations<'m> {
         Ok(TransferVectors::new(self.frequency, points.to_vec(), transfer))
     }
 
-    /// Computes the radiation impedance of velocity patterns: with it, the power of any combination
-    /// of the patterns is a quadratic form.
-    ///
-    /// # Errors
-    /// As [`Equations::solve`].
-    pub fn radiation_impedance(
-        &self,
-        patterns: &[Vec<c64>],
-        interrupt: &Interrupt,
-    ) -> Result<RadiationImpedance, AcousticError> {
-        let solutions = self.solve(patterns, interrupt)?;
-        Ok(self.surface_impedance(patterns, &solutions))
-    }
-
-    /// Computes the radiation impedance of velocity patterns like
-    /// [`Equations::radiation_impedance`], and that of their far field with Gauss points as in
-    /// [`Equations::far_field_power`]. The latter is a sum of squares, so that no power is
-    /// negative, and insensitive to errors of phase.
-    ///
-    /// # Errors
-    /// As [`Equations::solve`] and [`Equations::far_field_power`].
-    pub fn impedances(
-        &self,
-        patterns: &[Vec<c64>],
-        rings: usize,
-        interrupt: &Interrupt,
-    ) -> Result<[RadiationImpedance; 2], AcousticError> {
-        let solutions = self.solve(patterns, interrupt)?;
-        let directions = self.directions(rings)?;
-        let (count, rows) = (patterns.len(), self.operators.nodes + self.operators.panels.len());
-        let bytes = 16 * count * (rows + 2 * directions.points.len());
-        let _room = interrupt.reserve_memory(bytes as u64)?;
-        let inertia = self.model.inertia(self.frequency);
-        let sources = Mat::from_fn(rows, count, |row, pattern| match row.checked_sub(self.operators.nodes) {
-            None => solutions[pattern].pressures()[row],
-            Some(triangle) => inertia * patterns[pattern][triangle],
-        });
-        let at = |(direction, area): (&Vector, &f64)| -> Result<Vec<c64>, AcousticError> {
-            interrupt.check()?;
-            let (pressure, derivative) = self.points.far_row(&self.operators, *direction);
-            let row: Vec<c64> = pressure.into_iter().chain(derivative).collect();
-            let weight = (area / self.model.fluid.impedance()).sqrt();
-            let amplitude = |pattern: usize| {
-                row.iter().zip(sources.col(pattern).iter()).map(|(a, b)| a * b).sum::<c64>() * weight
-            };
-            Ok((0..count).map(amplitude).collect())
-        };
-        let amplitudes = directions.points.par_iter().zip(&directions.areas).map(at);
-        let amplitudes: Vec<Vec<c64>> = amplitudes.collect::<Result<_, _>>()?;
-        let far = Mat::from_fn(amplitudes.len(), count, |row, pattern| amplitudes[row][pattern]);
-        let mut product = Mat::zeros(count, count);
-        let one = c64::new(1.0, 0.0);
-        matmul(product.as_mut(), Accum::Replace, far.adjoint(), far.as_ref(), one, Par::Seq);
-        Ok([self.surface_impedance(patterns, &solutions), RadiationImpedance::new(self.frequency, product)])
-    }
-
     /// Returns the Gauss points of all directions into the fluid.
-    fn directions(&self, rings: usize) -> Result<FieldMesh, AcousticError> {
+    pub(crate) fn directions(&self, rings: usize) -> Result<FieldMesh, AcousticError> {
         let center = [0.0; 3];
         match self.model.mesh.plane() {
             Some(plane) => FieldMesh::hemisphere(center, plane.normal(), 1.0, rings),
@@ -324,18 +267,19 @@ impl<'m> Equations<'m> {
         }
     }
 
-    fn surface_impedance(&self, patterns: &[Vec<c64>], solutions: &[Radiation]) -> RadiationImpedance {
-        let mesh = &self.model.mesh;
-        let impedance = Mat::from_fn(patterns.len(), patterns.len(), |i, j| {
-            let force = |(triangle, velocity): (usize, &c64)| {
-                velocity.conj() * solutions[j].mean_pressure(mesh, triangle) * mesh.areas()[triangle]
-            };
-            patterns[i].iter().enumerate().map(force).sum::<c64>()
-        });
-        RadiationImpedance::new(self.frequency, impedance)
+    /// Returns the row of the far field in a direction, for the pressures of the vertices and the
+    /// normal derivatives of the triangles.
+    pub(crate) fn far_row(&self, direction: Vector) -> (Vec<c64>, Vec<c64>) {
+        self.points.far_row(&self.operators, direction)
     }
 
-    fn check_points(&self, points: &[Vector]) -> Result<(), AcousticError> {
+    /// Returns the row of the representation formula for a point in the fluid.
+    pub(crate) fn point_row(&self, point: Vector) -> (Vec<c64>, Vec<c64>) {
+        self.points.row(&self.operators, point)
+    }
+
+    /// Checks that points are in the fluid.
+    pub(crate) fn check_points(&self, points: &[Vector]) -> Result<(), AcousticError> {
         let mesh = &self.model.mesh;
         let least = LEAST_DISTANCE * mesh.size();
         let check = |(index, point): (usize, &Vector)| {

@@ -80,10 +80,11 @@ pub fn equivalent_radiated_power(mesh: &SurfaceMesh, fluid: &Fluid, velocities: 
 
 /// Returns the impedance of real velocity patterns whose power is the equivalent radiated power. It
 /// does not depend on the frequency, which is infinite in the result. A pattern has the normal
-/// velocities of the triangles, m/s.
-pub fn equivalent_impedance(mesh: &SurfaceMesh, fluid: &Fluid, patterns: &[Vec<f64>]) -> RadiationImpedance {
+/// velocities of the triangles, m/s, and `areas` the areas of the triangles that count, m²: those
+/// of a mesh, or of its panels.
+pub fn equivalent_impedance(areas: &[f64], fluid: &Fluid, patterns: &[Vec<f64>]) -> RadiationImpedance {
     let product = |one: &[f64], other: &[f64]| -> f64 {
-        one.iter().zip(other).zip(mesh.areas()).map(|((one, other), area)| one * other * area).sum()
+        one.iter().zip(other).zip(areas).map(|((one, other), area)| one * other * area).sum()
     };
     let impedance = Mat::from_fn(patterns.len(), patterns.len(), |i, j| {
         c64::new(fluid.impedance() * product(&patterns[i], &patterns[j]), 0.0)

@@ -60,93 +60,130 @@ pub fn power(
     frequency: f64,
     interrupt: &Interrupt,
 ) -> Result<f64, AcousticError> {
-    let wavenumber = fluid.wavenumber(frequency)?;
-    check_velocities(velocities, triangles.len(), 0)?;
-    // The kernel is smooth, so three points a triangle suffice at six elements per wavelength.
-    let rule = triangle_rule(3);
-    let points: Vec<(Vector, c64)> = triangles
-        .iter()
-        .zip(velocities)
-        .flat_map(|(corners, velocity)| {
-            let area = Panel::separate(*corners).area;
-            let [a, b, c] = *corners;
-            rule.iter().map(move |([p, q, r], weight)| {
-                (plus(plus(scaled(a, *p), scaled(b, *q)), scaled(c, *r)), velocity * (area * weight))
-            })
-        })
-        .collect();
-    let row = |(index, (at, own)): (usize, &(Vector, c64))| {
-        interrupt.check()?;
-        let mut sum = 0.5 * wavenumber * own.norm_sqr();
-        for (other, flow) in &points[index + 1..] {
-            let distance = length(minus(*at, *other));
-            let phase = wavenumber * distance;
-            let kernel = if phase < 1e-4 { wavenumber } else { phase.sin() / distance };
-            sum += (own.conj() * flow).re * kernel;
-        }
-        Ok(sum)
-    };
-    let rows: Result<Vec<f64>, AcousticError> = points.par_iter().enumerate().map(row).collect();
-    Ok(fluid.density * frequency * rows?.iter().sum::<f64>())
+    Ok(triangle_powers(triangles, velocities, fluid, frequency, interrupt)?.iter().sum())
 }
 
-/// Returns the radiation impedance of real velocity patterns, whose power is that of [`power`]: a
-/// pattern has the normal velocities of the triangles, m/s.
+/// Returns the contribution of each triangle to [`power`], W: the integral over x is that over the
+/// triangle.
 ///
 /// # Errors
-/// As [`power`], or the caller refuses the memory.
-pub fn radiation_impedance(
+/// As [`pressures`].
+pub fn triangle_powers(
     triangles: &[[Vector; 3]],
-    patterns: &[Vec<f64>],
+    velocities: &[c64],
     fluid: &Fluid,
     frequency: f64,
     interrupt: &Interrupt,
-) -> Result<RadiationImpedance, AcousticError> {
+) -> Result<Vec<f64>, AcousticError> {
+    let wavenumber = fluid.wavenumber(frequency)?;
+    check_velocities(velocities, triangles.len(), 0)?;
+    let samples = Samples::new(triangles);
+    let flows: Vec<c64> =
+        samples.weights.iter().map(|&(triangle, weight)| velocities[triangle] * weight).collect();
+    let own = |(at, flow): (&Vector, &c64)| {
+        interrupt.check()?;
+        let parts = samples.points.iter().zip(&flows);
+        Ok(parts.map(|(other, source)| (flow.conj() * source).re * kernel(wavenumber, *at, *other)).sum())
+    };
+    let found: Result<Vec<f64>, AcousticError> = samples.points.par_iter().zip(&flows).map(own).collect();
+    let mut powers = vec![0.0; triangles.len()];
+    for ((triangle, _), value) in samples.weights.iter().zip(found?) {
+        powers[*triangle] += 0.5 * fluid.density * frequency * value;
+    }
+    Ok(powers)
+}
+
+/// Sample points of triangles. The kernel is smooth, so three points a triangle suffice at six
+/// elements per wavelength.
+struct Samples {
+    points: Vec<Vector>,
+    /// Triangle of each point, and the area that the point represents, m².
+    weights: Vec<(usize, f64)>,
+}
+
+impl Samples {
+    fn new(triangles: &[[Vector; 3]]) -> Samples {
+        let rule = triangle_rule(3);
+        let (mut points, mut weights) = (Vec::new(), Vec::new());
+        for (index, corners) in triangles.iter().enumerate() {
+            let area = Panel::separate(*corners).area;
+            let [a, b, c] = *corners;
+            for ([p, q, r], weight) in &rule {
+                points.push(plus(plus(scaled(a, *p), scaled(b, *q)), scaled(c, *r)));
+                weights.push((index, area * weight));
+            }
+        }
+        Samples { points, weights }
+    }
+}
+
+/// Returns sin(kr)/r of the distance of two points.
+fn kernel(wavenumber: f64, at: Vector, other: Vector) -> f64 {
+    let distance = length(minus(at, other));
+    let phase = wavenumber * distance;
+    if phase < 1e-4 { wavenumber } else { phase.sin() / distance }
+}
+
+/// Returns the radiation impedances of panels for real velocity patterns; that of one panel with
+/// all triangles has the power of [`power`]. A pattern has the normal velocities of the triangles,
+/// m/s, and a panel has the share of each triangle that belongs to it. Impedances of panels sum to
+/// that of the surface.
+///
+/// # Errors
+/// As [`power`], or the caller refuses the memory.
+pub fn panel_impedances(
+    triangles: &[[Vector; 3]],
+    patterns: &[Vec<f64>],
+    panels: &[Vec<f64>],
+    (fluid, frequency): (&Fluid, f64),
+    interrupt: &Interrupt,
+) -> Result<Vec<RadiationImpedance>, AcousticError> {
     let wavenumber = fluid.wavenumber(frequency)?;
     for (case, pattern) in patterns.iter().enumerate() {
         let velocities: Vec<c64> = pattern.iter().map(|value| c64::new(*value, 0.0)).collect();
         check_velocities(&velocities, triangles.len(), case)?;
     }
-    let rule = triangle_rule(3);
-    let mut points: Vec<Vector> = Vec::with_capacity(3 * triangles.len());
-    let mut weights: Vec<(usize, f64)> = Vec::with_capacity(3 * triangles.len());
-    for (index, corners) in triangles.iter().enumerate() {
-        let area = Panel::separate(*corners).area;
-        let [a, b, c] = *corners;
-        for ([p, q, r], weight) in &rule {
-            points.push(plus(plus(scaled(a, *p), scaled(b, *q)), scaled(c, *r)));
-            weights.push((index, area * weight));
-        }
-    }
+    let Samples { points, weights } = Samples::new(triangles);
     let (count, size) = (points.len(), patterns.len());
     let blocks = count.div_ceil(ROWS);
     let threads = rayon::current_num_threads();
-    let bytes = 8 * (count * size + threads * ROWS * (count + size) + blocks * size * size);
+    let bytes =
+        8 * (count * size + threads * ROWS * (count + 2 * size) + blocks * panels.len() * size * size);
     let _room = interrupt.reserve_memory(bytes as u64)?;
     let flows = Mat::from_fn(count, size, |point, pattern| {
         let (triangle, weight) = weights[point];
         patterns[pattern][triangle] * weight
     });
-    let block = |block: usize| -> Result<Mat<f64>, AcousticError> {
+    let multiply = |out: faer::MatMut<'_, f64>, a: faer::MatRef<'_, f64>, b: faer::MatRef<'_, f64>| {
+        matmul(out, Accum::Replace, a, b, 1.0, Par::Seq);
+    };
+    let block = |block: usize| -> Result<Vec<Option<Mat<f64>>>, AcousticError> {
         interrupt.check()?;
         let first = block * ROWS;
         let rows = ROWS.min(count - first);
-        let kernel = Mat::from_fn(rows, count, |row, column| {
-            let distance = length(minus(points[first + row], points[column]));
-            let phase = wavenumber * distance;
-            if phase < 1e-4 { wavenumber } else { phase.sin() / distance }
-        });
-        let (mut product, mut form) = (Mat::zeros(rows, size), Mat::zeros(size, size));
-        let multiply = |out: faer::MatMut<'_, f64>, a: faer::MatRef<'_, f64>, b: faer::MatRef<'_, f64>| {
-            matmul(out, Accum::Replace, a, b, 1.0, Par::Seq);
-        };
+        let kernel =
+            Mat::from_fn(rows, count, |row, column| kernel(wavenumber, points[first + row], points[column]));
+        let mut product = Mat::zeros(rows, size);
         multiply(product.as_mut(), kernel.as_ref(), flows.as_ref());
-        multiply(form.as_mut(), flows.as_ref().subrows(first, rows).transpose(), product.as_ref());
-        Ok(form)
+        let form = |panel: &Vec<f64>| {
+            let share = |row: usize| panel[weights[first + row].0];
+            (0..rows).any(|row| share(row) != 0.0).then(|| {
+                let own = Mat::from_fn(rows, size, |row, pattern| flows[(first + row, pattern)] * share(row));
+                let mut form = Mat::zeros(size, size);
+                multiply(form.as_mut(), own.transpose(), product.as_ref());
+                form
+            })
+        };
+        Ok(panels.iter().map(form).collect())
     };
-    let forms: Vec<Mat<f64>> = (0..blocks).into_par_iter().map(block).collect::<Result<_, _>>()?;
+    let forms: Vec<Vec<Option<Mat<f64>>>> =
+        (0..blocks).into_par_iter().map(block).collect::<Result<_, _>>()?;
     let factor = fluid.density * frequency;
-    let entry = |i: usize, j: usize| factor * forms.iter().map(|form| form[(i, j)]).sum::<f64>();
-    let impedance = Mat::from_fn(size, size, |i, j| c64::new(0.5 * (entry(i, j) + entry(j, i)), 0.0));
-    Ok(RadiationImpedance::new(frequency, impedance))
+    let impedance = |panel: usize| {
+        let mut sum = Mat::<f64>::zeros(size, size);
+        forms.iter().filter_map(|block| block[panel].as_ref()).for_each(|form| sum += form);
+        let entry = |i: usize, j: usize| c64::new(0.5 * factor * (sum[(i, j)] + sum[(j, i)]), 0.0);
+        RadiationImpedance::new(frequency, Mat::from_fn(size, size, entry))
+    };
+    Ok((0..panels.len()).map(impedance).collect())
 }

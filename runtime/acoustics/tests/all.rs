@@ -1,5 +1,6 @@
 //! Tests of radiated sound, one module per subject.
 
+mod fields;
 mod levels;
 mod meshes;
 mod plane_sources;

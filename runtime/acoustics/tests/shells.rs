@@ -143,13 +143,24 @@ fn impedances_of_patterns_give_the_power_of_combinations() {
     for frequency in [50.0, 400.0] {
         let expected =
             rayleigh::power(&triangles, &velocities, &fluid, frequency, &interrupt).expect("a power");
-        let found = rayleigh::radiation_impedance(&triangles, &patterns, &fluid, frequency, &interrupt);
-        let found = found.expect("an impedance").power(&amplitudes);
-        assert!((found / expected - 1.0).abs() < 1e-10, "{found} {expected}");
+        // Two panels that share the triangles, and all of them.
+        let part = |k: usize| (k % 5) as f64 / 4.0;
+        let panels: [Vec<f64>; 3] =
+            [(0..count).map(part).collect(), (0..count).map(|k| 1.0 - part(k)).collect(), vec![1.0; count]];
+        let found =
+            rayleigh::panel_impedances(&triangles, &patterns, &panels, (&fluid, frequency), &interrupt);
+        let found: Vec<f64> =
+            found.expect("impedances").iter().map(|panel| panel.power(&amplitudes)).collect();
+        assert!((found[2] / expected - 1.0).abs() < 1e-10, "{found:?} {expected}");
+        assert!(((found[0] + found[1]) / expected - 1.0).abs() < 1e-10, "{found:?} {expected}");
+        let of_triangles = rayleigh::triangle_powers(&triangles, &velocities, &fluid, frequency, &interrupt)
+            .expect("powers");
+        let first: f64 = of_triangles.iter().enumerate().map(|(k, power)| part(k) * power).sum();
+        assert!((found[0] - first).abs() < 1e-10 * expected, "{found:?} {first}");
     }
     let expected = equivalent_radiated_power(&mesh, &fluid, &velocities);
-    let found = equivalent_impedance(&mesh, &fluid, &patterns).power(&amplitudes);
+    let found = equivalent_impedance(mesh.areas(), &fluid, &patterns).power(&amplitudes);
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
-    let invalid = rayleigh::radiation_impedance(&triangles, &[vec![1.0; 2]], &fluid, 50.0, &interrupt);
+    let invalid = rayleigh::panel_impedances(&triangles, &[vec![1.0; 2]], &[], (&fluid, 50.0), &interrupt);
     assert!(invalid.is_err());
 }

@@ -4,9 +4,9 @@ use crate::shapes::{cuboid, sphere};
 use crate::spheres::frequency;
 use calyx_acoustics::field::FieldMesh;
 use calyx_acoustics::sweep::{ImpedanceSweep, TransferSweep};
-use calyx_acoustics::{Fluid, Method, RadiationModel, RigidPlane, Settings, SurfaceMesh};
+use calyx_acoustics::{Fluid, Method, RadiationModel, RigidPlane, Settings, SolvedPatterns, SurfaceMesh};
 use calyx_numerics::interrupt::Interrupt;
-use calyx_numerics::vec3::Vector;
+use calyx_numerics::vec3::{Vector, scaled};
 use faer::{Mat, c64};
 
 const POINTS: [Vector; 3] = [[0.0, 0.2, 1.4], [2.0, 1.0, 0.5], [-3.0, 0.5, 2.0]];
@@ -67,21 +67,41 @@ fn radiation_impedance_gives_the_power_of_combinations() {
     let model = RadiationModel { mesh: box_on_plane(), fluid: Fluid::AIR };
     let patterns = patterns(&model.mesh);
     let equations = model.equations(frequency(2.0), &Settings::default(), &interrupt).expect("assembled");
-    let impedance = equations.radiation_impedance(&patterns, &interrupt).expect("solved");
+    let solved = SolvedPatterns::new(&equations, &patterns, &interrupt).expect("solved");
     let amplitudes = [c64::new(1.0, 0.5), c64::new(-0.3, 0.2), c64::new(0.0, 2.0)];
     let velocities: Vec<c64> = (0..model.mesh.triangles().len())
         .map(|t| amplitudes.iter().zip(&patterns).map(|(a, pattern)| a * pattern[t]).sum())
         .collect();
     let radiation = equations.solve(&[velocities], &interrupt).expect("solved").remove(0);
     let power = radiation.power(&model.mesh);
-    assert!((impedance.power(&amplitudes) / power - 1.0).abs() < 1e-10);
+    assert!((solved.impedance().power(&amplitudes) / power - 1.0).abs() < 1e-10);
     let far_power = equations.far_field_power(&radiation, 12, &interrupt).expect("rings");
-    let [on_surface, far] = equations.impedances(&patterns, 12, &interrupt).expect("solved");
-    assert!((on_surface.power(&amplitudes) / power - 1.0).abs() < 1e-10);
+    let far = solved.far_impedance(12, &interrupt).expect("solved");
     assert!((far.power(&amplitudes) / far_power - 1.0).abs() < 1e-10);
+    let combined = |rows: Mat<c64>| -> Vec<c64> {
+        (0..rows.nrows()).map(|i| (0..3).map(|j| rows[(i, j)] * amplitudes[j]).sum()).collect()
+    };
+    let direct = equations.pressures(&radiation, &POINTS, &interrupt).expect("in the fluid");
+    let found = combined(solved.pressures(&POINTS, &interrupt).expect("in the fluid"));
+    for (found, expected) in found.iter().zip(direct) {
+        assert!((found - expected).norm() < 1e-10 * expected.norm(), "{found} {expected}");
+    }
+    // The far field is the limit of the pressure.
+    let (direction, distance) = ([0.6, 0.0, 0.8], 2e3);
+    let far = combined(solved.far_field(&[direction], &interrupt).expect("solved"))[0];
+    let at = [scaled(direction, distance)];
+    let pressure = equations.pressures(&radiation, &at, &interrupt).expect("in the fluid")[0];
+    let phase = std::f64::consts::TAU * frequency(2.0) / Fluid::AIR.speed_of_sound * distance;
+    let expected = pressure * c64::from_polar(distance, phase);
+    assert!((far - expected).norm() < 1e-3 * expected.norm(), "{far} {expected}");
     let panels: Vec<usize> = model.mesh.faces().iter().map(|face| face % 3).collect();
     let parts = radiation.panel_powers(&model.mesh, &panels, 3);
     assert!((parts.iter().sum::<f64>() / power - 1.0).abs() < 1e-10);
+    for (panel, expected) in parts.iter().enumerate() {
+        let shares: Vec<f64> = panels.iter().map(|own| f64::from(u8::from(*own == panel))).collect();
+        let found = solved.panel_impedance(&shares).power(&amplitudes);
+        assert!((found - expected).abs() < 1e-10 * power, "{found} {expected}");
+    }
 }
 
 /// Power on the surface, in the far field, and through a distant hemisphere of field points.
@@ -115,7 +135,7 @@ fn sweeps_interpolate_over_the_frequency() {
     for ka in [1.0, 1.4, 1.8, 2.2, 2.6] {
         let equations = at(ka);
         vectors.push(equations.transfer_vectors(&POINTS, &interrupt).expect("in the fluid"));
-        impedances.push(equations.radiation_impedance(&patterns, &interrupt).expect("solved"));
+        impedances.push(SolvedPatterns::new(&equations, &patterns, &interrupt).expect("solved").impedance());
     }
     let too_few = TransferSweep::new(vectors[..3].to_vec(), mesh, &model.fluid, &interrupt);
     assert!(too_few.is_err() && ImpedanceSweep::new(impedances[1..2].to_vec()).is_err());

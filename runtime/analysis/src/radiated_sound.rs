@@ -8,14 +8,21 @@
 //!
 //! See `docs/theory/acoustics.md`.
 
+mod directions;
+mod fields;
 mod frequencies;
 mod motion;
 mod plane;
 mod results;
+mod shapes;
+mod solver;
 mod surface;
 
+pub use directions::{CoordinatePlane, Direction};
+pub use fields::{FieldRequest, FieldShape};
 pub(crate) use motion::{SurfaceMotion, Vibrating};
-pub use results::{RadiatedSound, SoundPoint, SurfaceSummary, Weighting};
+pub use results::{PanelSummary, RadiatedSound, Skin, SoundField, SoundPoint, SurfaceSummary, Weighting};
+pub use solver::SkinField;
 pub use surface::surface_size;
 
 use calyx_acoustics::{AcousticError, Fluid, RigidPlane};
@@ -28,9 +35,11 @@ use calyx_model::motion::angular_velocity;
 use calyx_model::plan::Plan;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
-use calyx_numerics::vec3::{Vector, dot, length, minus};
+use calyx_numerics::vec3::{Vector, dot, length, minus, plus, scaled};
 use calyx_solve::system::System;
 use frequencies::Field;
+use shapes::BodyShapes;
+use solver::Solver;
 use std::sync::Arc;
 use surface::Surface;
 
@@ -92,6 +101,8 @@ pub struct SoundRequest {
     pub plane: Option<[Vector; 2]>,
     /// Points at which the pressure is requested, in ground coordinates, m.
     pub points: Vec<Vector>,
+    /// Field meshes on which the pressure is requested.
+    pub fields: Vec<FieldRequest>,
 }
 
 impl SoundRequest {
@@ -99,9 +110,14 @@ impl SoundRequest {
     pub fn level_at(&self, fidelity: Fidelity) -> SoundLevel {
         match self.level {
             Some(level) => level,
-            None if !self.points.is_empty() || self.plane.is_some() => SoundLevel::BoundaryElements,
+            None if self.needs_pressures() || self.plane.is_some() => SoundLevel::BoundaryElements,
             None => SoundLevel::of_fidelity(fidelity),
         }
+    }
+
+    /// Returns true if pressures in the fluid are requested.
+    fn needs_pressures(&self) -> bool {
+        !self.points.is_empty() || !self.fields.is_empty()
     }
 
     fn connection<'s>(&self, scene: &'s Mechanism) -> Result<&'s ElasticConnection, EngineError> {
@@ -136,12 +152,33 @@ impl Placement {
         self.direction(minus(ground, self.origin))
     }
 
+    /// Transforms a point from the coordinates of the body to those of ground, m.
+    fn ground(&self, point: Vector) -> Vector {
+        let parts = self.state.axes.iter().zip(point);
+        parts.fold(self.origin, |sum, (axis, part)| plus(sum, scaled(*axis, part)))
+    }
+
     fn plane(&self, request: &SoundRequest) -> Result<Option<RigidPlane>, EngineError> {
         let plane = request.plane.map(|[point, normal]| {
             RigidPlane::new(self.point(point), self.direction(normal)).map_err(engine_error)
         });
         plane.transpose()
     }
+}
+
+/// Rounds a length to micrometres and returns it in mm.
+fn mm(metres: f64) -> f64 {
+    (metres * 1e6).round() / 1e3 + 0.0
+}
+
+/// Returns the middle of the box that contains points.
+fn middle(points: &[Vector]) -> Vector {
+    [0, 1, 2].map(|k: usize| {
+        let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
+            [low.min(point[k]), high.max(point[k])]
+        });
+        0.5 * (ends[0] + ends[1])
+    })
 }
 
 fn refused(message: impl Into<String>, help: impl Into<String>) -> EngineError {
@@ -163,7 +200,8 @@ fn engine_error(error: AcousticError) -> EngineError {
 ///
 /// # Errors
 /// E0784: there is no forced response, or no line with sound; a body has no surface, mass or
-/// component modes, rotates, is behind the rigid plane, or encloses a point. E0785: the surface of a body is open.
+/// component modes, rotates, is behind the rigid plane, or encloses a point; or a field mesh does
+/// not fit. E0785: the surface of a body is open.
 pub(crate) fn check(
     scene: &Mechanism,
     (sounds, lowest_line): (&[SoundRequest], Option<f64>),
@@ -176,6 +214,8 @@ pub(crate) fn check(
             "add `gears.forced_response(mesh, highest_speed = 6000 rpm);` before `analyze`",
         ));
     }
+    // Requests that differ in fluid and method have the same surface.
+    let mut surfaces: Vec<(&SoundRequest, Surface)> = Vec::new();
     for request in sounds {
         let connection = request.connection(scene)?;
         let name = &connection.name;
@@ -228,15 +268,23 @@ pub(crate) fn check(
             ));
         }
         let level = request.level_at(plan.fidelity);
-        if !request.points.is_empty() && level != SoundLevel::BoundaryElements {
+        if request.needs_pressures() && level != SoundLevel::BoundaryElements {
             return Err(refused(
-                format!("the level \"{}\" has no sound pressure at points", level.name()),
+                format!("the method \"{}\" has no sound pressure in the fluid", level.name()),
                 "choose `method = \"boundary_elements\"`, or leave `method` out",
             )
             .blame("method"));
         }
         plane::check(scene, (connection, request), level)?;
-        Surface::new(scene, request)?.check_points(request)?;
+        let is_same = |(other, _): &(&SoundRequest, Surface)| {
+            other.body == request.body && other.plane == request.plane
+        };
+        if !surfaces.iter().any(is_same) {
+            surfaces.push((request, Surface::new(scene, request)?));
+        }
+        for (_, surface) in surfaces.iter().filter(|known| is_same(known)) {
+            surface.check_points(request)?;
+        }
     }
     Ok(())
 }
@@ -266,6 +314,7 @@ pub(crate) struct Sound {
     /// Harmonic of each line; `None` for sidebands and the mean value.
     pub harmonics: Vec<Option<usize>>,
     fields: Vec<Arc<Field>>,
+    shapes: Vec<Arc<BodyShapes>>,
 }
 
 /// Returns the sound that a system has computed; `None` before.
@@ -290,6 +339,7 @@ pub(crate) struct SoundTask<'a> {
 /// fields in the fluid.
 pub(crate) struct SoundModels {
     models: Vec<Vibrating>,
+    shapes: Vec<Arc<BodyShapes>>,
     requests: Vec<SoundRequest>,
     levels: Vec<SoundLevel>,
     shared: Option<Arc<Sound>>,
@@ -320,13 +370,29 @@ impl SoundModels {
     ) -> Result<SoundModels, EngineError> {
         let SoundTask { requests, plan, highest_frequency, .. } = *task;
         let highest = highest_frequency.min(highest_line);
-        let model = |request: &SoundRequest| {
-            let surface = Surface::new(system.scene, request)?.coarsened(request, highest)?;
+        let surface =
+            |request: &SoundRequest| Surface::new(system.scene, request)?.coarsened(request, highest);
+        let surfaces: Vec<Surface> = requests.iter().map(surface).collect::<Result<_, _>>()?;
+        let known = task.shared.as_ref().map_or(&[][..], |sound| &sound.shapes);
+        let mut shapes: Vec<Arc<BodyShapes>> = Vec::new();
+        for request in requests {
+            let own: Vec<&Surface> = surfaces
+                .iter()
+                .zip(requests)
+                .filter(|(_, other)| other.body == request.body)
+                .map(|(own, _)| own)
+                .collect();
             let mass = plan.connections[request.body.0].mass;
-            resources.install(|| Vibrating::new(system, request, surface, mass, resources))
+            let body = (request.body, request.connection(system.scene)?, mass);
+            let found: Vec<Arc<BodyShapes>> = shapes.iter().chain(known).cloned().collect();
+            shapes.push(BodyShapes::find(body, &own, &found, resources)?);
+        }
+        let model = |((request, surface), shapes): ((&SoundRequest, Surface), &Arc<BodyShapes>)| {
+            resources.install(|| Vibrating::new(system, request, surface, shapes, resources))
         };
         Ok(SoundModels {
-            models: requests.iter().map(model).collect::<Result<_, _>>()?,
+            models: requests.iter().zip(surfaces).zip(&shapes).map(model).collect::<Result<_, _>>()?,
+            shapes,
             requests: requests.to_vec(),
             levels: requests.iter().map(|request| request.level_at(plan.fidelity)).collect(),
             shared: task.shared.clone(),
@@ -361,11 +427,16 @@ impl SoundModels {
                     Arc::new(resources.install(find)?)
                 }
             };
-            let result = RadiatedSound::new((model, request), &field, lines, (speeds, &own));
+            let mut result = RadiatedSound::new((model, request), &field, lines, (speeds, &own));
+            // Results of perturbed solves are compared, and not shown.
+            if let (None, Some(motion)) = (&self.shared, own.last()) {
+                let solver = Solver::new(model, self.levels[index], &resources.interrupt);
+                resources.install(|| result.add_skin(model, &solver, motion))?;
+            }
             results.push(result);
             fields.push(field);
         }
-        let sound = Sound { results, harmonics: lines.harmonics.to_vec(), fields };
+        let sound = Sound { results, harmonics: lines.harmonics.to_vec(), fields, shapes: self.shapes };
         system.derived.get_or_create(DERIVED, || sound).ok_or_else(|| refused("the sound is lost", ""))
     }
 }

@@ -45,25 +45,46 @@ impl Scene {
         ObservableId(at)
     }
 
-    /// Adds a request for radiated sound, or joins its points with those of an equal one. Returns
-    /// its index, and those of its points.
-    pub fn add_sound(&mut self, request: SoundRequest) -> (usize, Vec<usize>) {
-        let without_points = |request: &SoundRequest| SoundRequest { points: Vec::new(), ..request.clone() };
+    /// Adds a request for radiated sound, or joins its points and field meshes with those of an
+    /// equal one.
+    pub fn add_sound(&mut self, request: SoundRequest) -> AddedSound {
+        let without_points = |request: &SoundRequest| SoundRequest {
+            points: Vec::new(),
+            fields: Vec::new(),
+            ..request.clone()
+        };
         let wanted = without_points(&request);
         let known = self.sounds.iter().position(|known| without_points(known) == wanted);
         let at = known.unwrap_or_else(|| {
             self.sounds.push(wanted);
             self.sounds.len() - 1
         });
-        let known = &mut self.sounds[at].points;
-        let index = |point: [f64; 3]| {
-            known.iter().position(|other| *other == point).unwrap_or_else(|| {
-                known.push(point);
-                known.len() - 1
-            })
-        };
-        (at, request.points.into_iter().map(index).collect())
+        let SoundRequest { points, fields, .. } = &mut self.sounds[at];
+        AddedSound {
+            sound: at,
+            points: request.points.into_iter().map(|point| index(points, point)).collect(),
+            fields: request.fields.into_iter().map(|field| index(fields, field)).collect(),
+        }
     }
+}
+
+/// Indices of a request for radiated sound, and of its points and field meshes within it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AddedSound {
+    /// Index of the request.
+    pub sound: usize,
+    /// Indices of the points.
+    pub points: Vec<usize>,
+    /// Indices of the field meshes.
+    pub fields: Vec<usize>,
+}
+
+/// Returns the index of an item, which is added if it is new.
+fn index<T: PartialEq>(known: &mut Vec<T>, item: T) -> usize {
+    known.iter().position(|other| *other == item).unwrap_or_else(|| {
+        known.push(item);
+        known.len() - 1
+    })
 }
 
 impl Deref for Scene {

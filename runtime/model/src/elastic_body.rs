@@ -22,7 +22,7 @@ pub use condensation::{MotionShapes, condense_model};
 pub use extent::{AttachmentExtent, CylinderAxis};
 pub use finite_elements::{BodyAttachment, FiniteElementBody};
 pub use given_matrices::MatrixBody;
-pub use radiating::{BodyMesh, Opening};
+pub use radiating::{BodyMesh, Opening, Panel};
 pub use recovery::{CellShape, DeformedElasticBody, Recovery};
 pub use rigid_links::rigid_links;
 

@@ -69,6 +69,7 @@ fn condensed(frequency: f64, highest: f64, nodes: &[usize]) -> Vec<[f64; 3]> {
     let shapes = body.motion_shapes(mass, nodes, &interrupt).expect("condensed").expect("a mesh");
     let modes = matrices.modes.count();
     assert_eq!(shapes.eigenvalues, matrices.modes.eigenvalues);
+    assert_eq!(shapes.coupling, matrices.modes.coupling);
     assert_eq!(shapes.displacements.len(), 18 + modes);
     // The last attachment is fixed.
     let (square, size) = ((TAU * frequency).powi(2), 12 + modes);
@@ -96,7 +97,9 @@ fn condensed(frequency: f64, highest: f64, nodes: &[usize]) -> Vec<[f64; 3]> {
     (0..nodes.len()).map(at).collect()
 }
 
-/// Below the highest frequency of the component modes, the nodes move as in the whole body.
+/// Below the highest frequency of the component modes, the nodes move as in the whole body. Static
+/// shapes are exact up to the condition of the stiffness matrix. Modes from 8000 Hz on are omitted;
+/// pseudo-modes reduce their error, of the order (f / 8000 Hz)², to less than a seventh.
 #[test]
 fn nodes_move_as_in_a_harmonic_solution_of_the_whole_body() {
     let count = bar([8, 2, 2], 1.0).nodes.len();

@@ -49,7 +49,7 @@ const ANY_DIMENSION: [(&str, &str); 4] =
     [("interpolate", "xs"), ("interpolate", "ys"), ("interpolate", "x"), ("column", "unit")];
 
 /// Functions that read tables from files.
-const OF_FILES: [&str; 12] = [
+const OF_FILES: [&str; 15] = [
     "read_table",
     "column",
     "nastran",
@@ -62,6 +62,9 @@ const OF_FILES: [&str; 12] = [
     "sound_power_level",
     "radiation_efficiency",
     "sound_pressure_level",
+    "panel",
+    "mean_sound_pressure_level",
+    "measured_sound_power_level",
 ];
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request

@@ -69,7 +69,9 @@ pub use shafts::{
     ShaftReaction, ShaftRotation, ShaftStress,
 };
 pub use sliding::{Efficiency, FrictionLoss, MaxSlidingVelocity, SlidingVelocity};
-pub use sound::{RadiationEfficiency, SoundLines, SoundPower, SoundPowerLevel, SoundPressureLevel};
+pub use sound::{
+    RadiationEfficiency, SoundFieldLevel, SoundLines, SoundPower, SoundPowerLevel, SoundPressureLevel,
+};
 pub use spline_teeth::SplineToothLoad;
 pub use stress::{FilletSide, MaxRootCompression, MaxRootStress};
 pub use tribology::{

@@ -22,16 +22,24 @@ impl SoundLines {
         }
     }
 
-    /// Returns the weighted power of these lines at the speed of the model, W; NaN without a
-    /// result.
-    fn power(self, at: &Equilibrium<'_>, sound: usize, weighting: Weighting) -> f64 {
+    /// Returns the weighted power of these lines at the speed of the model, W, or the contribution of
+    /// a panel to it; NaN without a result.
+    fn power(
+        self,
+        at: &Equilibrium<'_>,
+        (sound, panel): (usize, Option<usize>),
+        weighting: Weighting,
+    ) -> f64 {
         let Some(all) = radiated_sound::of_system(at.system) else { return f64::NAN };
         let Some(found) = all.results.get(sound) else { return f64::NAN };
         let is_selected = |line: usize| match self {
             SoundLines::All => true,
             SoundLines::Harmonic(harmonic) => all.harmonics.get(line) == Some(&Some(harmonic)),
         };
-        found.power_of(&found.own, weighting, is_selected)
+        match panel {
+            None => found.power_of(&found.own, weighting, is_selected),
+            Some(panel) => found.panel_power_of(&found.own, panel, weighting, is_selected),
+        }
     }
 }
 
@@ -40,6 +48,8 @@ impl SoundLines {
 pub struct SoundPower {
     /// Index of the request of the scene.
     pub sound: usize,
+    /// Index of the panel of the body whose contribution counts; `None` for all of the surface.
+    pub panel: Option<usize>,
     /// Lines that count.
     pub lines: SoundLines,
 }
@@ -58,11 +68,12 @@ impl Observable for SoundPower {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        Observed::number(self.lines.power(at, self.sound, Weighting::None))
+        Observed::number(self.lines.power(at, (self.sound, self.panel), Weighting::None))
     }
 
     fn bounds(&self) -> [f64; 2] {
-        [0.0, f64::INFINITY]
+        // A panel can absorb sound of others.
+        [if self.panel.is_some() { f64::NEG_INFINITY } else { 0.0 }, f64::INFINITY]
     }
 }
 
@@ -71,6 +82,8 @@ impl Observable for SoundPower {
 pub struct SoundPowerLevel {
     /// Index of the request of the scene.
     pub sound: usize,
+    /// Index of the panel of the body whose contribution counts; `None` for all of the surface.
+    pub panel: Option<usize>,
     /// Lines that count.
     pub lines: SoundLines,
     /// Weighting of frequencies.
@@ -91,7 +104,7 @@ impl Observable for SoundPowerLevel {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        Observed::number(sound_power_level(self.lines.power(at, self.sound, self.weighting)))
+        Observed::number(sound_power_level(self.lines.power(at, (self.sound, self.panel), self.weighting)))
     }
 }
 
@@ -145,5 +158,38 @@ impl Observable for SoundPressureLevel {
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
         own(at, self.sound, |sound| sound.pressure_level(&sound.own, self.point, self.weighting))
+    }
+}
+
+/// Mean sound pressure level on a field mesh, dB re 20 uPa, or the sound power level that it gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoundFieldLevel {
+    /// Index of the request of the scene.
+    pub sound: usize,
+    /// Index of the field mesh of the request.
+    pub field: usize,
+    /// Weighting of frequencies.
+    pub weighting: Weighting,
+    /// True for the sound power level of the enveloping surface method.
+    pub is_power: bool,
+}
+
+impl Observable for SoundFieldLevel {
+    fn is_of_forced_response(&self) -> bool {
+        true
+    }
+
+    fn quantity(&self) -> Quantity {
+        Quantity::repeating(
+            if self.is_power { "measured_sound_power_level" } else { "mean_sound_pressure_level" },
+            "1",
+        )
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        own(at, self.sound, |sound| match self.is_power {
+            true => sound.measured_power_level(self.field, self.weighting),
+            false => sound.field_level(self.field, self.weighting),
+        })
     }
 }

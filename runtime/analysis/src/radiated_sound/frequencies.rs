@@ -7,15 +7,15 @@
 //! agrees with a solution there.
 
 use super::motion::{SurfaceMotion, Vibrating};
-use super::{Lines, SoundLevel, engine_error};
+use super::solver::{Solution, Solver};
+use super::{Lines, SoundLevel};
+use calyx_acoustics::RadiationImpedance;
 use calyx_acoustics::radiation::equivalent_impedance;
-use calyx_acoustics::{Equations, RadiationImpedance, RadiationModel, Settings, rayleigh};
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
-use calyx_numerics::interrupt::Interrupt;
-use calyx_numerics::vec3::{Vector, length, minus};
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// Largest relative error of the power by interpolation, at the middle of an interval before its
 /// solution is added: 0.02 dB.
@@ -32,25 +32,14 @@ const MOST: usize = 150;
 const POINTS: usize = 4;
 /// Part of the largest power below which the difference of the far field does not count.
 const NOTABLE: f64 = 0.01;
-/// Polar angles of the far field: twice the number of wavelengths across the body, and these.
-const RINGS: usize = 10;
-
-/// Sound of patterns at a frequency.
-struct Solution {
-    frequency: f64,
-    /// Hermitian form of the power, over the square of the frequency.
-    power: Mat<c64>,
-    /// Pressures at the points by pattern, without the phase of the distance and over the
-    /// frequency.
-    pressures: Mat<c64>,
-}
-
 /// Sound field of the patterns of a body.
 pub(super) struct Field {
     /// Level of the field.
     pub level: SoundLevel,
     /// Form of the equivalent radiated power.
     equivalent: RadiationImpedance,
+    /// Forms of the equivalent radiated powers of the panels.
+    equivalent_panels: Vec<RadiationImpedance>,
     solutions: Vec<Solution>,
     /// Distances of the points from the middle of the body, m.
     distances: Vec<f64>,
@@ -96,17 +85,6 @@ impl Probe<'_> {
     }
 }
 
-/// Solver of the field of a body at a frequency.
-struct Solver<'a> {
-    body: &'a Vibrating,
-    model: RadiationModel,
-    level: SoundLevel,
-    patterns: Vec<Vec<c64>>,
-    triangles: Vec<[Vector; 3]>,
-    distances: Vec<f64>,
-    interrupt: &'a Interrupt,
-}
-
 impl Field {
     /// Solves the field of a body at the frequencies of all lines and speeds.
     ///
@@ -120,13 +98,16 @@ impl Field {
         resources: &Resources,
     ) -> Result<Field, EngineError> {
         let mesh = &body.surface.skin.mesh;
-        let middle = middle(mesh.vertices());
-        let distances: Vec<f64> = body.points.iter().map(|point| length(minus(*point, middle))).collect();
+        let of_panel = |shares: &Vec<f64>| {
+            let areas: Vec<f64> = mesh.areas().iter().zip(shares).map(|(area, share)| area * share).collect();
+            equivalent_impedance(&areas, &body.fluid, &body.patterns)
+        };
         let mut field = Field {
             level,
-            equivalent: equivalent_impedance(mesh, &body.fluid, &body.patterns),
+            equivalent: equivalent_impedance(mesh.areas(), &body.fluid, &body.patterns),
+            equivalent_panels: body.surface.panels.iter().map(|panel| of_panel(&panel.shares)).collect(),
             solutions: Vec::new(),
-            distances: distances.clone(),
+            distances: body.distances.clone(),
             wavenumber: TAU / body.fluid.speed_of_sound,
             interpolation_error: 0.0,
             far_field_difference: f64::NAN,
@@ -135,21 +116,12 @@ impl Field {
         let Some(range) = probe.range().filter(|_| level != SoundLevel::EquivalentPower) else {
             return Ok(field);
         };
-        let complex = |pattern: &Vec<f64>| pattern.iter().map(|value| c64::new(*value, 0.0)).collect();
-        let solver = Solver {
-            body,
-            model: RadiationModel { mesh: mesh.clone(), fluid: body.fluid },
-            level,
-            patterns: body.patterns.iter().map(complex).collect(),
-            triangles: (0..mesh.triangles().len()).map(|triangle| mesh.corners(triangle)).collect(),
-            distances,
-            interrupt: &resources.interrupt,
-        };
+        let solver = Solver::new(body, level, &resources.interrupt);
         let step = STEP / (field.wavenumber * 0.5 * mesh.size());
         // Powers on the surface and in the far field.
         let mut powers: Vec<[f64; 2]> = Vec::new();
         for frequency in grid(range, step) {
-            let solution = solver.solve(frequency, &probe, &mut powers)?;
+            let solution = solver.solve(frequency, probe.near(frequency), &mut powers)?;
             field.solutions.push(solution);
         }
         // Intervals with the error at the middle of the wider ones from which they come.
@@ -166,7 +138,7 @@ impl Field {
                     remaining.push(([low, high], error));
                     continue;
                 };
-                let solved = solver.solve(at, &probe, &mut powers)?;
+                let solved = solver.solve(at, Some(velocities), &mut powers)?;
                 let own = field.difference(&solved, velocities);
                 match own > TOLERANCE {
                     true => intervals.extend([([low, at], own), ([at, high], own)]),
@@ -206,6 +178,17 @@ impl Field {
 
     /// Interpolates a matrix of the solutions at a frequency, Hz.
     fn interpolated(&self, frequency: f64, of: impl Fn(&Solution) -> &Mat<c64>) -> Mat<c64> {
+        let rows = self.solutions.first().map_or(0, |solution| of(solution).nrows());
+        self.interpolated_rows(0..rows, frequency, of)
+    }
+
+    /// Interpolates some rows of a matrix of the solutions at a frequency, Hz.
+    fn interpolated_rows(
+        &self,
+        rows: Range<usize>,
+        frequency: f64,
+        of: impl Fn(&Solution) -> &Mat<c64>,
+    ) -> Mat<c64> {
         let count = self.solutions.len().min(POINTS);
         let above = self.solutions.partition_point(|solution| solution.frequency < frequency);
         let first = above.saturating_sub(POINTS / 2).min(self.solutions.len() - count);
@@ -217,9 +200,10 @@ impl Field {
             others.map(|other| (at - place(other)) / (place(k) - place(other))).product()
         };
         let weights: Vec<f64> = (0..count).map(weight).collect();
-        let size = of(&own[0]);
-        Mat::from_fn(size.nrows(), size.ncols(), |i, j| {
-            own.iter().zip(&weights).map(|(solution, weight)| of(solution)[(i, j)] * *weight).sum()
+        let columns = of(&own[0]).ncols();
+        Mat::from_fn(rows.len(), columns, |i, j| {
+            let of_row = |(solution, weight): (&Solution, &f64)| of(solution)[(rows.start + i, j)] * *weight;
+            own.iter().zip(&weights).map(of_row).sum()
         })
     }
 
@@ -232,22 +216,61 @@ impl Field {
         (quadratic(&form, velocities) * frequency * frequency).max(0.0)
     }
 
+    /// Returns the contributions of the panels to [`Field::power`], W, which sum to it; empty
+    /// without panels. The intensity on the surface is integrated over each; the difference of
+    /// their sum from the power, which is that in the far field, is distributed in proportion to
+    /// the equivalent radiated powers.
+    pub fn panel_powers(&self, frequency: f64, velocities: &[c64]) -> Vec<f64> {
+        let equivalent: Vec<f64> =
+            self.equivalent_panels.iter().map(|panel| panel.power(velocities)).collect();
+        if self.solutions.is_empty() || equivalent.is_empty() {
+            return equivalent;
+        }
+        let power = |panel: usize| {
+            let form = self.interpolated(frequency, |solution| &solution.panels[panel]);
+            quadratic(&form, velocities) * frequency * frequency
+        };
+        let powers: Vec<f64> = (0..equivalent.len()).map(power).collect();
+        let difference = self.power(frequency, velocities) - powers.iter().sum::<f64>();
+        let total: f64 = equivalent.iter().sum();
+        let corrected = |(power, own): (&f64, &f64)| match total > 0.0 {
+            true => power + difference * own / total,
+            false => *power,
+        };
+        powers.iter().zip(&equivalent).map(corrected).collect()
+    }
+
+    /// Returns the amplitudes of the far field in all directions, Pa·m, relative to the middle of
+    /// the body; empty without boundary elements.
+    pub fn far_field(&self, frequency: f64, velocities: &[c64]) -> Vec<c64> {
+        if self.solutions.is_empty() {
+            return Vec::new();
+        }
+        let rows = self.interpolated(frequency, |solution| &solution.far_field);
+        products(&rows, velocities).into_iter().map(|value| value * frequency).collect()
+    }
+
     /// Returns the equivalent radiated power, W.
     pub fn equivalent_power(&self, velocities: &[c64]) -> f64 {
         self.equivalent.power(velocities)
     }
 
-    /// Returns the pressures at the points, Pa.
+    /// Returns the pressures at all points, Pa.
     pub fn pressures(&self, frequency: f64, velocities: &[c64]) -> Vec<c64> {
+        self.pressures_at(0..self.distances.len(), frequency, velocities)
+    }
+
+    /// Returns the pressures at some points, Pa.
+    pub fn pressures_at(&self, points: Range<usize>, frequency: f64, velocities: &[c64]) -> Vec<c64> {
         // Without velocities there is nothing to solve.
-        if self.solutions.is_empty() || self.distances.is_empty() {
-            return vec![c64::new(0.0, 0.0); self.distances.len()];
+        if self.solutions.is_empty() || points.is_empty() {
+            return vec![c64::new(0.0, 0.0); points.len()];
         }
-        let rows = self.interpolated(frequency, |solution| &solution.pressures);
+        let rows = self.interpolated_rows(points.clone(), frequency, |solution| &solution.pressures);
         let turned = |(value, distance): (c64, &f64)| {
             value * c64::from_polar(frequency, -self.wavenumber * frequency * distance)
         };
-        products(&rows, velocities).into_iter().zip(&self.distances).map(turned).collect()
+        products(&rows, velocities).into_iter().zip(&self.distances[points]).map(turned).collect()
     }
 
     /// Returns the number of points at which the pressure is known.
@@ -255,66 +278,14 @@ impl Field {
         self.distances.len()
     }
 
+    /// Returns the number of panels, with the rest of the surface.
+    pub fn panel_count(&self) -> usize {
+        self.equivalent_panels.len()
+    }
+
     /// Returns the frequencies of the solutions, Hz.
     pub fn frequencies(&self) -> Vec<f64> {
         self.solutions.iter().map(|solution| solution.frequency).collect()
-    }
-}
-
-impl Solver<'_> {
-    fn solve(
-        &self,
-        frequency: f64,
-        probe: &Probe<'_>,
-        powers: &mut Vec<[f64; 2]>,
-    ) -> Result<Solution, EngineError> {
-        self.interrupt.check()?;
-        let count = self.patterns.len();
-        let (impedance, pressures) = match self.level {
-            SoundLevel::EquivalentPower | SoundLevel::Rayleigh => {
-                let patterns = &self.body.patterns;
-                let found = rayleigh::radiation_impedance(
-                    &self.triangles,
-                    patterns,
-                    &self.body.fluid,
-                    frequency,
-                    self.interrupt,
-                );
-                (found.map_err(engine_error)?, Mat::zeros(0, count))
-            }
-            SoundLevel::BoundaryElements => {
-                let equations = self.model.equations(frequency, &Settings::default(), self.interrupt);
-                let equations = equations.map_err(engine_error)?;
-                let across = self.model.mesh.size() * frequency / self.body.fluid.speed_of_sound;
-                let rings = RINGS + (2.0 * across).ceil() as usize;
-                let found = equations.impedances(&self.patterns, rings, self.interrupt);
-                let [on_surface, far] = found.map_err(engine_error)?;
-                if let Some(velocities) = probe.near(frequency) {
-                    powers.push([&on_surface, &far].map(|form| form.power(velocities)));
-                }
-                (far, self.pressures(&equations)?)
-            }
-        };
-        let z = impedance.matrix();
-        let scale = 0.5 / (frequency * frequency);
-        let power = Mat::from_fn(count, count, |i, j| (z[(i, j)] + z[(j, i)].conj()) * scale);
-        Ok(Solution { frequency, power, pressures })
-    }
-
-    /// Returns the pressures at the points by pattern, without the phase of the distance and over
-    /// the frequency.
-    fn pressures(&self, equations: &Equations<'_>) -> Result<Mat<c64>, EngineError> {
-        if self.body.points.is_empty() {
-            return Ok(Mat::zeros(0, self.patterns.len()));
-        }
-        let transfer = equations.transfer_vectors(&self.body.points, self.interrupt).map_err(engine_error)?;
-        let frequency = equations.frequency();
-        let wavenumber = TAU * frequency / self.body.fluid.speed_of_sound;
-        let patterns = Mat::from_fn(self.triangles.len(), self.patterns.len(), |i, j| self.patterns[j][i]);
-        let found = transfer.pressures(patterns.as_ref());
-        Ok(Mat::from_fn(found.nrows(), found.ncols(), |point, pattern| {
-            found[(point, pattern)] * c64::from_polar(frequency.recip(), wavenumber * self.distances[point])
-        }))
     }
 }
 
@@ -359,16 +330,6 @@ fn stepped([low, high]: [f64; 2], step: f64) -> Vec<f64> {
         all.push(at);
     }
     all
-}
-
-/// Returns the middle of the box that contains points.
-fn middle(points: &[Vector]) -> Vector {
-    [0, 1, 2].map(|k: usize| {
-        let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
-            [low.min(point[k]), high.max(point[k])]
-        });
-        0.5 * (ends[0] + ends[1])
-    })
 }
 
 #[cfg(test)]

@@ -1,24 +1,23 @@
 //! Motion of the surface of a body: velocity patterns by unit of its coordinates, their amplitudes
 //! in a forced response, and the powers that enter and leave the body.
 
+use super::shapes::{BodyShapes, check_modes};
 use super::surface::Surface;
-use super::{SoundRequest, refused};
+use super::{SoundRequest, middle, refused};
 use calyx_acoustics::Fluid;
+use calyx_acoustics::field::FieldMesh;
 use calyx_model::bearing::{BearingState, Support};
 use calyx_model::connection::ConnectionState;
-use calyx_model::elastic_body::{MassReduction, MotionShapes, SharedElasticBody};
+use calyx_model::elastic_body::MotionShapes;
 use calyx_model::ids::{BearingId, BodyId};
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::MemoryReservation;
-use calyx_numerics::vec3::Vector;
+use calyx_numerics::vec3::{Vector, length, minus};
 use calyx_solve::forced_response::Motion;
 use calyx_solve::system::System;
 use faer::c64;
 use std::collections::BTreeMap;
-
-/// Relative difference of squared frequencies of component modes that counts as rounding.
-const SAME: f64 = 1e-6;
 
 /// Elastic body whose surface vibrates.
 pub(crate) struct Vibrating {
@@ -28,8 +27,17 @@ pub(crate) struct Vibrating {
     pub fluid: Fluid,
     /// Closed surface in the coordinates of the body.
     pub surface: Surface,
-    /// Points at which the pressure is requested, in the coordinates of the body, m.
+    /// Points at which the pressure is requested, and those of the field meshes, in the coordinates
+    /// of the body, m.
     pub points: Vec<Vector>,
+    /// Distances of the points from the middle of the body, m.
+    pub distances: Vec<f64>,
+    /// Field meshes in ground coordinates.
+    pub fields: Vec<FieldMesh>,
+    /// Directions of the far field into the fluid, in the coordinates of the body.
+    pub directions: Vec<Vector>,
+    /// Middle of the surface in the coordinates of the body, m.
+    pub middle: Vector,
     /// Normal velocities of the triangles by unit velocity of each coordinate.
     pub patterns: Vec<Vec<f64>>,
     /// Indices of these coordinates among those of the system.
@@ -62,20 +70,15 @@ impl Vibrating {
         system: &System<'_>,
         request: &SoundRequest,
         surface: Surface,
-        mass: MassReduction,
+        found: &BodyShapes,
         resources: &Resources,
     ) -> Result<Vibrating, EngineError> {
         let scene = system.scene;
         let connection = request.connection(scene)?;
         let lost = || refused(format!("the motion of \"{}\" is unknown", connection.name), "import its mesh");
         let condensed = system.elastic_connections.get(request.body.0).ok_or_else(lost)?;
-        let mut nodes: Vec<usize> = surface.skin.nodes.iter().flatten().copied().collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        let Some(SharedElasticBody(body)) = &connection.body else { return Err(lost()) };
-        let shapes = body.motion_shapes(mass, &nodes, &resources.interrupt)?.ok_or_else(lost)?;
-        check_modes(&connection.name, &shapes, &condensed.modes.eigenvalues)?;
-        let places: BTreeMap<usize, usize> = nodes.iter().enumerate().map(|(k, &node)| (node, k)).collect();
+        let BodyShapes { shapes, places, .. } = found;
+        check_modes(&connection.name, shapes, &condensed.modes)?;
         let state = ConnectionState::at(&scene.bodies, connection, 0.0)?;
         let triangles = surface.skin.mesh.triangles().len();
         let attached: Vec<BodyId> = connection.bodies().collect();
@@ -100,13 +103,21 @@ impl Vibrating {
             moved.push(vec![(unknowns + mode, 1.0)]);
         }
         let room = resources.interrupt.reserve_memory((8 * triangles * coordinates.len()) as u64)?;
-        let pattern = |parts: &Vec<(usize, f64)>| pattern(&surface, &places, &shapes, parts);
+        let pattern = |parts: &Vec<(usize, f64)>| pattern(&surface, places, shapes, parts);
         let patterns = moved.iter().map(pattern).collect::<Result<_, _>>()?;
         let (bearings, input_is_known) = bearings(system, &attached, &coordinates)?;
+        let fields = surface.fields(request)?;
+        let mut points = surface.points(&request.points);
+        points.extend(fields.iter().flat_map(|field| surface.points(&field.points)));
+        let middle = middle(surface.skin.mesh.vertices());
         Ok(Vibrating {
             name: connection.name.clone(),
             fluid: request.fluid,
-            points: surface.points(request),
+            distances: points.iter().map(|point| length(minus(*point, middle))).collect(),
+            points,
+            fields,
+            directions: surface.directions(request).iter().map(|at| surface.vector(at.vector)).collect(),
+            middle,
             surface,
             patterns,
             coordinates,
@@ -154,18 +165,6 @@ impl Vibrating {
             velocities: [all, velocities(coarse)],
         }
     }
-}
-
-/// Checks that the component modes of the shapes are those of the vibrations.
-fn check_modes(name: &str, shapes: &MotionShapes, modes: &[f64]) -> Result<(), EngineError> {
-    let is_same = |(one, other): (&f64, &f64)| (one - other).abs() <= SAME * other.abs();
-    if shapes.eigenvalues.len() == modes.len() && shapes.eigenvalues.iter().zip(modes).all(is_same) {
-        return Ok(());
-    }
-    Err(refused(
-        format!("the component modes of \"{name}\" in the structure cache are not those of its mesh"),
-        "delete the structure cache, and please report the model",
-    ))
 }
 
 /// Returns the normal velocities of the triangles for a combination of unknowns of the body.

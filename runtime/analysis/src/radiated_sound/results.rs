@@ -1,10 +1,14 @@
 //! Radiated sound by speed and line, its sums and levels, and what was changed on the surface.
 
+use super::directions::Direction;
 use super::frequencies::Field;
 use super::motion::{SurfaceMotion, Vibrating};
+use super::solver::{SkinField, Solver};
 use super::{Lines, SoundLevel, SoundRequest};
 use calyx_acoustics::Fluid;
+use calyx_acoustics::field::FieldMesh;
 use calyx_acoustics::levels::{REFERENCE_PRESSURE, a_weighting, sound_power_level};
+use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::Vector;
 use faer::c64;
 use std::f64::consts::TAU;
@@ -18,6 +22,11 @@ const NOTABLE: f64 = 0.1;
 const INTERPOLATION: f64 = 0.02;
 /// Part of the dissipated power that may be radiated: the motion includes no damping by the fluid.
 const ONE_WAY: f64 = 0.5;
+
+/// Largest number of lines whose sound on the surface is stored, and the part of the power of the
+/// loudest one above which it is.
+const SKIN_LINES: usize = 3;
+const LOUD: f64 = 0.1;
 
 /// Weighting of frequencies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +65,43 @@ pub struct SurfaceSummary {
     pub left_out: usize,
 }
 
+/// Panel of a surface, or the rest of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanelSummary {
+    /// Name.
+    pub name: String,
+    /// Area, m².
+    pub area: f64,
+}
+
+/// Sound pressure on a field mesh at the speed of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SoundField {
+    /// Name.
+    pub name: String,
+    /// Kind of mesh.
+    pub kind: &'static str,
+    /// True if the mesh encloses the body.
+    pub encloses: bool,
+    /// Points in ground coordinates.
+    pub mesh: FieldMesh,
+    /// Numbers of points along the edges of a plane.
+    pub grid: Option<[usize; 2]>,
+    /// Pressures by line and point, Pa.
+    pub pressures: Vec<Vec<c64>>,
+}
+
+/// Sound on the surface at the speed of the model, for its loudest lines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Skin {
+    /// Vertices in ground coordinates, m.
+    pub vertices: Vec<Vector>,
+    /// Triangles, counter-clockwise seen from the fluid.
+    pub triangles: Vec<[usize; 3]>,
+    /// Lines, the loudest one first.
+    pub fields: Vec<SkinField>,
+}
+
 /// Sound that a body radiates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RadiatedSound {
@@ -81,6 +127,17 @@ pub struct RadiatedSound {
     pub far_field_difference: f64,
     /// Points at which the pressure is known, in ground coordinates, m.
     pub points: Vec<Vector>,
+    /// Panels and the rest of the surface; empty without panels.
+    pub panels: Vec<PanelSummary>,
+    /// Field meshes with the pressures at the speed of the model.
+    pub fields: Vec<SoundField>,
+    /// Directions of the far field.
+    pub directions: Vec<Direction>,
+    /// Amplitudes of the far field at the speed of the model by line and direction, relative to the
+    /// middle of the body, Pa·m; empty without boundary elements.
+    pub far_field: Vec<Vec<c64>>,
+    /// Sound on the surface at the speed of the model; `None` in perturbed solves.
+    pub skin: Option<Skin>,
     /// Sound at the speed of the model.
     pub own: SoundPoint,
     /// Sound by speed of the forced response.
@@ -104,6 +161,8 @@ pub struct SoundPoint {
     pub dissipated: Vec<f64>,
     /// Pressures by line and point, Pa.
     pub pressures: Vec<Vec<c64>>,
+    /// Contributions to the powers by line and panel, W; they sum to the powers.
+    pub panels: Vec<Vec<f64>>,
 }
 
 impl RadiatedSound {
@@ -114,7 +173,20 @@ impl RadiatedSound {
         (speeds, motions): (&[f64], &[&SurfaceMotion]),
     ) -> RadiatedSound {
         let mesh = &model.surface.skin.mesh;
-        let all = speeds.iter().zip(motions).map(|(&speed, motion)| point(field, lines, speed, motion));
+        let panel = |panel: &super::surface::SurfacePanel| PanelSummary {
+            name: panel.name.clone(),
+            area: panel.shares.iter().zip(mesh.areas()).map(|(share, area)| share * area).sum(),
+        };
+        let panels = model.surface.panels.iter().map(panel).collect();
+        let own = speeds.last().zip(motions.last());
+        let (fields, far_field) = match own {
+            Some((&speed, motion)) => around((model, request), field, lines, (speed, motion)),
+            None => (Vec::new(), Vec::new()),
+        };
+        let all = speeds
+            .iter()
+            .zip(motions)
+            .map(|(&speed, motion)| point((field, request.points.len()), lines, speed, motion));
         let mut speeds: Vec<SoundPoint> = all.collect();
         let none = SoundPoint {
             speed: 0.0,
@@ -124,6 +196,7 @@ impl RadiatedSound {
             input: Vec::new(),
             dissipated: Vec::new(),
             pressures: Vec::new(),
+            panels: Vec::new(),
         };
         let own = speeds.pop().unwrap_or(none);
         RadiatedSound {
@@ -144,9 +217,42 @@ impl RadiatedSound {
             interpolation_error: field.interpolation_error,
             far_field_difference: field.far_field_difference,
             points: request.points.clone(),
+            panels,
+            fields,
+            directions: model.surface.directions(request),
+            far_field,
+            skin: None,
             own,
             speeds,
         }
+    }
+
+    /// Computes the sound on the surface at the loudest lines of the speed of the model, whose motion
+    /// is given.
+    ///
+    /// # Errors
+    /// Those of the acoustic solution and of the interrupt.
+    pub(super) fn add_skin(
+        &mut self,
+        model: &Vibrating,
+        solver: &Solver<'_>,
+        motion: &SurfaceMotion,
+    ) -> Result<(), EngineError> {
+        let powers = &self.own.powers;
+        let mut lines: Vec<usize> = (0..powers.len()).filter(|&line| powers[line] > 0.0).collect();
+        lines.sort_by(|one, other| powers[*other].total_cmp(&powers[*one]).then(one.cmp(other)));
+        let largest = lines.first().map_or(0.0, |&line| powers[line]);
+        lines.retain(|&line| powers[line] >= LOUD * largest);
+        lines.truncate(SKIN_LINES);
+        let field = |&line: &usize| {
+            solver.skin(line, self.frequency(line, self.own.speed), &motion.velocities[0][line])
+        };
+        self.skin = Some(Skin {
+            fields: lines.iter().map(field).collect::<Result<_, _>>()?,
+            vertices: model.surface.vertices(),
+            triangles: model.surface.skin.mesh.triangles().to_vec(),
+        });
+        Ok(())
     }
 
     /// Returns the frequency of a line at a speed (rad/s), Hz.
@@ -181,6 +287,47 @@ impl RadiatedSound {
         let selected: Vec<f64> =
             at.powers.iter().enumerate().map(|(k, p)| if is_selected(k) { *p } else { 0.0 }).collect();
         self.weighted(&selected, at.speed, weighting)
+    }
+
+    /// Returns the contribution of a panel to [`RadiatedSound::power_of`], W.
+    pub fn panel_power_of(
+        &self,
+        at: &SoundPoint,
+        panel: usize,
+        weighting: Weighting,
+        is_selected: impl Fn(usize) -> bool,
+    ) -> f64 {
+        let own = |(line, panels): (usize, &Vec<f64>)| match is_selected(line) {
+            true => panels.get(panel).copied().unwrap_or(f64::NAN),
+            false => 0.0,
+        };
+        let selected: Vec<f64> = at.panels.iter().enumerate().map(own).collect();
+        self.weighted(&selected, at.speed, weighting)
+    }
+
+    /// Returns the mean sound pressure level of all lines on a field mesh at the speed of the model,
+    /// weighted, dB re 20 µPa: the level of the mean square over the area.
+    pub fn field_level(&self, field: usize, weighting: Weighting) -> f64 {
+        let Some(field) = self.fields.get(field) else { return f64::NAN };
+        let square = |(line, pressures): (usize, &Vec<c64>)| {
+            let mean = field.mesh.mean(pressures.iter().map(|pressure| 0.5 * pressure.norm_sqr()));
+            match mean {
+                0.0 => 0.0,
+                mean => mean * weighting.factor(self.frequency(line, self.own.speed)),
+            }
+        };
+        let sum: f64 = field.pressures.iter().enumerate().map(square).sum();
+        10.0 * (sum / (REFERENCE_PRESSURE * REFERENCE_PRESSURE)).log10()
+    }
+
+    /// Returns the sound power level of the enveloping surface method (ISO 3744) from the mean sound
+    /// pressure level on a field mesh: L_W = L_p + 10 lg(S / 1 m²), dB re 1 pW. NaN if the mesh does
+    /// not enclose the body.
+    pub fn measured_power_level(&self, field: usize, weighting: Weighting) -> f64 {
+        match self.fields.get(field).filter(|field| field.encloses) {
+            Some(own) => self.field_level(field, weighting) + 10.0 * own.mesh.area().log10(),
+            None => f64::NAN,
+        }
     }
 
     fn weighted(&self, powers: &[f64], speed: f64, weighting: Weighting) -> f64 {
@@ -264,7 +411,51 @@ impl RadiatedSound {
     }
 }
 
-fn point(field: &Field, lines: &Lines<'_>, speed: f64, motion: &SurfaceMotion) -> SoundPoint {
+/// Returns the pressures on the field meshes, and the amplitudes of the far field by line and
+/// direction, at a speed.
+fn around(
+    (model, request): (&Vibrating, &SoundRequest),
+    field: &Field,
+    lines: &Lines<'_>,
+    (speed, motion): (f64, &SurfaceMotion),
+) -> (Vec<SoundField>, Vec<Vec<c64>>) {
+    let frequencies: Vec<f64> = lines.orders.iter().map(|order| order * speed / TAU).collect();
+    let has_sound = |line: usize| frequencies[line] > 0.0 && frequencies[line] <= lines.highest;
+    let pressures = |line: usize| match has_sound(line) {
+        true => field.pressures(frequencies[line], &motion.velocities[0][line]),
+        false => vec![c64::new(0.0, 0.0); field.point_count()],
+    };
+    let pressures: Vec<Vec<c64>> = match request.fields.is_empty() {
+        true => Vec::new(),
+        false => (0..frequencies.len()).map(pressures).collect(),
+    };
+    let mut first = request.points.len();
+    let own = |(wanted, mesh): (&super::FieldRequest, &FieldMesh)| {
+        let points = first..first + mesh.points.len();
+        first = points.end;
+        SoundField {
+            name: wanted.name.clone(),
+            kind: wanted.shape.kind(),
+            encloses: wanted.shape.encloses(),
+            mesh: mesh.clone(),
+            grid: wanted.shape.grid(),
+            pressures: pressures.iter().map(|all| all[points.clone()].to_vec()).collect(),
+        }
+    };
+    let fields = request.fields.iter().zip(&model.fields).map(own).collect();
+    let far_field = |line: usize| match has_sound(line) {
+        true => field.far_field(frequencies[line], &motion.velocities[0][line]),
+        false => Vec::new(),
+    };
+    (fields, (0..frequencies.len()).map(far_field).collect())
+}
+
+fn point(
+    (field, points): (&Field, usize),
+    lines: &Lines<'_>,
+    speed: f64,
+    motion: &SurfaceMotion,
+) -> SoundPoint {
     let frequencies: Vec<f64> = lines.orders.iter().map(|order| order * speed / TAU).collect();
     let has_sound = |line: usize| frequencies[line] > 0.0 && frequencies[line] <= lines.highest;
     let power = |of: usize, line: usize| match has_sound(line) {
@@ -278,8 +469,12 @@ fn point(field: &Field, lines: &Lines<'_>, speed: f64, motion: &SurfaceMotion) -
         false => 0.0,
     };
     let pressures = |line: usize| match has_sound(line) {
-        true => field.pressures(frequencies[line], &motion.velocities[0][line]),
-        false => vec![c64::new(0.0, 0.0); field.point_count()],
+        true => field.pressures_at(0..points, frequencies[line], &motion.velocities[0][line]),
+        false => vec![c64::new(0.0, 0.0); points],
+    };
+    let panels = |line: usize| match has_sound(line) {
+        true => field.panel_powers(frequencies[line], &motion.velocities[0][line]),
+        false => vec![0.0; field.panel_count()],
     };
     SoundPoint {
         speed,
@@ -289,5 +484,6 @@ fn point(field: &Field, lines: &Lines<'_>, speed: f64, motion: &SurfaceMotion) -
         input: motion.input.clone(),
         dissipated: motion.dissipated.clone(),
         pressures: all().map(pressures).collect(),
+        panels: all().map(panels).collect(),
     }
 }

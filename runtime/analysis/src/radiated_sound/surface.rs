@@ -1,12 +1,16 @@
 //! Surface of an elastic body: its skin, closed over the named openings, and coarsened.
 
-use super::{Placement, SoundRequest, engine_error, refused};
+use super::directions::{Direction, directions};
+use super::fields::Extent;
+use super::{Placement, SoundRequest, engine_error, mm, refused};
 use calyx_acoustics::coarsening::coarsened;
+use calyx_acoustics::field::FieldMesh;
 use calyx_acoustics::openings::selected_rims;
+use calyx_acoustics::shares::panel_shares;
 use calyx_acoustics::shells::{ShellProblem, ShellSkin};
 use calyx_acoustics::skin::{Skin, Solid, boundary};
 use calyx_acoustics::{AcousticError, Face};
-use calyx_model::elastic_body::{BodyMesh, CellShape, SharedElasticBody};
+use calyx_model::elastic_body::{BodyMesh, CellShape, Panel, SharedElasticBody};
 use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::Vector;
@@ -30,7 +34,16 @@ pub(crate) struct Surface {
     pub left_out: usize,
     /// Number of triangles before coarsening.
     pub fine: usize,
+    /// Panels and, if there are any, the rest of the surface.
+    pub panels: Vec<SurfacePanel>,
     placement: Placement,
+}
+
+/// Panel of a surface.
+pub(crate) struct SurfacePanel {
+    pub name: String,
+    /// Share of each triangle that belongs to the panel, from 0 to 1.
+    pub shares: Vec<f64>,
 }
 
 impl Surface {
@@ -62,7 +75,8 @@ impl Surface {
         };
         let (skin, closed, left_out) = found.map_err(named)?;
         let fine = skin.mesh.triangles().len();
-        Ok(Surface { skin, closed, left_out, fine, placement })
+        let panels = panels(&mesh, &skin).map_err(named)?;
+        Ok(Surface { skin, closed, left_out, fine, panels, placement })
     }
 
     /// Returns the surface with elements of at most a sixth of the wavelength at a frequency (Hz),
@@ -73,29 +87,95 @@ impl Surface {
     pub fn coarsened(self, request: &SoundRequest, highest: f64) -> Result<Surface, EngineError> {
         let longest = request.fluid.speed_of_sound / (PER_WAVELENGTH * highest);
         let skin = coarsened(&self.skin, longest).map_err(engine_error)?;
-        Ok(Surface { skin, ..self })
+        if self.panels.is_empty() {
+            return Ok(Surface { skin, ..self });
+        }
+        let owner = |triangle: usize| {
+            self.panels.iter().position(|panel| panel.name != Panel::REST && panel.shares[triangle] == 1.0)
+        };
+        let owners: Vec<Option<usize>> = (0..self.fine).map(owner).collect();
+        let named = self.panels.len() - 1;
+        let mut shares = panel_shares(&self.skin.mesh, &owners, &skin.mesh, named);
+        let rest = |triangle: usize| 1.0 - shares.iter().map(|own| own[triangle]).sum::<f64>();
+        let rest: Vec<f64> = (0..skin.mesh.triangles().len()).map(rest).collect();
+        shares.push(rest);
+        let names = self.panels.into_iter().map(|panel| panel.name);
+        let panels = names.zip(shares).map(|(name, shares)| SurfacePanel { name, shares }).collect();
+        Ok(Surface { skin, panels, ..self })
     }
 
     /// Returns points of ground in the coordinates of the body, m.
-    pub fn points(&self, request: &SoundRequest) -> Vec<Vector> {
-        request.points.iter().map(|&point| self.placement.point(point)).collect()
+    pub fn points(&self, ground: &[Vector]) -> Vec<Vector> {
+        ground.iter().map(|&point| self.placement.point(point)).collect()
+    }
+
+    /// Returns a direction of ground in the coordinates of the body.
+    pub fn vector(&self, ground: Vector) -> Vector {
+        self.placement.direction(ground)
+    }
+
+    /// Returns the vertices in ground coordinates, m.
+    pub fn vertices(&self) -> Vec<Vector> {
+        self.skin.mesh.vertices().iter().map(|&vertex| self.placement.ground(vertex)).collect()
+    }
+
+    /// Returns the directions of the far field into the fluid.
+    pub fn directions(&self, request: &SoundRequest) -> Vec<Direction> {
+        directions(request.plane.map(|[_, normal]| normal))
+    }
+
+    /// Returns the field meshes of a request in ground coordinates.
+    ///
+    /// # Errors
+    /// E0784: a field mesh does not fit the body or the rigid plane.
+    pub fn fields(&self, request: &SoundRequest) -> Result<Vec<FieldMesh>, EngineError> {
+        if request.fields.is_empty() {
+            return Ok(Vec::new());
+        }
+        let mut names = BTreeSet::new();
+        if let Some(twice) = request.fields.iter().find(|field| !names.insert(&field.name)) {
+            return Err(refused(
+                format!("two field meshes of the sound are called \"{}\"", twice.name),
+                "rename one of them",
+            ));
+        }
+        let extent = Extent {
+            vertices: self.vertices(),
+            triangles: self.skin.mesh.triangles().to_vec(),
+            plane: request.plane,
+        };
+        request.fields.iter().map(|field| field.mesh(&extent)).collect()
     }
 
     /// Checks that the points of a request are in the fluid.
+    ///
+    /// # Errors
+    /// E0784: a point is not in the fluid, or a field mesh does not fit.
     pub fn check_points(&self, request: &SoundRequest) -> Result<(), EngineError> {
-        for (point, ground) in self.points(request).into_iter().zip(&request.points) {
-            let behind = self.skin.mesh.plane().is_some_and(|plane| plane.distance(point) < 0.0);
-            if behind || self.skin.mesh.enclosure(point) > 0.5 {
-                let [x, y, z] = ground.map(mm);
-                let place = if behind { "behind the rigid plane" } else { "inside of the body" };
-                return Err(refused(
-                    format!("the point ({x}, {y}, {z}) mm, at which sound pressure is requested, is {place}"),
-                    "give a point in the fluid, in ground coordinates",
-                )
-                .blame("at"));
+        let check = |&at: &Vector| self.check_point(at, "at which sound pressure is requested");
+        request.points.iter().try_for_each(check).map_err(|error| error.blame("at"))?;
+        for (field, mesh) in request.fields.iter().zip(self.fields(request)?) {
+            // Others enclose the body.
+            if !field.shape.encloses() {
+                let whose = format!("a point of the plane \"{}\"", field.name);
+                mesh.points.iter().try_for_each(|&at| self.check_point(at, &whose))?;
             }
         }
         Ok(())
+    }
+
+    fn check_point(&self, ground: Vector, whose: &str) -> Result<(), EngineError> {
+        let point = self.placement.point(ground);
+        let behind = self.skin.mesh.plane().is_some_and(|plane| plane.distance(point) < 0.0);
+        if !behind && self.skin.mesh.enclosure(point) <= 0.5 {
+            return Ok(());
+        }
+        let [x, y, z] = ground.map(mm);
+        let place = if behind { "behind the rigid plane" } else { "inside of the body" };
+        Err(refused(
+            format!("the point ({x}, {y}, {z}) mm, {whose}, is {place}"),
+            "give a point in the fluid, in ground coordinates",
+        ))
     }
 }
 
@@ -117,9 +197,52 @@ pub fn surface_size(
     Ok((wanted.clamp(4.min(surface.fine), surface.fine), area))
 }
 
-/// Rounds a length to micrometres and returns it in mm.
-fn mm(metres: f64) -> f64 {
-    (metres * 1e6).round() / 1e3 + 0.0
+/// Returns the panels of a mesh on its skin, and the rest; none without panels.
+///
+/// # Errors
+/// E0784: a panel has no element of the skin, or two panels have a common one.
+fn panels(mesh: &BodyMesh, skin: &Skin) -> Result<Vec<SurfacePanel>, EngineError> {
+    let triangles = skin.mesh.triangles();
+    let mut owners: Vec<Option<usize>> = vec![None; triangles.len()];
+    for (index, panel) in mesh.panels.iter().enumerate() {
+        let has = |node: &usize| panel.nodes.binary_search(node).is_ok();
+        let of_panel: Vec<bool> = skin.nodes.iter().map(|nodes| nodes.iter().all(has)).collect();
+        let mut count = 0;
+        for (owner, corners) in owners.iter_mut().zip(triangles) {
+            if !corners.iter().all(|&vertex| of_panel[vertex]) {
+                continue;
+            }
+            if let Some(other) = owner.replace(index) {
+                return Err(refused(
+                    format!(
+                        "the panels \"{}\" and \"{}\" have common elements",
+                        mesh.panels[other].name, panel.name
+                    ),
+                    "select regions that have common nodes on their rims only",
+                ));
+            }
+            count += 1;
+        }
+        if count == 0 {
+            return Err(refused(
+                format!("the panel \"{}\" has no whole element of the outer surface", panel.name),
+                "select all nodes of its elements, such as by `gears.plane_region` or `gears.box_region`",
+            ));
+        }
+    }
+    let names = mesh.panels.iter().map(|panel| panel.name.clone()).enumerate();
+    let share = |is_own: bool| if is_own { 1.0 } else { 0.0 };
+    let mut all: Vec<SurfacePanel> = names
+        .map(|(index, name)| {
+            let shares = owners.iter().map(|owner| share(*owner == Some(index))).collect();
+            SurfacePanel { name, shares }
+        })
+        .collect();
+    if !all.is_empty() {
+        let shares = owners.iter().map(|owner| share(owner.is_none())).collect();
+        all.push(SurfacePanel { name: Panel::REST.into(), shares });
+    }
+    Ok(all)
 }
 
 /// Returns the solids and the shells of a mesh.

@@ -35,11 +35,8 @@ pub fn condense_model(
     };
     let modes = match &condensed.mass {
         Some(mass) => {
-            let (first, count) = (places.len(), condensed.eigenvalues.len());
-            let coupling = DMatrix::from_fn(first, count, |row, mode| mass[(places[row], first + mode)]);
-            let motions = relative_motions(&placed, grounded);
             let eigenvalues = condensed.eigenvalues.clone();
-            let coupling = by_row(&(motions.transpose() * coupling));
+            let coupling = coupling(mass, &places, &relative_motions(&placed, grounded));
             ComponentModes { eigenvalues, coupling, ..ComponentModes::default() }
         }
         None => ComponentModes::default(),
@@ -59,7 +56,20 @@ pub struct MotionShapes {
     pub displacements: Vec<Vec<[f64; 3]>>,
     /// Squared angular frequencies of the component modes, (rad/s)².
     pub eigenvalues: Vec<f64>,
+    /// Mass between attachment components (rows) and component modes (columns), row-major, as in
+    /// the condensed matrices of a body without supports of its own.
+    pub coupling: Vec<f64>,
     _room: MemoryReservation,
+}
+
+/// Returns the mass between attachment components and component modes, row-major.
+fn coupling(mass: &Mat<f64>, places: &[usize], motions: &DMatrix<f64>) -> Vec<f64> {
+    let first = places.len();
+    let modes = mass.ncols() - first;
+    by_row(
+        &(motions.transpose()
+            * DMatrix::from_fn(first, modes, |row, mode| mass[(places[row], first + mode)])),
+    )
 }
 
 /// Condensed body with the order of its attachment components.
@@ -158,7 +168,8 @@ pub(super) fn shapes_of_model(
     let attached = condensed.components.len();
     let mut displacements: Vec<Vec<[f64; 3]>> = (0..places.len()).map(of_attachment).collect();
     displacements.extend((0..modes).map(|mode| moved(attached + mode)));
-    Ok(MotionShapes { displacements, eigenvalues: condensed.eigenvalues, _room: room })
+    let coupling = condensed.mass.as_ref().map_or_else(Vec::new, |mass| coupling(mass, &places, &motions));
+    Ok(MotionShapes { displacements, eigenvalues: condensed.eigenvalues, coupling, _room: room })
 }
 
 /// Returns the entries of a matrix by row.

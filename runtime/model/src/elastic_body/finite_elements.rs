@@ -3,7 +3,7 @@
 use super::condensation::{condense_model, shapes_of_model};
 use super::{
     AttachmentExtent, BodyMesh, CellShape, ElasticBody, ElasticBodySize, MassReduction, MotionShapes,
-    Opening, Recovery,
+    Opening, Panel, Recovery,
 };
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach_unnamed, on_a_line, rotating_nodes};
 use calyx_elastic::connectivity::parts_with_elements;
@@ -30,6 +30,7 @@ pub struct FiniteElementBody {
     mass: MassProperties,
     attachments: Vec<BodyAttachment>,
     openings: Vec<Opening>,
+    panels: Vec<Panel>,
 }
 
 /// Attachment of a body with the nodes of its region.
@@ -52,7 +53,14 @@ impl FiniteElementBody {
     /// equal.
     pub fn new(model: Arc<ElasticModel>, content: Key) -> FiniteElementBody {
         let mass = mass_properties(&model);
-        FiniteElementBody { model, content, mass, attachments: Vec::new(), openings: Vec::new() }
+        FiniteElementBody {
+            model,
+            content,
+            mass,
+            attachments: Vec::new(),
+            openings: Vec::new(),
+            panels: Vec::new(),
+        }
     }
 
     /// Returns the model, without attachments.
@@ -102,6 +110,40 @@ impl FiniteElementBody {
         }
         self.openings.push(Opening { name, nodes });
         Ok(())
+    }
+
+    /// Adds a panel: the part of the surface whose elements have all nodes in a region.
+    ///
+    /// # Errors
+    /// E0991: the body has a panel of this name, or the region contains fewer than three nodes.
+    pub fn add_panel(&mut self, name: String, region: &Region) -> Result<(), EngineError> {
+        let refused = |message: String, help: String| {
+            EngineError::new("E0991", format!("panel \"{name}\": {message}"), help)
+        };
+        if self.panels.iter().any(|panel| panel.name == name) {
+            return Err(refused(
+                "the body has another panel of this name".into(),
+                "rename one of them".into(),
+            ));
+        }
+        if name == Panel::REST {
+            let message = "the surface that belongs to no panel has this name in results".into();
+            return Err(refused(message, "rename the panel".into()));
+        }
+        let nodes = region.nodes(&self.model).map_err(|error| refused(error.message, error.help))?;
+        if nodes.len() < 3 {
+            return Err(refused(
+                format!("its region has {} nodes, and an element has at least three", nodes.len()),
+                "select all nodes of the elements of the panel".into(),
+            ));
+        }
+        self.panels.push(Panel { name, nodes });
+        Ok(())
+    }
+
+    /// Returns the names of the panels.
+    pub fn panels(&self) -> impl Iterator<Item = &str> {
+        self.panels.iter().map(|panel| panel.name.as_str())
     }
 
     fn found(&self, attachment: &Attachment) -> Result<BodyAttachment, ElementError> {
@@ -332,6 +374,7 @@ impl ElasticBody for FiniteElementBody {
             labels: self.model.nodes.iter().map(|node| node.label).collect(),
             cells: self.model.elements.iter().filter_map(cell).collect(),
             openings: self.openings.clone(),
+            panels: self.panels.clone(),
         })
     }
 

@@ -1,4 +1,5 @@
-//! Mesh of an elastic body whose surface radiates sound, with openings to be closed.
+//! Mesh of an elastic body whose surface radiates sound, with openings to be closed and panels whose
+//! contributions are of interest.
 
 use super::CellShape;
 use calyx_numerics::vec3::Vector;
@@ -14,6 +15,8 @@ pub struct BodyMesh {
     pub cells: Vec<(CellShape, Vec<usize>)>,
     /// Openings of its surface that lids close.
     pub openings: Vec<Opening>,
+    /// Panels of its surface.
+    pub panels: Vec<Panel>,
 }
 
 /// Opening of the surface of a body, such as a bearing bore.
@@ -23,4 +26,18 @@ pub struct Opening {
     pub name: String,
     /// Indices of the nodes of its rim, or of a bore between two rims, ascending.
     pub nodes: Vec<usize>,
+}
+
+/// Part of the surface of a body, such as a cover.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// Name.
+    pub name: String,
+    /// Indices of the nodes of its elements, ascending.
+    pub nodes: Vec<usize>,
+}
+
+impl Panel {
+    /// Name of the surface that belongs to no panel, in results.
+    pub const REST: &str = "rest";
 }
