@@ -14,9 +14,10 @@ use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use surface::Surface;
+pub(crate) use surface::Surface;
+pub(crate) use view::{View, draw_coloured, signed_colour};
 
-pub use view::colour_scale;
+pub use view::{colour_scale, signed_colour_scale};
 
 /// Folder of the pictures in a run directory.
 pub const FOLDER: &str = "pictures";

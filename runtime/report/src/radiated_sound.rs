@@ -1,8 +1,17 @@
-//! Tables of the sound that elastic bodies radiate over the speed, and its entry in `run.json`.
+//! Tables of the sound that elastic bodies radiate over the speed, its entry in `run.json`, and
+//! pictures of the surface.
+
+mod pictures;
+mod tables;
+
+pub use pictures::{
+    PICTURES, SoundPicture, is_picture_of_a_run, picture_files, read_pictures, write_pictures,
+};
+pub use tables::{DIRECTIVITY, DirectivityRow, FIELDS, FieldRow, PANELS, PanelRow};
 
 use calyx_runtime::acoustics::levels::{a_weighting, sound_power_level, sound_pressure_level};
 use calyx_runtime::forced_response::{ForcedResponse, ResponseLine};
-use calyx_runtime::radiated_sound::{RadiatedSound, SoundPoint, Weighting};
+use calyx_runtime::radiated_sound::{RadiatedSound, SoundField, SoundPoint, Weighting};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -17,7 +26,7 @@ pub const PRESSURES: &str = "sound_pressure.csv";
 pub const KEY: &str = "radiated_sound";
 
 /// Spectral line of the sound of a body at a speed: a row of the table.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SoundRow {
     /// Speed of the first gear of the mesh of the forced response, rpm.
     pub speed: f64,
@@ -50,7 +59,7 @@ pub struct SoundRow {
 }
 
 /// Sound pressure of a spectral line at a point.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct PressureRow {
     speed: f64,
     body: String,
@@ -76,6 +85,12 @@ fn rpm(speed: f64) -> f64 {
     (speed * 60.0 / TAU * 1e9).round() / 1e9
 }
 
+/// Returns true if a line has sound at a speed, rad/s.
+fn has_sound(sound: &RadiatedSound, line: usize, speed: f64) -> bool {
+    let frequency = sound.frequency(line, speed);
+    frequency > 0.0 && frequency <= sound.highest_frequency
+}
+
 /// Returns the names of all sounds: the body, with method and number if it has several.
 fn names(sounds: &[RadiatedSound]) -> Vec<String> {
     let name = |(index, sound): (usize, &RadiatedSound)| match sounds
@@ -96,10 +111,8 @@ fn rows<'a>(
     lines: &'a [ResponseLine],
     at: &'a SoundPoint,
 ) -> impl Iterator<Item = SoundRow> + 'a {
-    let frequency = |line: usize| sound.frequency(line, at.speed);
-    let has_sound = move |line: &usize| frequency(*line) > 0.0 && frequency(*line) <= sound.highest_frequency;
-    (0..lines.len()).filter(has_sound).map(move |line| {
-        let (power, frequency) = (at.powers[line], frequency(line));
+    (0..lines.len()).filter(|&line| has_sound(sound, line, at.speed)).map(move |line| {
+        let (power, frequency) = (at.powers[line], sound.frequency(line, at.speed));
         let own = &lines[line];
         SoundRow {
             speed: rpm(at.speed),
@@ -124,26 +137,31 @@ fn rows<'a>(
 pub fn files(response: &ForcedResponse) -> Vec<&'static str> {
     let with_points = response.sounds.iter().any(|sound| !sound.points.is_empty());
     let all = [(NAME, !response.sounds.is_empty()), (PRESSURES, with_points)];
-    all.into_iter().filter(|(_, wanted)| *wanted).map(|(name, _)| name).collect()
+    let all = all.into_iter().filter(|(_, wanted)| *wanted).map(|(name, _)| name);
+    all.chain(tables::files(response)).collect()
 }
 
 /// Writes the tables: one row per speed, body and spectral line, and point.
 pub fn write(directory: &Path, response: &ForcedResponse) -> io::Result<()> {
     let names = names(&response.sounds);
+    let speeds = || {
+        let all = response.sounds.iter().zip(&names);
+        all.flat_map(|(sound, name)| sound.speeds.iter().map(move |at| (name, sound, at)))
+    };
     for file in files(response) {
-        let mut writer = csv::Writer::from_path(directory.join(file))?;
-        for (sound, name) in response.sounds.iter().zip(&names) {
-            for at in &sound.speeds {
-                if file == NAME {
-                    rows(name, sound, &response.lines, at).try_for_each(|row| writer.serialize(row))?;
-                } else {
-                    pressures(name, sound, at).try_for_each(|row| writer.serialize(row))?;
-                }
+        let path = directory.join(file);
+        match file {
+            NAME => {
+                let all = speeds().flat_map(|(name, sound, at)| rows(name, sound, &response.lines, at));
+                tables::table(&path, all)?;
             }
+            PRESSURES => {
+                tables::table(&path, speeds().flat_map(|(name, sound, at)| pressures(name, sound, at)))?;
+            }
+            _ => {}
         }
-        writer.flush()?;
     }
-    Ok(())
+    tables::write(directory, response)
 }
 
 fn pressures<'a>(
@@ -152,8 +170,7 @@ fn pressures<'a>(
     at: &'a SoundPoint,
 ) -> impl Iterator<Item = PressureRow> + 'a {
     let frequency = |line: usize| sound.frequency(line, at.speed);
-    let has_sound = move |line: &usize| frequency(*line) > 0.0 && frequency(*line) <= sound.highest_frequency;
-    let lines = (0..at.pressures.len()).filter(has_sound);
+    let lines = (0..at.pressures.len()).filter(|&line| has_sound(sound, line, at.speed));
     lines.flat_map(move |line| {
         at.pressures[line].iter().zip(&sound.points).map(move |(pressure, &[x, y, z])| PressureRow {
             speed: rpm(at.speed),
@@ -169,14 +186,30 @@ fn pressures<'a>(
     })
 }
 
-/// Reads the sound powers of a run directory; empty if there are none.
-pub fn read(directory: &Path) -> io::Result<Vec<SoundRow>> {
-    let path = directory.join(NAME);
-    if !path.exists() {
-        return Ok(Vec::new());
-    }
-    let mut reader = csv::Reader::from_path(path)?;
-    reader.deserialize().map(|row| row.map_err(io::Error::other)).collect()
+/// Tables and pictures of the sound in a run directory.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SoundTables {
+    /// Spectral lines of all bodies over the speed.
+    pub lines: Vec<SoundRow>,
+    /// Contributions of panels over the speed.
+    pub panels: Vec<PanelRow>,
+    /// Pressures on field meshes.
+    pub fields: Vec<FieldRow>,
+    /// Levels of the far field.
+    pub directivity: Vec<DirectivityRow>,
+    /// Pictures with their content in base 64.
+    pub pictures: Vec<(SoundPicture, String)>,
+}
+
+/// Reads the sound of a run directory; empty if there is none.
+pub fn read(directory: &Path) -> io::Result<SoundTables> {
+    Ok(SoundTables {
+        lines: tables::read(&directory.join(NAME))?,
+        panels: tables::read(&directory.join(PANELS))?,
+        fields: tables::read(&directory.join(FIELDS))?,
+        directivity: tables::read(&directory.join(DIRECTIVITY))?,
+        pictures: read_pictures(directory),
+    })
 }
 
 /// Returns the sound at the speed of the model, its surface and its errors for `run.json`.
@@ -195,6 +228,21 @@ pub fn json(response: &ForcedResponse) -> Value {
                     "at": at,
                     "level": sound.pressure_level(own, index, Weighting::None),
                     "a_weighted_level": sound.pressure_level(own, index, Weighting::A),
+                })
+            })
+            .collect();
+        let panels: Vec<Value> = sound
+            .panels
+            .iter()
+            .enumerate()
+            .map(|(index, panel)| {
+                let power = |weighting| sound.panel_power_of(own, index, weighting, |_| true);
+                json!({
+                    "name": panel.name,
+                    "area": panel.area,
+                    "power": power(Weighting::None),
+                    "level": sound_power_level(power(Weighting::None)),
+                    "a_weighted_level": sound_power_level(power(Weighting::A)),
                 })
             })
             .collect();
@@ -227,7 +275,27 @@ pub fn json(response: &ForcedResponse) -> Value {
             "dissipated_power": own.dissipated.iter().sum::<f64>(),
             "lines": lines,
             "points": points,
+            "panels": panels,
+            "fields": fields(sound),
         })
     };
     response.sounds.iter().zip(&names).map(entry).collect()
+}
+
+/// Describes the field meshes with their mean levels at the speed of the model.
+fn fields(sound: &RadiatedSound) -> Vec<Value> {
+    let field = |(index, field): (usize, &SoundField)| {
+        json!({
+            "name": field.name,
+            "kind": field.kind,
+            "grid": field.grid,
+            "points": field.mesh.points.len(),
+            "area": field.mesh.area(),
+            "level": sound.field_level(index, Weighting::None),
+            "a_weighted_level": sound.field_level(index, Weighting::A),
+            "measured_power_level": sound.measured_power_level(index, Weighting::None),
+            "a_weighted_measured_power_level": sound.measured_power_level(index, Weighting::A),
+        })
+    };
+    sound.fields.iter().enumerate().map(field).collect()
 }

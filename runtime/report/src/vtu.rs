@@ -4,6 +4,9 @@
 
 mod content;
 mod grid;
+mod sound;
+
+pub use sound::{sound_files, write_sound};
 
 use calyx_runtime::observables::Fields;
 use grid::Grid;
@@ -58,22 +61,26 @@ impl VtuFiles {
 
     /// Writes the PVD collection of a kind, if it has files.
     fn collect(&self, kind: &str) -> io::Result<()> {
-        let there = |step: usize| self.folder.join(name(kind, step)).exists();
-        let steps = self.times.iter().enumerate().filter(|(step, _)| there(*step));
-        let steps: Vec<(usize, &f64)> = steps.collect();
-        if steps.is_empty() {
+        let files = self.times.iter().enumerate().map(|(step, &time)| (time, name(kind, step)));
+        let files: Vec<(f64, String)> = files.filter(|(_, name)| self.folder.join(name).exists()).collect();
+        if files.is_empty() {
             return Ok(());
         }
-        let mut file = File::create(self.folder.join(format!("{kind}.pvd")))?;
-        writeln!(
-            file,
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>"
-        )?;
-        for (step, time) in steps {
-            writeln!(file, "<DataSet timestep=\"{time}\" file=\"{}\"/>", name(kind, step))?;
-        }
-        writeln!(file, "</Collection>\n</VTKFile>")
+        write_collection(&self.folder.join(format!("{kind}.pvd")), &files)
     }
+}
+
+/// Writes a PVD collection of files with their times, or what takes the place of a time.
+fn write_collection(path: &Path, files: &[(f64, String)]) -> io::Result<()> {
+    let mut file = File::create(path)?;
+    writeln!(
+        file,
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>"
+    )?;
+    for (time, name) in files {
+        writeln!(file, "<DataSet timestep=\"{time}\" file=\"{name}\"/>")?;
+    }
+    writeln!(file, "</Collection>\n</VTKFile>")
 }
 
 fn folder(directory: &Path) -> PathBuf {
@@ -98,10 +105,11 @@ pub fn files_of(step: usize) -> impl Iterator<Item = String> {
 
 /// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
-    KINDS.iter().any(|kind| {
-        name.strip_prefix(kind.name)
-            .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
-    })
+    sound::is_name(name)
+        || KINDS.iter().any(|kind| {
+            name.strip_prefix(kind.name)
+                .is_some_and(|rest| rest == ".pvd" || (rest.starts_with('-') && rest.ends_with(".vtu")))
+        })
 }
 
 /// Returns the files in [`FOLDER`] that a run may have written, relative to the run directory.

@@ -204,7 +204,7 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     }
     let solved_before = found.map_or(0, |found| found.solved.len());
     let stages = Stages { before: options.before.clone(), program: results.time(), solved_before };
-    let written = write_results(&directory, head, description, &results, &stages);
+    let written = write_results(&directory, head, description, &results, (&stages, options.details()));
     let advice = written.map_err(unwritable)?;
     let mut report = report(description, &results);
     report.summary.extend(advice.into_iter().map(|line| line + "\n"));
@@ -220,7 +220,9 @@ fn lock(
     let directory = RunDirectory::lock(path, Kind::Run, force)?;
     directory.check_folder(SIGNALS, |name| signals::is_name_of_a_run(description, name))?;
     directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
-    directory.check_folder(body_pictures::FOLDER, body_pictures::is_name_of_a_run)?;
+    let is_picture =
+        |name: &str| body_pictures::is_name_of_a_run(name) || radiated_sound::is_picture_of_a_run(name);
+    directory.check_folder(body_pictures::FOLDER, is_picture)?;
     directory.check_folder(view::FOLDER, view::files::is_name_of_a_run)?;
     Ok(Arc::new(directory))
 }
@@ -265,7 +267,8 @@ impl FinishedRun<'_> {
             let _ = fs::remove_dir(path.join(view::FOLDER));
         }
         let stages = Stages { before: self.before.clone(), program: self.results.time(), solved_before: 0 };
-        write_results(&directory, head, description, self.results, &stages).map_err(unwritable)?;
+        write_results(&directory, head, description, self.results, (&stages, self.details))
+            .map_err(unwritable)?;
         Ok(())
     }
 }
@@ -290,7 +293,7 @@ fn write_results(
     mut head: Value,
     description: &ModelDescription,
     results: &Results,
-    stages: &Stages,
+    (stages, details): (&Stages, Details),
 ) -> io::Result<Option<String>> {
     let path = directory.path();
     if !results.gear_data().is_empty() {
@@ -320,6 +323,12 @@ fn write_results(
             head[radiated_sound::KEY] = radiated_sound::json(response);
             directory.claim_all(radiated_sound::files(response))?;
             radiated_sound::write(path, response)?;
+            directory.claim_all(radiated_sound::picture_files(response))?;
+            radiated_sound::write_pictures(path, response)?;
+            if details.vtu {
+                directory.claim_all(vtu::sound_files(response))?;
+                vtu::write_sound(path, response)?;
+            }
         }
     }
     if let Some(table) = results.model_sensitivities() {

@@ -113,6 +113,17 @@ fn of_elastic_body(body: &ElasticBodyField) -> Surface {
 }
 
 impl Surface {
+    /// Creates the surface of triangles without stress and displacements.
+    pub fn of_triangles(body: &str, points: &[[f64; 3]], triangles: &[[usize; 3]]) -> Surface {
+        Surface {
+            points: points.to_vec(),
+            displacements: vec![[0.0; 3]; points.len()],
+            stresses: vec![f64::NAN; points.len()],
+            faces: triangles.iter().map(|triangle| triangle.to_vec()).collect(),
+            ..Surface::empty(body, 0)
+        }
+    }
+
     fn empty(body: &str, number: usize) -> Surface {
         let (points, displacements, stresses) = (Vec::new(), Vec::new(), Vec::new());
         let (faces, lines) = (Vec::new(), Vec::new());

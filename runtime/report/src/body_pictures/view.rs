@@ -33,31 +33,63 @@ pub struct Image {
     depths: Vec<f64>,
 }
 
+/// Direction of the viewer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// From the front, which faces +z, to the right and above.
+    Front,
+    /// The opposite direction.
+    Back,
+}
+
+impl View {
+    /// All directions: each side of a box is seen from one of them.
+    pub const ALL: [View; 2] = [View::Front, View::Back];
+
+    /// Returns the name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            View::Front => "front",
+            View::Back => "back",
+        }
+    }
+}
+
 /// Draws a surface with exaggerated displacements. Colours go from zero to a largest stress; parts
 /// without stress are grey. Creases of the undeformed surface are seen through it.
 pub fn draw(surface: &Surface, exaggeration: f64, largest_stress: f64) -> Image {
+    let colour = |face: usize, corner: usize| match surface.stresses[surface.faces[face][corner]] {
+        stress if stress.is_finite() && largest_stress > 0.0 => colour_of(stress / largest_stress),
+        stress if stress.is_finite() => colour_of(0.0),
+        _ => GREY,
+    };
+    draw_coloured(surface, exaggeration, View::Front, &colour)
+}
+
+/// Draws a surface like [`draw`] with a colour for each corner of each face.
+pub fn draw_coloured(
+    surface: &Surface,
+    exaggeration: f64,
+    view: View,
+    colour: &dyn Fn(usize, usize) -> [f64; 3],
+) -> Image {
     let moved: Vec<[f64; 3]> = surface
         .points
         .iter()
         .zip(&surface.displacements)
         .map(|(point, by)| std::array::from_fn(|k| point[k] + exaggeration * by[k]))
         .collect();
-    let frame = Frame::around(moved.iter().chain(&surface.points));
+    let frame = Frame::around(view, moved.iter().chain(&surface.points));
     let mut image = Image::empty(&frame);
     let [deformed, undeformed] = [&moved, &surface.points]
         .map(|points| points.iter().map(|&point| frame.projected(point)).collect::<Vec<[f64; 3]>>());
-    let colour = |point: usize| match surface.stresses[point] {
-        stress if stress.is_finite() && largest_stress > 0.0 => colour_of(stress / largest_stress),
-        stress if stress.is_finite() => colour_of(0.0),
-        _ => GREY,
-    };
-    for face in &surface.faces {
+    for (index, face) in surface.faces.iter().enumerate() {
         let light = light(&frame.axes, &moved, face);
         for k in 1..face.len() - 1 {
-            let corners = [face[0], face[k], face[k + 1]];
+            let corners = [0, k, k + 1];
             image.triangle(
-                corners.map(|corner| deformed[corner]),
-                corners.map(|corner| colour(corner).map(|part| light * part)),
+                corners.map(|corner| deformed[face[corner]]),
+                corners.map(|corner| colour(index, corner).map(|part| light * part)),
             );
         }
     }
@@ -74,8 +106,10 @@ pub fn draw(surface: &Surface, exaggeration: f64, largest_stress: f64) -> Image 
     for &[from, to] in &surface.lines {
         image.line([deformed[from], deformed[to]], (INK, 1.0, 3 * SAMPLES), lifted);
     }
-    for [from, to] in Edges::of(surface, &surface.points).creases() {
-        image.line([undeformed[from], undeformed[to]], (GHOST, 0.5, 2), f64::INFINITY);
+    if exaggeration != 0.0 {
+        for [from, to] in Edges::of(surface, &surface.points).creases() {
+            image.line([undeformed[from], undeformed[to]], (GHOST, 0.5, 2), f64::INFINITY);
+        }
     }
     image
 }
@@ -89,13 +123,15 @@ struct Axes {
 }
 
 impl Axes {
-    fn of_view() -> Axes {
+    fn of_view(view: View) -> Axes {
         let ([sine, cosine], [rise, level]) =
             ([AZIMUTH.sin(), AZIMUTH.cos()], [ELEVATION.sin(), ELEVATION.cos()]);
+        // Seen from the opposite direction, up is the same.
+        let sense = if view == View::Back { -1.0 } else { 1.0 };
         Axes {
-            right: [cosine, 0.0, -sine],
+            right: [sense * cosine, 0.0, -sense * sine],
             up: [-sine * rise, level, -cosine * rise],
-            towards: [sine * level, rise, cosine * level],
+            towards: [sense * sine * level, sense * rise, sense * cosine * level],
         }
     }
 }
@@ -114,8 +150,8 @@ struct Frame {
 }
 
 impl Frame {
-    fn around<'p>(points: impl Iterator<Item = &'p [f64; 3]>) -> Frame {
-        let axes = Axes::of_view();
+    fn around<'p>(view: View, points: impl Iterator<Item = &'p [f64; 3]>) -> Frame {
+        let axes = Axes::of_view(view);
         let (mut least, mut most) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for point in points {
             for (k, axis) in [axes.right, axes.up].iter().enumerate() {
@@ -349,11 +385,40 @@ fn colour_of(fraction: f64) -> [f64; 3] {
     std::array::from_fn(|k| SCALE[first][k] + part * (SCALE[first + 1][k] - SCALE[first][k]))
 }
 
+/// Points of the colour scale of negative values, from zero.
+const NEGATIVE: [[f64; 3]; 4] =
+    [[0.90, 0.91, 0.92], [0.60, 0.76, 0.90], [0.27, 0.51, 0.78], [0.08, 0.22, 0.50]];
+
+/// Returns the colour of a fraction of the largest magnitude, from -1 to 1: shades of blue for
+/// negative values.
+pub fn signed_colour(fraction: f64) -> [f64; 3] {
+    if !fraction.is_finite() {
+        return GREY;
+    }
+    if fraction >= 0.0 {
+        return colour_of(fraction);
+    }
+    let at = -fraction.max(-1.0) * (NEGATIVE.len() - 1) as f64;
+    let first = (at as usize).min(NEGATIVE.len() - 2);
+    let part = at - first as f64;
+    std::array::from_fn(|k| NEGATIVE[first][k] + part * (NEGATIVE[first + 1][k] - NEGATIVE[first][k]))
+}
+
+/// Returns the colours of the scale as hexadecimal codes from the negative largest magnitude to the
+/// positive one.
+pub fn signed_colour_scale() -> Vec<String> {
+    let negative = NEGATIVE.into_iter().rev().map(code);
+    negative.chain(SCALE.into_iter().skip(1).map(code)).collect()
+}
+
+/// Returns the hexadecimal code of a colour.
+fn code([red, green, blue]: [f64; 3]) -> String {
+    let byte = |part: f64| (255.0 * part).round() as u8;
+    format!("#{:02x}{:02x}{:02x}", byte(red), byte(green), byte(blue))
+}
+
 /// Returns the colours of the scale as hexadecimal codes, from zero to the largest stress.
 pub fn colour_scale() -> Vec<String> {
-    let byte = |part: f64| (255.0 * part).round() as u8;
-    let code =
-        |[red, green, blue]: [f64; 3]| format!("#{:02x}{:02x}{:02x}", byte(red), byte(green), byte(blue));
     SCALE.into_iter().map(code).collect()
 }
 
@@ -366,19 +431,21 @@ mod tests {
 
     #[test]
     fn the_axes_of_the_picture_are_orthonormal() {
-        let Axes { right, up, towards } = Axes::of_view();
-        let axes = [right, up, towards];
-        for (i, one) in axes.iter().enumerate() {
-            for (j, other) in axes.iter().enumerate() {
-                assert!((dot(one, other) - f64::from(i == j)).abs() < 1e-15, "{i} {j}");
+        for view in View::ALL {
+            let Axes { right, up, towards } = Axes::of_view(view);
+            let axes = [right, up, towards];
+            for (i, one) in axes.iter().enumerate() {
+                for (j, other) in axes.iter().enumerate() {
+                    assert!((dot(one, other) - f64::from(i == j)).abs() < 1e-15, "{i} {j}");
+                }
             }
+            let cross = [
+                right[1] * up[2] - right[2] * up[1],
+                right[2] * up[0] - right[0] * up[2],
+                right[0] * up[1] - right[1] * up[0],
+            ];
+            assert!(dot(&cross, &towards) > 0.0, "{view:?}");
         }
-        let cross = [
-            right[1] * up[2] - right[2] * up[1],
-            right[2] * up[0] - right[0] * up[2],
-            right[0] * up[1] - right[1] * up[0],
-        ];
-        assert!(dot(&cross, &towards) > 0.0);
     }
 
     /// The projection of a unit cube has the area of its three visible faces, and hidden faces do
@@ -387,7 +454,7 @@ mod tests {
     fn visible_faces_cover_their_projection() {
         let fields = Fields { elastic_bodies: vec![cube(0, 1e6)], ..Fields::default() };
         let surface = all(&fields).next().expect("a cube").surface();
-        let frame = Frame::around(surface.points.iter());
+        let frame = Frame::around(View::Front, surface.points.iter());
         let image = draw(&surface, 0.0, 1e6);
         let covered = image.samples.iter().filter(|sample| sample[3] == 1.0).count() as f64;
         let expected = frame.axes.towards.iter().sum::<f64>() * frame.scale * frame.scale;

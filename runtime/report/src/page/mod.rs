@@ -23,6 +23,7 @@ mod noise;
 pub mod optimization;
 mod parallel;
 mod pareto;
+mod polar;
 mod power_flow;
 mod projection;
 mod read;

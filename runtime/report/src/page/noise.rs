@@ -1,12 +1,15 @@
 //! Section on radiated sound: levels over the speed, waterfall plot, spectrum at the speed of the
-//! model, and the powers from the bearings to the fluid.
+//! model, the powers from the bearings to the fluid, the sound on the surface, and around it.
+
+mod surface;
+mod surroundings;
 
 use super::chart::{Axis, Curve, WIDE, curves};
 use super::figure;
 use super::number;
 use super::read::Run;
 use super::waterfall::{self, Point, Ray};
-use crate::radiated_sound::{KEY, SoundRow};
+use crate::radiated_sound::{DirectivityRow, FieldRow, KEY, PanelRow, SoundRow};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -38,7 +41,12 @@ fn text<'a>(value: &'a Value, key: &str) -> &'a str {
 
 fn body(run: &Run, sound: &Value) -> Markup {
     let name = text(sound, "body");
-    let rows: Vec<&SoundRow> = run.radiated_sound.iter().filter(|row| row.body == name).collect();
+    let tables = &run.radiated_sound;
+    let rows: Vec<&SoundRow> = tables.lines.iter().filter(|row| row.body == name).collect();
+    let panels: Vec<&PanelRow> = tables.panels.iter().filter(|row| row.body == name).collect();
+    let fields: Vec<&FieldRow> = tables.fields.iter().filter(|row| row.body == name).collect();
+    let directivity: Vec<&DirectivityRow> =
+        tables.directivity.iter().filter(|row| row.body == name).collect();
     html! {
         h3 { (name) }
         (facts(sound))
@@ -46,6 +54,10 @@ fn body(run: &Run, sound: &Value) -> Markup {
         (over_speed(name, &rows))
         (waterfall_plot(name, &rows, &run.natural_frequencies))
         (spectrum(name, sound))
+        (surface::pictures(name, &tables.pictures))
+        (surface::panels(name, sound, &panels))
+        (surroundings::directivity(name, sound, &directivity))
+        (surroundings::fields(name, sound, &fields))
     }
 }
 
@@ -98,8 +110,10 @@ fn powers(sound: &Value) -> Markup {
     let equivalent = sound["lines"]
         .as_array()
         .map(|lines| lines.iter().filter_map(|line| line["equivalent_power"].as_f64()).sum::<f64>());
-    let equivalent =
-        equivalent.map_or("none".to_owned(), |power| format!("{:.1} dB", 10.0 * (power / REFERENCE).log10()));
+    let equivalent = equivalent
+        .filter(|power| *power > 0.0)
+        .map(|power| format!("{:.1} dB", 10.0 * (power / REFERENCE).log10()));
+    let equivalent = equivalent.unwrap_or_else(|| "none".to_owned());
     html! {
         table {
             caption { "At the speed of the model, " (number(sound["speed"].as_f64().unwrap_or_default())) " rpm" }
@@ -121,8 +135,12 @@ fn powers(sound: &Value) -> Markup {
 }
 
 fn coordinates(at: &Value) -> String {
-    let all = at.as_array().into_iter().flatten().filter_map(Value::as_f64).map(number);
-    all.collect::<Vec<String>>().join(", ")
+    let all = at.as_array().into_iter().flatten().filter_map(Value::as_f64);
+    coordinates_of(&all.collect::<Vec<f64>>())
+}
+
+fn coordinates_of(at: &[f64]) -> String {
+    at.iter().map(|&value| number(value)).collect::<Vec<String>>().join(", ")
 }
 
 /// Returns the name of a line; meshes are named if there are several.

@@ -11,7 +11,7 @@ use crate::field_tables::{COAST, FORMER_SIDES, LINE_LOAD};
 use crate::flank_tables::FlankTables;
 use crate::forced_response::{self, ResponseRow};
 use crate::former_keys::{self, ResultFile};
-use crate::radiated_sound::{self, SoundRow};
+use crate::radiated_sound::{self, SoundTables};
 use crate::sensitivity::{DerivativeRow, read_table};
 use crate::stress_range::{self, StressExtremes};
 use crate::{journal, modes_table};
@@ -62,8 +62,8 @@ pub struct Run {
     pub bodies: Vec<(BodyPicture, String)>,
     /// Forced response over the speed.
     pub forced_response: Vec<ResponseRow>,
-    /// Radiated sound over the speed.
-    pub radiated_sound: Vec<SoundRow>,
+    /// Radiated sound.
+    pub radiated_sound: SoundTables,
     /// Natural frequencies of the forced response, Hz.
     pub natural_frequencies: Vec<f64>,
     /// Table of modes with its header.

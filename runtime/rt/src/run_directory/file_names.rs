@@ -38,7 +38,7 @@ pub(super) const FILES_OF_SENSITIVITIES: [&str; 4] =
 
 /// Files at the top level of a run directory. Those that end in `.part` are renamed when they are
 /// complete.
-pub(super) const FILES_OF_A_RUN: [&str; 39] = [
+pub(super) const FILES_OF_A_RUN: [&str; 42] = [
     view::page::NAME,
     "run.json",
     "journal.jsonl",
@@ -76,6 +76,9 @@ pub(super) const FILES_OF_A_RUN: [&str; 39] = [
     SENSITIVITIES_BY_POSITION,
     "radiated_sound.csv",
     "sound_pressure.csv",
+    "panel_power.csv",
+    "sound_field.csv",
+    "directivity.csv",
     REPORT,
     "report.html.part",
 ];

@@ -152,7 +152,7 @@ fn run(left: bool) -> Run {
         pictures: Vec::new(),
         bodies: Vec::new(),
         forced_response: Vec::new(),
-        radiated_sound: Vec::new(),
+        radiated_sound: crate::radiated_sound::SoundTables::default(),
         natural_frequencies: Vec::new(),
         modes: Vec::new(),
         sensitivities: Vec::new(),
