@@ -27,6 +27,7 @@ mod moving_axes;
 mod pair_form;
 mod published_blocks;
 mod radiated_sound;
+mod radiated_sound_fields;
 mod ratings;
 mod reference;
 mod report;
