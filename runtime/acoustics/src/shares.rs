@@ -1,8 +1,7 @@
 //! Shares of the triangles of a coarse surface in panels of a finer one.
 
 use crate::mesh::SurfaceMesh;
-use crate::point::distance;
-use calyx_numerics::vec3::{Vector, dot, length, minus};
+use crate::nearest::NearestTriangle;
 use rayon::prelude::*;
 
 /// Returns the share of each coarse triangle in each panel, from 0 to 1. `panels` has the panel of
@@ -24,61 +23,25 @@ pub fn panel_shares(
         }
         return shares;
     }
-    let targets = Targets::new(coarse);
+    let targets = NearestTriangle::new(coarse);
     let owners: Vec<usize> = (0..panels.len())
         .into_par_iter()
-        .map(|triangle| targets.nearest(fine.centroid(triangle), fine.normals()[triangle]))
+        .map(|triangle| targets.find(fine.centroid(triangle), fine.normals()[triangle]))
         .collect();
     let mut areas = vec![0.0; coarse.triangles().len()];
     for ((owner, area), panel) in owners.iter().zip(fine.areas()).zip(panels) {
         areas[*owner] += area;
         panel.iter().for_each(|&panel| shares[panel][*owner] += area);
     }
-    let targets = Targets::new(fine);
+    let targets = NearestTriangle::new(fine);
     for (triangle, &area) in areas.iter().enumerate() {
         if area > 0.0 {
             shares.iter_mut().for_each(|own| own[triangle] /= area);
             continue;
         }
         // No fine triangle has its centroid here.
-        let near = targets.nearest(coarse.centroid(triangle), coarse.normals()[triangle]);
+        let near = targets.find(coarse.centroid(triangle), coarse.normals()[triangle]);
         panels[near].iter().for_each(|&panel| shares[panel][triangle] = 1.0);
     }
     shares
-}
-
-/// Triangles of a mesh with spheres around them.
-struct Targets<'m> {
-    mesh: &'m SurfaceMesh,
-    /// Centroid and distance of the farthest corner, m.
-    spheres: Vec<(Vector, f64)>,
-}
-
-impl Targets<'_> {
-    fn new(mesh: &SurfaceMesh) -> Targets<'_> {
-        let sphere = |triangle: usize| {
-            let center = mesh.centroid(triangle);
-            let radius = mesh.corners(triangle).map(|corner| length(minus(corner, center)));
-            (center, radius.into_iter().fold(0.0, f64::max))
-        };
-        Targets { mesh, spheres: (0..mesh.triangles().len()).map(sphere).collect() }
-    }
-
-    /// Returns the triangle that is nearest to a point among those whose normals do not oppose a
-    /// normal.
-    fn nearest(&self, at: Vector, normal: Vector) -> usize {
-        let (mut best, mut least) = (0, f64::INFINITY);
-        for (triangle, (center, radius)) in self.spheres.iter().enumerate() {
-            if length(minus(at, *center)) - radius >= least
-                || dot(self.mesh.normals()[triangle], normal) <= 0.0
-            {
-                continue;
-            }
-            let own = distance(at, self.mesh.corners(triangle));
-            if own < least {
-                (best, least) = (triangle, own);
-            }
-        }
-        best
-    }
 }

@@ -156,9 +156,10 @@ fn projected_velocities_keep_flow_and_sound() {
         (0..fine.mesh.triangles().len()).map(|triangle| wave(fine.mesh.centroid(triangle))).collect();
     let power = |mesh: &SurfaceMesh, velocities: Vec<f64>| {
         let corners: Vec<_> = (0..mesh.triangles().len()).map(|triangle| mesh.corners(triangle)).collect();
-        let form =
-            rayleigh::radiation_impedance(&corners, &[velocities], &Fluid::AIR, 200.0, &Interrupt::never());
-        form.expect("solved").power(&[c64::new(1.0, 0.0)])
+        let all = vec![1.0; velocities.len()];
+        let medium = (&Fluid::AIR, 200.0);
+        let form = rayleigh::panel_impedances(&corners, &[velocities], &[all], medium, &Interrupt::never());
+        form.expect("solved")[0].power(&[c64::new(1.0, 0.0)])
     };
     let flow = |mesh: &SurfaceMesh, velocities: &[f64]| -> f64 {
         velocities.iter().zip(mesh.areas()).map(|(velocity, area)| velocity * area).sum()

@@ -370,8 +370,7 @@ impl SoundModels {
     ) -> Result<SoundModels, EngineError> {
         let SoundTask { requests, plan, highest_frequency, .. } = *task;
         let highest = highest_frequency.min(highest_line);
-        let surface =
-            |request: &SoundRequest| Surface::new(system.scene, request)?.coarsened(request, highest);
+        let surface = |request: &SoundRequest| Surface::new(system.scene, request);
         let surfaces: Vec<Surface> = requests.iter().map(surface).collect::<Result<_, _>>()?;
         let known = task.shared.as_ref().map_or(&[][..], |sound| &sound.shapes);
         let mut shapes: Vec<Arc<BodyShapes>> = Vec::new();
@@ -388,7 +387,7 @@ impl SoundModels {
             shapes.push(BodyShapes::find(body, &own, &found, resources)?);
         }
         let model = |((request, surface), shapes): ((&SoundRequest, Surface), &Arc<BodyShapes>)| {
-            resources.install(|| Vibrating::new(system, request, surface, shapes, resources))
+            resources.install(|| Vibrating::new(system, request, (surface, highest), shapes, resources))
         };
         Ok(SoundModels {
             models: requests.iter().zip(surfaces).zip(&shapes).map(model).collect::<Result<_, _>>()?,

@@ -69,12 +69,11 @@ pub fn sound_size(scene: &Scene, fidelity: Fidelity, highest: f64) -> Vec<SoundS
     let highest = highest.min(highest_frequency(scene, response));
     let size = |request: &SoundRequest| {
         let connection = scene.connections.get(request.body.0)?;
-        let (triangles, area) = surface_size(scene, request, highest).ok()?;
+        let (triangles, area, width) = surface_size(scene, request, highest).ok()?;
         let free = |id: BodyId| scene.bodies.get(id.0).map_or([false; 6], |body| body.free);
         let dofs = connection.bodies().flat_map(free).filter(|free| *free).count();
         let level = request.level_at(fidelity);
-        // The diameter of a sphere of the same area.
-        let across = (area / std::f64::consts::PI).sqrt() * highest / request.fluid.speed_of_sound;
+        let across = width * highest / request.fluid.speed_of_sound;
         Some(SoundSize {
             body: connection.name.clone(),
             level,

@@ -7,10 +7,10 @@
 //! agrees with a solution there.
 
 use super::motion::{SurfaceMotion, Vibrating};
+use super::plane::extent;
 use super::solver::{Solution, Solver};
 use super::{Lines, SoundLevel};
 use calyx_acoustics::RadiationImpedance;
-use calyx_acoustics::radiation::equivalent_impedance;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use faer::{Mat, c64};
@@ -22,12 +22,12 @@ use std::ops::Range;
 const TOLERANCE: f64 = 0.005;
 /// Largest ratio of a frequency to the next lower one in the first grid.
 const RATIO: f64 = 1.6;
-/// Largest distance of frequencies in the first grid, in wavenumbers times half the size of the
-/// body.
+/// Largest distance of frequencies in the first grid, in wavenumbers times half the size of the body
+/// with its mirror image.
 const STEP: f64 = 1.0;
 /// Largest number of halvings of an interval, and of solved frequencies.
 const HALVINGS: usize = 5;
-const MOST: usize = 150;
+const MOST: usize = 400;
 /// Number of frequencies of an interpolation.
 const POINTS: usize = 4;
 /// Part of the largest power below which the difference of the far field does not count.
@@ -98,14 +98,10 @@ impl Field {
         resources: &Resources,
     ) -> Result<Field, EngineError> {
         let mesh = &body.surface.skin.mesh;
-        let of_panel = |shares: &Vec<f64>| {
-            let areas: Vec<f64> = mesh.areas().iter().zip(shares).map(|(area, share)| area * share).collect();
-            equivalent_impedance(&areas, &body.fluid, &body.patterns)
-        };
         let mut field = Field {
             level,
-            equivalent: equivalent_impedance(mesh.areas(), &body.fluid, &body.patterns),
-            equivalent_panels: body.surface.panels.iter().map(|panel| of_panel(&panel.shares)).collect(),
+            equivalent: body.equivalent.clone(),
+            equivalent_panels: body.equivalent_panels.clone(),
             solutions: Vec::new(),
             distances: body.distances.clone(),
             wavenumber: TAU / body.fluid.speed_of_sound,
@@ -117,7 +113,7 @@ impl Field {
             return Ok(field);
         };
         let solver = Solver::new(body, level, &resources.interrupt);
-        let step = STEP / (field.wavenumber * 0.5 * mesh.size());
+        let step = STEP / (field.wavenumber * 0.5 * extent(mesh));
         // Powers on the surface and in the far field.
         let mut powers: Vec<[f64; 2]> = Vec::new();
         for frequency in grid(range, step) {

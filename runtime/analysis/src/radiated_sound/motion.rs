@@ -2,10 +2,12 @@
 //! in a forced response, and the powers that enter and leave the body.
 
 use super::shapes::{BodyShapes, check_modes};
-use super::surface::Surface;
+use super::surface::{PER_WAVELENGTH, Surface, SurfacePanel};
 use super::{SoundRequest, middle, refused};
-use calyx_acoustics::Fluid;
 use calyx_acoustics::field::FieldMesh;
+use calyx_acoustics::radiation::equivalent_impedance;
+use calyx_acoustics::skin::Skin;
+use calyx_acoustics::{Fluid, RadiationImpedance, SurfaceMesh};
 use calyx_model::bearing::{BearingState, Support};
 use calyx_model::connection::ConnectionState;
 use calyx_model::elastic_body::MotionShapes;
@@ -18,6 +20,17 @@ use calyx_solve::forced_response::Motion;
 use calyx_solve::system::System;
 use faer::c64;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Part of the mean square velocity of the modes that a coarsened surface keeps: about six elements
+/// in a wavelength of the walls.
+const KEPT: f64 = 0.9;
+/// Ratio of the longest edges of successive attempts.
+const SHORTER: f64 = 0.7;
+/// Least number of edges in the size of a body.
+const LEAST_EDGES: f64 = 6.0;
+/// Frequency up to which modes count, relative to that of the highest line.
+const MODES: f64 = 1.5;
 
 /// Elastic body whose surface vibrates.
 pub(crate) struct Vibrating {
@@ -40,6 +53,10 @@ pub(crate) struct Vibrating {
     pub middle: Vector,
     /// Normal velocities of the triangles by unit velocity of each coordinate.
     pub patterns: Vec<Vec<f64>>,
+    /// Form of the equivalent radiated power, on the skin of the mesh.
+    pub equivalent: RadiationImpedance,
+    /// The same of each panel.
+    pub equivalent_panels: Vec<RadiationImpedance>,
     /// Indices of these coordinates among those of the system.
     coordinates: Vec<usize>,
     /// Bearing forces on the body: bearing, component, and the deflections by unit of each
@@ -62,14 +79,14 @@ pub(crate) struct SurfaceMotion {
 }
 
 impl Vibrating {
-    /// Finds the velocity patterns of a surface.
+    /// Finds the velocity patterns of a surface, and coarsens it for sound up to a frequency, Hz.
     ///
     /// # Errors
     /// Those of the condensation of the body and of the interrupt.
     pub fn new(
         system: &System<'_>,
         request: &SoundRequest,
-        surface: Surface,
+        (surface, highest): (Surface, f64),
         found: &BodyShapes,
         resources: &Resources,
     ) -> Result<Vibrating, EngineError> {
@@ -80,7 +97,8 @@ impl Vibrating {
         let BodyShapes { shapes, places, .. } = found;
         check_modes(&connection.name, shapes, &condensed.modes)?;
         let state = ConnectionState::at(&scene.bodies, connection, 0.0)?;
-        let triangles = surface.skin.mesh.triangles().len();
+        let mesh = &surface.original.mesh;
+        let triangles = mesh.triangles().len();
         let attached: Vec<BodyId> = connection.bodies().collect();
         let dofs = system.dofs.iter().enumerate().filter(|(_, dof)| attached.contains(&BodyId(dof.body)));
         let (mut coordinates, mut moved): (Vec<usize>, Vec<Vec<(usize, f64)>>) = (Vec::new(), Vec::new());
@@ -102,9 +120,24 @@ impl Vibrating {
             coordinates.push(system.dofs.len() + system.modes.count() + first + mode);
             moved.push(vec![(unknowns + mode, 1.0)]);
         }
-        let room = resources.interrupt.reserve_memory((8 * triangles * coordinates.len()) as u64)?;
-        let pattern = |parts: &Vec<(usize, f64)>| pattern(&surface, places, shapes, parts);
-        let patterns = moved.iter().map(pattern).collect::<Result<_, _>>()?;
+        // Of the skin of the mesh and of the coarsened one.
+        let room = resources.interrupt.reserve_memory((16 * triangles * coordinates.len()) as u64)?;
+        let pattern = |parts: &Vec<(usize, f64)>| pattern(&surface.original, places, shapes, parts);
+        let original: Vec<Vec<f64>> = moved.iter().map(pattern).collect::<Result<_, _>>()?;
+        let equivalent = equivalent_impedance(mesh.areas(), &request.fluid, &original);
+        let of_panel = |panel: &SurfacePanel| {
+            let parts = mesh.areas().iter().zip(&panel.original);
+            let areas: Vec<f64> = parts.map(|(area, share)| area * share).collect();
+            equivalent_impedance(&areas, &request.fluid, &original)
+        };
+        let equivalent_panels = surface.panels.iter().map(of_panel).collect();
+        // Modes of higher frequencies hardly move at the lines.
+        let is_moved = |value: &f64| value.max(0.0).sqrt() <= TAU * MODES * highest;
+        let modes = shapes.eigenvalues.iter().take_while(|value| is_moved(value)).count();
+        let first = original.len() - condensed.modes.count();
+        let wavelength = request.fluid.speed_of_sound / highest;
+        let counted = &original[first..(first + modes).min(original.len())];
+        let (surface, patterns) = resolved(surface, wavelength, (&original, counted))?;
         let (bearings, input_is_known) = bearings(system, &attached, &coordinates)?;
         let fields = surface.fields(request)?;
         let mut points = surface.points(&request.points);
@@ -120,6 +153,8 @@ impl Vibrating {
             middle,
             surface,
             patterns,
+            equivalent,
+            equivalent_panels,
             coordinates,
             bearings,
             input_is_known,
@@ -167,9 +202,38 @@ impl Vibrating {
     }
 }
 
-/// Returns the normal velocities of the triangles for a combination of unknowns of the body.
+/// Coarsens a surface to a sixth of the wavelength (m) in the fluid, or further if needed for the
+/// waves of the walls: the mean square velocities of the `modes` are kept. Returns it with the
+/// patterns on it, from those on the skin of the mesh.
+fn resolved(
+    mut surface: Surface,
+    wavelength: f64,
+    (patterns, modes): (&[Vec<f64>], &[Vec<f64>]),
+) -> Result<(Surface, Vec<Vec<f64>>), EngineError> {
+    let mean_square = |mesh: &SurfaceMesh, pattern: &[f64]| -> f64 {
+        pattern.iter().zip(mesh.areas()).map(|(value, area)| value * value * area).sum()
+    };
+    let mut longest = (wavelength / PER_WAVELENGTH).min(surface.original.mesh.size() / LEAST_EDGES);
+    loop {
+        surface = surface.coarsened(longest)?;
+        let kept = |mode: &Vec<f64>| {
+            let whole = mean_square(&surface.original.mesh, mode);
+            let part = mean_square(&surface.skin.mesh, &surface.projected(mode));
+            if whole > 0.0 { part / whole } else { 1.0 }
+        };
+        let mean = modes.iter().map(kept).sum::<f64>() / modes.len().max(1) as f64;
+        if modes.is_empty() || surface.is_original() || mean >= KEPT {
+            let patterns = patterns.iter().map(|pattern| surface.projected(pattern)).collect();
+            return Ok((surface, patterns));
+        }
+        longest *= SHORTER;
+    }
+}
+
+/// Returns the normal velocities of the triangles of a skin for a combination of unknowns of the
+/// body.
 fn pattern(
-    surface: &Surface,
+    skin: &Skin,
     places: &BTreeMap<usize, usize>,
     shapes: &MotionShapes,
     parts: &[(usize, f64)],
@@ -189,8 +253,8 @@ fn pattern(
         let sum = own.fold([0.0; 3], |sum, own| [0, 1, 2].map(|k: usize| sum[k] + own[k]));
         sum.map(|sum| c64::new(sum / nodes.len() as f64, 0.0))
     };
-    let velocities: Vec<[c64; 3]> = surface.skin.nodes.iter().map(mean).collect();
-    let normal = surface.skin.mesh.normal_velocities(&velocities).map_err(super::engine_error)?;
+    let velocities: Vec<[c64; 3]> = skin.nodes.iter().map(mean).collect();
+    let normal = skin.mesh.normal_velocities(&velocities).map_err(super::engine_error)?;
     Ok(normal.into_iter().map(|value| value.re).collect())
 }
 

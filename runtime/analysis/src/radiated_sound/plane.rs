@@ -1,7 +1,7 @@
 //! Rigid plane in front of which a body radiates.
 
 use super::{Placement, SoundLevel, SoundRequest, refused};
-use calyx_acoustics::RigidPlane;
+use calyx_acoustics::{RigidPlane, SurfaceMesh};
 use calyx_model::connection::ElasticConnection;
 use calyx_model::elastic_body::{BodyMesh, CellShape, SharedElasticBody};
 use calyx_model::mechanism::Mechanism;
@@ -74,8 +74,16 @@ fn has_wall_in(mesh: &BodyMesh, plane: &RigidPlane, tolerance: f64) -> bool {
     mesh.cells.iter().any(|(shape, nodes)| matches!(shape, CellShape::Shell(_)) && nodes.iter().all(is_in))
 }
 
+/// Returns the size of a body, with its mirror image in the rigid plane, m: how fast the sound varies
+/// over the frequency and the direction.
+pub(super) fn extent(mesh: &SurfaceMesh) -> f64 {
+    let own = mesh.vertices().iter().copied();
+    let mirrored = mesh.plane().map(|plane| own.clone().map(|vertex| plane.mirror(vertex)));
+    size(&own.clone().chain(mirrored.into_iter().flatten()).collect::<Vec<_>>())
+}
+
 /// Returns the diagonal of the box that contains points, m.
-pub(super) fn size(points: &[Vector]) -> f64 {
+fn size(points: &[Vector]) -> f64 {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for point in points {
         low = [0, 1, 2].map(|k: usize| low[k].min(point[k]));

@@ -205,7 +205,7 @@ impl RadiatedSound {
             level: field.level,
             surface: SurfaceSummary {
                 triangles: mesh.triangles().len(),
-                fine_triangles: model.surface.fine,
+                fine_triangles: model.surface.original.mesh.triangles().len(),
                 area: mesh.area(),
                 longest_edge: mesh.longest_edge(),
                 closed: model.surface.closed.clone(),
@@ -390,7 +390,7 @@ impl RadiatedSound {
         }
         if self.interpolation_error > INTERPOLATION {
             all.push(format!(
-                "the sound power of \"{name}\" is interpolated over the frequency with errors of up to {:.0} %",
+                "the sound power of \"{name}\" is interpolated over the frequency with errors of up to {:.0} %: its sound varies fast, such as with a rigid plane far away",
                 1e2 * self.interpolation_error
             ));
         }

@@ -2,6 +2,7 @@
 //! velocities at a line.
 
 use super::motion::Vibrating;
+use super::plane::extent;
 use super::{SoundLevel, engine_error};
 use calyx_acoustics::{RadiationModel, Settings, SolvedPatterns, rayleigh};
 use calyx_numerics::error::EngineError;
@@ -10,7 +11,8 @@ use calyx_numerics::vec3::{Vector, dot};
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
 
-/// Polar angles of the far field: twice the number of wavelengths across the body, and these.
+/// Polar angles of the far field: twice the number of wavelengths across the body and its mirror
+/// image, and these.
 const RINGS: usize = 10;
 
 /// Sound of patterns at a frequency.
@@ -99,7 +101,7 @@ impl<'a> Solver<'a> {
                 let equations = equations.map_err(engine_error)?;
                 let solved = SolvedPatterns::new(&equations, &self.patterns, self.interrupt);
                 let solved = solved.map_err(engine_error)?;
-                let across = self.model.mesh.size() * frequency / self.body.fluid.speed_of_sound;
+                let across = extent(&self.model.mesh) * frequency / self.body.fluid.speed_of_sound;
                 let rings = RINGS + (2.0 * across).ceil() as usize;
                 let far = solved.far_impedance(rings, self.interrupt).map_err(engine_error)?;
                 if let Some(velocities) = near {

@@ -2,10 +2,12 @@
 
 use super::directions::{Direction, directions};
 use super::fields::Extent;
+use super::plane::extent;
 use super::{Placement, SoundRequest, engine_error, mm, refused};
 use calyx_acoustics::coarsening::coarsened;
 use calyx_acoustics::field::FieldMesh;
 use calyx_acoustics::openings::selected_rims;
+use calyx_acoustics::projection::Projection;
 use calyx_acoustics::shares::panel_shares;
 use calyx_acoustics::shells::{ShellProblem, ShellSkin};
 use calyx_acoustics::skin::{Skin, Solid, boundary};
@@ -18,7 +20,7 @@ use calyx_structure::outer_surface::CellKind;
 use std::collections::BTreeSet;
 
 /// Elements per wavelength to which a surface is coarsened.
-const PER_WAVELENGTH: f64 = 6.0;
+pub(super) const PER_WAVELENGTH: f64 = 6.0;
 /// Mean area of the triangles of a coarsened surface over the square of the longest edge. Measured:
 /// 0.2 for the plates of a housing; 0.43 for equal sides.
 const COARSENED: f64 = 0.22;
@@ -27,13 +29,16 @@ const NAMED: usize = 4;
 
 /// Closed surface of a body.
 pub(crate) struct Surface {
+    /// Coarsened skin.
     pub skin: Skin,
+    /// Skin of the mesh of the body.
+    pub original: Skin,
+    /// Projection of velocities from the skin of the mesh to the coarsened one.
+    projection: Projection,
     /// Names of the openings with the numbers of their lids.
     pub closed: Vec<(String, usize)>,
     /// Number of elements that are left out: ribs, inner parts, and shells on solids.
     pub left_out: usize,
-    /// Number of triangles before coarsening.
-    pub fine: usize,
     /// Panels and, if there are any, the rest of the surface.
     pub panels: Vec<SurfacePanel>,
     placement: Placement,
@@ -44,6 +49,8 @@ pub(crate) struct SurfacePanel {
     pub name: String,
     /// Share of each triangle that belongs to the panel, from 0 to 1.
     pub shares: Vec<f64>,
+    /// The same of the skin of the mesh: 0 or 1.
+    pub original: Vec<f64>,
 }
 
 impl Surface {
@@ -74,34 +81,44 @@ impl Surface {
             closed_solids(&mesh, &solids, plane).map(|(skin, closed)| (skin, closed, shells.len()))
         };
         let (skin, closed, left_out) = found.map_err(named)?;
-        let fine = skin.mesh.triangles().len();
         let panels = panels(&mesh, &skin).map_err(named)?;
-        Ok(Surface { skin, closed, left_out, fine, panels, placement })
+        let (original, projection) = (skin.clone(), Projection::new(&skin.mesh, &skin.mesh));
+        Ok(Surface { skin, original, projection, closed, left_out, panels, placement })
     }
 
-    /// Returns the surface with elements of at most a sixth of the wavelength at a frequency (Hz),
-    /// as far as the mesh of the body is finer.
+    /// Returns the skin of the mesh, coarsened to edges of at most a length, m.
     ///
     /// # Errors
     /// Those of [`coarsened`].
-    pub fn coarsened(self, request: &SoundRequest, highest: f64) -> Result<Surface, EngineError> {
-        let longest = request.fluid.speed_of_sound / (PER_WAVELENGTH * highest);
-        let skin = coarsened(&self.skin, longest).map_err(engine_error)?;
+    pub fn coarsened(self, longest: f64) -> Result<Surface, EngineError> {
+        let original = &self.original;
+        let skin = coarsened(original, longest).map_err(engine_error)?;
+        let projection = Projection::new(&original.mesh, &skin.mesh);
         if self.panels.is_empty() {
-            return Ok(Surface { skin, ..self });
+            return Ok(Surface { skin, projection, ..self });
         }
         let owner = |triangle: usize| {
-            self.panels.iter().position(|panel| panel.name != Panel::REST && panel.shares[triangle] == 1.0)
+            self.panels.iter().position(|panel| panel.name != Panel::REST && panel.original[triangle] == 1.0)
         };
-        let owners: Vec<Option<usize>> = (0..self.fine).map(owner).collect();
+        let owners: Vec<Option<usize>> = (0..original.mesh.triangles().len()).map(owner).collect();
         let named = self.panels.len() - 1;
-        let mut shares = panel_shares(&self.skin.mesh, &owners, &skin.mesh, named);
+        let mut shares = panel_shares(&original.mesh, &owners, &skin.mesh, named);
         let rest = |triangle: usize| 1.0 - shares.iter().map(|own| own[triangle]).sum::<f64>();
         let rest: Vec<f64> = (0..skin.mesh.triangles().len()).map(rest).collect();
         shares.push(rest);
-        let names = self.panels.into_iter().map(|panel| panel.name);
-        let panels = names.zip(shares).map(|(name, shares)| SurfacePanel { name, shares }).collect();
-        Ok(Surface { skin, panels, ..self })
+        let panels = self.panels.into_iter().zip(shares);
+        let panels = panels.map(|(panel, shares)| SurfacePanel { shares, ..panel }).collect();
+        Ok(Surface { skin, projection, panels, ..self })
+    }
+
+    /// Returns whether the skin has all triangles of the mesh.
+    pub fn is_original(&self) -> bool {
+        self.skin.mesh.triangles().len() == self.original.mesh.triangles().len()
+    }
+
+    /// Returns the normal velocities of the coarsened skin from those of the skin of the mesh.
+    pub fn projected(&self, velocities: &[f64]) -> Vec<f64> {
+        self.projection.normal_velocities(velocities)
     }
 
     /// Returns points of ground in the coordinates of the body, m.
@@ -180,8 +197,9 @@ impl Surface {
 }
 
 /// Returns the estimated number of triangles of the surface of a request at a highest frequency
-/// (Hz), and its area (m²), for the display of a plan: the mean edge is shorter than a sixth of the
-/// wavelength, unless the mesh is coarser.
+/// (Hz), its area (m²), and its width (m), for the display of a plan: the mean edge is shorter than
+/// a sixth of the wavelength, unless the mesh is coarser. The width is that of a sphere of the same
+/// area, and contains the mirror image in a rigid plane.
 ///
 /// # Errors
 /// Those of the surface.
@@ -189,12 +207,14 @@ pub fn surface_size(
     scene: &Mechanism,
     request: &SoundRequest,
     highest: f64,
-) -> Result<(usize, f64), EngineError> {
+) -> Result<(usize, f64, f64), EngineError> {
     let surface = Surface::new(scene, request)?;
-    let area = surface.skin.mesh.area();
+    let (mesh, area) = (&surface.skin.mesh, surface.skin.mesh.area());
+    let width = (area / std::f64::consts::PI).sqrt() * extent(mesh) / mesh.size();
     let edge = request.fluid.speed_of_sound / (PER_WAVELENGTH * highest);
     let wanted = (area / (COARSENED * edge * edge)).ceil() as usize;
-    Ok((wanted.clamp(4.min(surface.fine), surface.fine), area))
+    let fine = mesh.triangles().len();
+    Ok((wanted.clamp(4.min(fine), fine), area, width))
 }
 
 /// Returns the panels of a mesh on its skin, and the rest; none without panels.
@@ -232,15 +252,16 @@ fn panels(mesh: &BodyMesh, skin: &Skin) -> Result<Vec<SurfacePanel>, EngineError
     }
     let names = mesh.panels.iter().map(|panel| panel.name.clone()).enumerate();
     let share = |is_own: bool| if is_own { 1.0 } else { 0.0 };
+    let panel = |name: String, shares: Vec<f64>| SurfacePanel { name, original: shares.clone(), shares };
     let mut all: Vec<SurfacePanel> = names
         .map(|(index, name)| {
             let shares = owners.iter().map(|owner| share(*owner == Some(index))).collect();
-            SurfacePanel { name, shares }
+            panel(name, shares)
         })
         .collect();
     if !all.is_empty() {
         let shares = owners.iter().map(|owner| share(owner.is_none())).collect();
-        all.push(SurfacePanel { name: Panel::REST.into(), shares });
+        all.push(panel(Panel::REST.into(), shares));
     }
     Ok(all)
 }
