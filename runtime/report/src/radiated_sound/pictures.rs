@@ -38,8 +38,11 @@ pub struct SoundPicture {
     pub size: [u32; 2],
 }
 
-/// Quantity on a surface.
-const QUANTITIES: [(&str, fn(&SkinField) -> Vec<f64>); 2] = [
+/// Values of the triangles of a surface.
+type Quantity = fn(&SkinField) -> Vec<f64>;
+
+/// Quantities with their names.
+const QUANTITIES: [(&str, Quantity); 2] = [
     ("velocity", |field| field.velocities.iter().map(|velocity| velocity.norm()).collect()),
     ("intensity", |field| field.intensities.clone()),
 ];

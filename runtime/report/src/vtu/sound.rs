@@ -12,14 +12,17 @@ use std::{fs, io};
 /// Beginnings of the names: surfaces and field meshes.
 const SURFACE: &str = "sound_surface-";
 const FIELD: &str = "sound_field-";
-/// Amplitude of a pressure that counts as zero in levels, Pa: -154 dB, so that levels are finite.
+/// Amplitude of a pressure that counts as zero in levels, Pa: -149 dB, so that levels are finite.
 const SILENT: f64 = 1e-12;
 
-/// Collection of files: its name without extension, and the frequency (Hz) and grid of each line.
+/// Collection of files: its name without extension, and its lines.
 struct Series<'a> {
     name: String,
-    lines: Vec<(f64, Box<dyn Fn() -> Grid + 'a>)>,
+    lines: Vec<Line<'a>>,
 }
+
+/// Frequency of a line, Hz, and its grid.
+type Line<'a> = (f64, Box<dyn Fn() -> Grid + 'a>);
 
 impl Series<'_> {
     fn file(&self, index: usize) -> String {
@@ -95,8 +98,8 @@ fn lines<'a, T: Copy + 'a>(
     sound: &RadiatedSound,
     all: impl Iterator<Item = (usize, T)>,
     grid: impl Fn(T) -> Grid + Copy + 'a,
-) -> Vec<(f64, Box<dyn Fn() -> Grid + 'a>)> {
-    let own = |(line, item): (usize, T)| -> (f64, Box<dyn Fn() -> Grid + 'a>) {
+) -> Vec<Line<'a>> {
+    let own = |(line, item): (usize, T)| -> Line<'a> {
         (sound.frequency(line, sound.own.speed), Box::new(move || grid(item)))
     };
     let mut all: Vec<_> = all.map(own).collect();
