@@ -75,7 +75,7 @@ output equivalent := gears.radiated_power(housing, method = \"erp\");
 ";
     // A narrow range needs few frequencies.
     let response = RESPONSE
-        .replace("speeds = 9", "speeds = 3")
+        .replace("speeds = 9, harmonics = 3", "speeds = 3, harmonics = 2")
         .replace("3000 rpm, lowest_speed = 600 rpm", "1800 rpm, lowest_speed = 1300 rpm");
     let model = pair(60.0, &format!("{PANELS}{response}{outputs}"), &analysis("2500 Hz"))
         .replace("distant)", "distant, method = \"boundary_elements\")")
