@@ -66,6 +66,12 @@ impl Engine {
         Engine(Arc::new(Shared::new(config)))
     }
 
+    /// Creates an engine with a number of threads of its own and the structure cache of this one.
+    pub(crate) fn with_threads(&self, threads: usize) -> Engine {
+        let config = EngineConfig { threads, ..self.0.config.clone() };
+        Engine(Arc::new(Shared { config, cache: self.0.cache.clone(), pool: Mutex::default() }))
+    }
+
     pub fn config(&self) -> &EngineConfig {
         &self.0.config
     }

@@ -126,6 +126,12 @@ impl Instance {
         &self.setup.engine
     }
 
+    /// Sets the engine of future runs.
+    #[cfg(feature = "command")]
+    pub(crate) fn set_engine(&mut self, engine: &Engine) {
+        self.setup.engine = engine.clone();
+    }
+
     /// Returns names, units, ranges and docs of the params and outputs.
     pub fn description(&self) -> &ModelDescription {
         self.setup.program.description()

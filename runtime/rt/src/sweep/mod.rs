@@ -45,6 +45,7 @@ use calyx_runtime::settings_override::Override;
 use journal::{Journal, Line, fingerprint};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -89,6 +90,9 @@ pub struct Outcome {
 
 /// Largest number of printed lines that are kept of a case.
 const PRINTED_LINES: usize = 1000;
+/// Number of cases per worker from which each worker has threads of its own: the time in which
+/// those that have finished are idle is small then.
+const MANY: usize = 8;
 
 /// Lines that a model prints in a case.
 #[derive(Clone, Default)]
@@ -325,8 +329,10 @@ impl Sweep {
         let next = AtomicUsize::new(0);
         let found: Mutex<(Vec<Line>, Option<RunError>)> = Mutex::default();
         let work = || {
+            let engine = self.engine_of_worker(numbers.len());
             while let Some(&number) = numbers.get(next.fetch_add(1, Ordering::Relaxed)) {
-                let Some(line) = self.solve(params, number, &cases[number - 1]) else { return };
+                let solved = self.solve(params, (number, &cases[number - 1]), &engine);
+                let Some(line) = solved else { return };
                 let written = write(&line);
                 let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
                 match written {
@@ -345,6 +351,20 @@ impl Sweep {
         });
         let (lines, error) = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         error.map_or(Ok(lines), Err)
+    }
+
+    /// Returns the engine of a worker for a number of cases. Of many cases, each worker solves its
+    /// own with its part of the threads, and none waits for another; the last of few cases has all
+    /// threads.
+    fn engine_of_worker(&self, cases: usize) -> Engine {
+        if self.workers <= 1 || cases < MANY * self.workers {
+            return self.engine.clone();
+        }
+        let threads = match self.engine.config().threads {
+            0 => thread::available_parallelism().map_or(1, NonZeroUsize::get),
+            threads => threads,
+        };
+        self.engine.with_threads((threads / self.workers).max(1))
     }
 
     fn table(&self, params: &[Varied], cases: Vec<Case>, solved: BTreeMap<usize, Solved>) -> SweepTable {
@@ -412,9 +432,10 @@ impl Sweep {
     }
 
     /// Solves a case; `None` if the sweep is cancelled.
-    fn solve(&self, params: &[Varied], number: usize, case: &Case) -> Option<Line> {
+    fn solve(&self, params: &[Varied], (number, case): (usize, &Case), engine: &Engine) -> Option<Line> {
         let printed = Printed::default();
         let solved = self.instance_of(params, case).and_then(|mut instance| {
+            instance.set_engine(engine);
             let values = json!(instance.params()?);
             printed.collect(&mut instance);
             Ok((values, instance.solve()?))
