@@ -253,8 +253,8 @@ fn impossible_sound_is_rejected() {
     assert_eq!(codes(&fine), ["E0730"]);
 }
 
-/// The example: orders are multiples of the mesh frequency, the powers balance, and the level of the
-/// first harmonic follows the transmission error, by 6 dB for half of it.
+/// The example: orders are multiples of the mesh frequency, the powers balance, and the level of
+/// the first harmonic follows the transmission error, by 6 dB for half of it.
 #[test]
 #[ignore = "long; part of .ci/full"]
 fn the_example_radiates_the_orders_of_its_mesh() {

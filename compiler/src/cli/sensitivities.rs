@@ -42,11 +42,12 @@ interruption, 2 for wrong usage of the command.";
 pub struct Sensitivities {
     /// The model (.cx file)
     file: PathBuf,
-    /// Show derivatives of this output, or of all elements of an array; may be repeated [default: all
-    /// outputs]
+    /// Show derivatives of this output, or of all elements of an array; may be repeated [default:
+    /// all outputs]
     #[arg(long, value_name = "OUTPUT")]
     of: Vec<String>,
-    /// Differentiate with respect to this param; may be repeated [default: all that take decimal numbers]
+    /// Differentiate with respect to this param; may be repeated [default: all that take decimal
+    /// numbers]
     #[arg(long, value_name = "PARAM")]
     to: Vec<String>,
     /// Set a param, see `calyx run`
@@ -62,8 +63,8 @@ pub struct Sensitivities {
     /// Directory for the results [default: the model's file name with the suffix .sensitivities]
     ///
     /// Contains sensitivities.html, sensitivities.csv (derivatives of the statistics of outputs),
-    /// sensitivities_by_position.csv, and sensitivities.jsonl, from which the same command continues
-    /// after an interruption.
+    /// sensitivities_by_position.csv, and sensitivities.jsonl, from which the same command
+    /// continues after an interruption.
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write to a directory that contains other files

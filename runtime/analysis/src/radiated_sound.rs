@@ -195,8 +195,8 @@ fn engine_error(error: AcousticError) -> EngineError {
 }
 
 /// Checks everything about the requested sound that is known before a structure is built, at a
-/// highest frequency of the component modes (Hz). `lowest_line` is the lowest frequency of the forced
-/// response at the speed of the model, Hz.
+/// highest frequency of the component modes (Hz). `lowest_line` is the lowest frequency of the
+/// forced response at the speed of the model, Hz.
 ///
 /// # Errors
 /// E0784: there is no forced response, or no line with sound; a body has no surface, mass or

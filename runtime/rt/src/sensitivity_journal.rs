@@ -1,4 +1,5 @@
-//! Journal of derivatives: one line of JSON per param, written as soon as its derivatives are found.
+//! Journal of derivatives: one line of JSON per param, written as soon as its derivatives are
+//! found.
 //!
 //! An interrupted run, or one that requests further params, does not compute them again. A journal
 //! of another model, other values or settings is replaced.

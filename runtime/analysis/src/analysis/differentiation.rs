@@ -148,8 +148,8 @@ impl Base<'_, '_> {
         self.steps.resources.install(all)
     }
 
-    /// Differentiates all outputs with respect to each requested param without `stored` derivatives.
-    /// `begin` receives the index of each param before its turn.
+    /// Differentiates all outputs with respect to each requested param without `stored`
+    /// derivatives. `begin` receives the index of each param before its turn.
     ///
     /// # Errors
     /// Those of the interrupt, of `begin`, and of the store.

@@ -80,9 +80,9 @@ impl AnalysisCost {
 /// repeated with steps of twice the length, and partly on other grids and meshes.
 const OF_STEPS: f64 = 0.75;
 
-/// Time of the derivatives with respect to a param relative to that of all positions: four solutions
-/// in known states of contact, and more if a second width of differences is needed. Measured: 1.7
-/// to 3.8 for the torque of `spur_pair.cx` and `helical_pair.cx` at several levels.
+/// Time of the derivatives with respect to a param relative to that of all positions: four
+/// solutions in known states of contact, and more if a second width of differences is needed.
+/// Measured: 1.7 to 3.8 for the torque of `spur_pair.cx` and `helical_pair.cx` at several levels.
 const OF_DERIVATIVES: f64 = 3.0;
 
 impl Task<'_> {

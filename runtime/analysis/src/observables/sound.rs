@@ -22,8 +22,8 @@ impl SoundLines {
         }
     }
 
-    /// Returns the weighted power of these lines at the speed of the model, W, or the contribution of
-    /// a panel to it; NaN without a result.
+    /// Returns the weighted power of these lines at the speed of the model, W, or the contribution
+    /// of a panel to it; NaN without a result.
     fn power(
         self,
         at: &Equilibrium<'_>,

@@ -22,8 +22,8 @@ use std::ops::Range;
 const TOLERANCE: f64 = 0.005;
 /// Largest ratio of a frequency to the next lower one in the first grid.
 const RATIO: f64 = 1.6;
-/// Largest distance of frequencies in the first grid, in wavenumbers times half the size of the body
-/// with its mirror image.
+/// Largest distance of frequencies in the first grid, in wavenumbers times half the size of the
+/// body with its mirror image.
 const STEP: f64 = 1.0;
 /// Largest number of halvings of an interval, and of solved frequencies.
 const HALVINGS: usize = 5;
@@ -300,8 +300,8 @@ fn products(rows: &Mat<c64>, amplitudes: &[c64]) -> Vec<c64> {
     (0..rows.nrows()).map(row).collect()
 }
 
-/// Returns the first grid of frequencies, with both ends of a range. Its distances are larger than a
-/// step if there would be too many.
+/// Returns the first grid of frequencies, with both ends of a range. Its distances are larger than
+/// a step if there would be too many.
 fn grid(range: [f64; 2], step: f64) -> Vec<f64> {
     let mut step = step;
     loop {

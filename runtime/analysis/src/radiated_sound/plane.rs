@@ -74,8 +74,8 @@ fn has_wall_in(mesh: &BodyMesh, plane: &RigidPlane, tolerance: f64) -> bool {
     mesh.cells.iter().any(|(shape, nodes)| matches!(shape, CellShape::Shell(_)) && nodes.iter().all(is_in))
 }
 
-/// Returns the size of a body, with its mirror image in the rigid plane, m: how fast the sound varies
-/// over the frequency and the direction.
+/// Returns the size of a body, with its mirror image in the rigid plane, m: how fast the sound
+/// varies over the frequency and the direction.
 pub(super) fn extent(mesh: &SurfaceMesh) -> f64 {
     let own = mesh.vertices().iter().copied();
     let mirrored = mesh.plane().map(|plane| own.clone().map(|vertex| plane.mirror(vertex)));

@@ -227,8 +227,8 @@ impl RadiatedSound {
         }
     }
 
-    /// Computes the sound on the surface at the loudest lines of the speed of the model, whose motion
-    /// is given.
+    /// Computes the sound on the surface at the loudest lines of the speed of the model, whose
+    /// motion is given.
     ///
     /// # Errors
     /// Those of the acoustic solution and of the interrupt.
@@ -305,8 +305,8 @@ impl RadiatedSound {
         self.weighted(&selected, at.speed, weighting)
     }
 
-    /// Returns the mean sound pressure level of all lines on a field mesh at the speed of the model,
-    /// weighted, dB re 20 µPa: the level of the mean square over the area.
+    /// Returns the mean sound pressure level of all lines on a field mesh at the speed of the
+    /// model, weighted, dB re 20 µPa: the level of the mean square over the area.
     pub fn field_level(&self, field: usize, weighting: Weighting) -> f64 {
         let Some(field) = self.fields.get(field) else { return f64::NAN };
         let square = |(line, pressures): (usize, &Vec<c64>)| {
@@ -320,9 +320,9 @@ impl RadiatedSound {
         10.0 * (sum / (REFERENCE_PRESSURE * REFERENCE_PRESSURE)).log10()
     }
 
-    /// Returns the sound power level of the enveloping surface method (ISO 3744) from the mean sound
-    /// pressure level on a field mesh: L_W = L_p + 10 lg(S / 1 m²), dB re 1 pW. NaN if the mesh does
-    /// not enclose the body.
+    /// Returns the sound power level of the enveloping surface method (ISO 3744) from the mean
+    /// sound pressure level on a field mesh: L_W = L_p + 10 lg(S / 1 m²), dB re 1 pW. NaN if the
+    /// mesh does not enclose the body.
     pub fn measured_power_level(&self, field: usize, weighting: Weighting) -> f64 {
         match self.fields.get(field).filter(|field| field.encloses) {
             Some(own) => self.field_level(field, weighting) + 10.0 * own.mesh.area().log10(),

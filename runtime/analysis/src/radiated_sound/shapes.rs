@@ -56,8 +56,8 @@ impl BodyShapes {
     }
 }
 
-/// Checks that the component modes of the shapes are those of the vibrations: their frequencies, and
-/// their couplings with the attachments, which distinguish the signs and rotations of modes.
+/// Checks that the component modes of the shapes are those of the vibrations: their frequencies,
+/// and their couplings with the attachments, which distinguish the signs and rotations of modes.
 pub(super) fn check_modes(
     name: &str,
     shapes: &MotionShapes,

@@ -69,8 +69,8 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// Solves the field at a frequency. For boundary elements, `near` are velocities that occur near
-    /// it, and their powers on the surface and in the far field are added to `powers`.
+    /// Solves the field at a frequency. For boundary elements, `near` are velocities that occur
+    /// near it, and their powers on the surface and in the far field are added to `powers`.
     ///
     /// # Errors
     /// Those of the acoustic solution and of the interrupt.

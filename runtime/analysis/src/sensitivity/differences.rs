@@ -12,7 +12,8 @@ const KINK: f64 = 1e-3;
 /// Ratio of that difference to the noise of the derivatives, above which the output has a kink.
 const NOISE: f64 = 20.0;
 
-/// Values of an output next to the value of the param: the value, and the smallest value of a range.
+/// Values of an output next to the value of the param: the value, and the smallest value of a
+/// range.
 type Ends = [f64; 2];
 
 /// Values of the param at which the model is solved.

@@ -1,5 +1,5 @@
-//! Mesh of an elastic body whose surface radiates sound, with openings to be closed and panels whose
-//! contributions are of interest.
+//! Mesh of an elastic body whose surface radiates sound, with openings to be closed and panels
+//! whose contributions are of interest.
 
 use super::CellShape;
 use calyx_numerics::vec3::Vector;

@@ -1,5 +1,5 @@
-//! VTU files of radiated sound at the speed of the model, one per spectral line: the surface of each
-//! body and its field meshes. The times of their PVD collections are the frequencies in Hz.
+//! VTU files of radiated sound at the speed of the model, one per spectral line: the surface of
+//! each body and its field meshes. The times of their PVD collections are the frequencies in Hz.
 
 use super::grid::{Grid, QUADRILATERAL, TRIANGLE, VERTEX, Values};
 use super::{FOLDER, folder, write_collection};

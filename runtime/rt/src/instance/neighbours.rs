@@ -49,8 +49,8 @@ impl Instance {
     }
 
     /// Limits the derivatives that [`Instance::request_sensitivities`] requests to the outputs of
-    /// some names, which takes less time; those of others may be NaN. The name of an array stands for
-    /// all its elements. Without names, all outputs are differentiated.
+    /// some names, which takes less time; those of others may be NaN. The name of an array stands
+    /// for all its elements. Without names, all outputs are differentiated.
     ///
     /// # Errors
     /// There is no such output. Which elements an array has is known after the run only.
