@@ -240,6 +240,16 @@ fn interrupted_derivatives_continue_to_the_same_bits() {
     drop(again);
     assert_eq!(stored(), all, "nothing is computed again");
 
+    // A line that lacks a position does not count.
+    let mut lines: Vec<String> = all.lines().map(str::to_owned).collect();
+    let mut line: serde_json::Value = serde_json::from_str(&lines[1]).unwrap();
+    line["positions"].as_array_mut().unwrap().pop();
+    lines[1] = line.to_string();
+    fs::write(directory.path().join(SENSITIVITY_JOURNAL), lines.join("\n") + "\n").unwrap();
+    let damaged = storing(directory.path(), &params);
+    assert_eq!(shown(&damaged.solve().unwrap()), found);
+    drop(damaged);
+
     let mut other = storing(directory.path(), &["torque"]);
     other.set("torque", "21 N*m").unwrap();
     assert_eq!(other.solve().unwrap().sensitivities()[0].param.value, 21.0);

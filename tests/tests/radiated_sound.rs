@@ -234,6 +234,10 @@ fn impossible_sound_is_rejected() {
         codes_with(&fine.replace("radiated_power(housing)", &arguments), &deck)
     };
     assert_eq!(plane("-60 mm", ""), Vec::<String>::new());
+    // A node without elements is no wall.
+    let spare = deck.replace("ENDDATA", "GRID,99999,,0.0,-500.0,0.0\nENDDATA");
+    let near = fine.replace("radiated_power(housing)", "radiated_power(housing, plane = -60 mm * e2)");
+    assert_eq!(codes_with(&near, &spare), codes_with(&fine, &spare));
     for y in ["0 mm", "-50 mm", "-9 m"] {
         assert_eq!(plane(y, ""), ["E0784"], "{y}");
     }

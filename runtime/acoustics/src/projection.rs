@@ -19,7 +19,7 @@ const MOST_PARTS: usize = 8;
 /// Projection of normal velocities. It is the identity between equal surfaces.
 #[derive(Clone, Debug)]
 pub struct Projection {
-    /// By fine triangle: coarse triangles, with the part of the area that each receives, m².
+    /// Coarse triangles of each fine one, with the part of its area that each receives, m².
     parts: Vec<Vec<(usize, f64)>>,
     /// Areas of the coarse triangles, m².
     areas: Vec<f64>,

@@ -100,7 +100,7 @@ pub struct SensitivityRequest {
     /// Names of the outputs to differentiate, that of an array for all its elements; empty for all
     /// outputs. Derivatives of others may be NaN.
     pub outputs: Vec<String>,
-    /// Where derivatives are stored as soon as they are found.
+    /// Storage of derivatives, which receives them as soon as they are found.
     pub store: Option<Arc<dyn SensitivityStore>>,
 }
 

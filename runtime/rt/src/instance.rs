@@ -89,7 +89,7 @@ struct Setup {
     sensitivities: Option<Vec<usize>>,
     /// Names of the outputs whose derivatives the program requests; empty for all.
     differentiated_outputs: Vec<String>,
-    /// Where derivatives are stored.
+    /// Storage of derivatives.
     sensitivity_store: Option<Arc<dyn SensitivityStore>>,
     overrides: Override,
 }

@@ -37,9 +37,9 @@ struct Line {
     param: String,
     value: ExactNumber,
     width: ExactNumber,
-    /// Whether the param changes structures.
+    /// True if the param changes structures.
     new_structures: bool,
-    /// By position and output: [`Derivative::to_array`].
+    /// Numbers of [`Derivative::to_array`] by position and output.
     positions: Vec<Vec<Numbers>>,
     means: Vec<Numbers>,
 }

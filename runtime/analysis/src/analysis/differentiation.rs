@@ -28,7 +28,13 @@ impl Steps<'_> {
     ) -> Result<Vec<Sensitivity>, EngineError> {
         let Some(request) = self.sensitivities.take() else { return Ok(Vec::new()) };
         let started = Instant::now();
-        let stored: Vec<_> = request.params.iter().map(|param| request.find(param)).collect();
+        // A damaged store may have other numbers of positions or outputs.
+        let (positions, outputs) = (self.solved.len(), self.outputs.len());
+        let fits = |own: &Sensitivity| {
+            let rows = || own.positions.iter().chain([&own.means]);
+            own.positions.len() == positions && rows().all(|row| row.len() == outputs)
+        };
+        let stored: Vec<_> = request.params.iter().map(|param| request.find(param).filter(fits)).collect();
         let found = if stored.iter().all(Option::is_some) {
             let rows: Vec<StepRow> = self.solved.iter().map(|solved| solved.row.clone()).collect();
             stored.into_iter().flatten().map(|own| with_statistics(own, &rows)).collect()

@@ -120,7 +120,7 @@ impl Vibrating {
             coordinates.push(system.dofs.len() + system.modes.count() + first + mode);
             moved.push(vec![(unknowns + mode, 1.0)]);
         }
-        // Of the skin of the mesh and of the coarsened one.
+        // Both the skin of the mesh and the coarsened one have patterns.
         let room = resources.interrupt.reserve_memory((16 * triangles * coordinates.len()) as u64)?;
         let pattern = |parts: &Vec<(usize, f64)>| pattern(&surface.original, places, shapes, parts);
         let original: Vec<Vec<f64>> = moved.iter().map(pattern).collect::<Result<_, _>>()?;

@@ -7,6 +7,7 @@ use calyx_model::elastic_body::{BodyMesh, CellShape, SharedElasticBody};
 use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{Vector, length, minus};
+use std::collections::BTreeSet;
 
 /// Distance from the plane, relative to the size of the body, that counts as rounding.
 const ROUNDING: f64 = 1e-9;
@@ -38,8 +39,11 @@ pub(super) fn check(
     let mesh = connection.body.as_ref().and_then(|SharedElasticBody(body)| body.mesh());
     let Some(mesh) = mesh else { return Ok(()) };
     let mm = |length: f64| format!("{:.3} mm", 1e3 * length);
-    let size = size(&mesh.points);
-    let distances = || mesh.points.iter().map(|point| plane.distance(*point));
+    // Other nodes, such as those of rigid elements, are no walls.
+    let walls: BTreeSet<usize> = mesh.cells.iter().flat_map(|(_, nodes)| nodes.iter().copied()).collect();
+    let walls: Vec<Vector> = walls.into_iter().map(|node| mesh.points[node]).collect();
+    let size = size(&walls);
+    let distances = || walls.iter().map(|point| plane.distance(*point));
     let nearest = distances().fold(f64::INFINITY, f64::min);
     if nearest < -ROUNDING * size {
         return Err(refused(
