@@ -84,7 +84,7 @@ impl SensitivityStore for SensitivityJournal {
         let is_same =
             |line: &&Line| line.param == param.name && line.value.0.to_bits() == param.value.to_bits();
         // A journal that cannot be opened is reported when derivatives are stored.
-        let line = self.with(|_, lines| Ok(lines.iter().find(is_same).cloned())).ok()??;
+        let line = self.with(|_, lines| Ok(lines.iter().rfind(is_same).cloned())).ok()??;
         Some(line.sensitivity(param))
     }
 
