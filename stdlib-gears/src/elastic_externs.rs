@@ -204,9 +204,10 @@ fn warn_about_arm(host: &mut ModelHost, index: usize, name: &str) {
     host.warn("E0993", message, help, place);
 }
 
-/// Blames the region for an impossible attachment.
+/// Blames the region for an impossible attachment, opening or panel, unless another argument is at
+/// fault.
 fn blamed(error: RuntimeError) -> RuntimeError {
-    if error.code == "E0991" { error.of_argument("region") } else { error }
+    if error.code == "E0991" && error.argument.is_none() { error.of_argument("region") } else { error }
 }
 
 fn named_units(name: &str) -> Result<Units, RuntimeError> {

@@ -203,6 +203,10 @@ pub struct ModelHost {
     pub bearing_ratings: BTreeMap<usize, [f64; 2]>,
     /// Source locations of the calls that created each output.
     pub output_places: Vec<(u32, u32, u32)>,
+    /// Source location of the call that requested the forced response.
+    pub forced_response_place: Option<(u32, u32, u32)>,
+    /// Source locations of the calls that requested each sound, its points and its field meshes.
+    pub sound_places: BTreeMap<Subject, (u32, u32, u32)>,
     /// Requested gear meshes, including rejected ones.
     pub mesh_records: Vec<MeshRecord>,
     /// Angular backlash of the second gear of meshes on general axes, rad, by surface pair.
@@ -379,6 +383,10 @@ impl ModelHost {
             },
             Subject::Bearing(bearing) => self.bearing_places.get(bearing),
             Subject::Output(output) => self.output_places.get(output),
+            Subject::ForcedResponse => self.forced_response_place.as_ref(),
+            Subject::Sound(_) | Subject::SoundPoint(..) | Subject::SoundField(..) => {
+                self.sound_places.get(&subject)
+            }
         };
         place.copied()
     }

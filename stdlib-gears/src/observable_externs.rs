@@ -116,7 +116,8 @@ calyx_abi::externs! {
             return Err(refusal("E0774", "highest_speed", "the highest speed of the forced response is not above the lowest one",
                 "give a range of speeds, such as `highest_speed = 12000 rpm`"));
         }
-        let scene = &mut host(context)?.scene;
+        let (place, host) = (context.place, host(context)?);
+        let scene = &mut host.scene;
         // The coast flanks of a mesh belong to the same cycle.
         let mesh = scene.pairs[mesh.0].front.unwrap_or(mesh);
         if scene.forced_response.is_some() {
@@ -130,6 +131,7 @@ calyx_abi::externs! {
             harmonics: harmonics as usize,
             damping_ratio,
         });
+        host.forced_response_place = Some(place);
         Ok(())
     }
 

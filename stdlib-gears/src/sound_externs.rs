@@ -8,19 +8,24 @@ use crate::observable_externs::observe;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::acoustics::Fluid;
+use calyx_runtime::error::Subject;
 use calyx_runtime::observables::{
     RadiationEfficiency, SoundFieldLevel, SoundLines, SoundPower, SoundPowerLevel, SoundPressureLevel,
 };
 use calyx_runtime::radiated_sound::{FieldRequest, FieldShape, SoundLevel, SoundRequest, Weighting};
 use calyx_runtime::scene::AddedSound;
+use calyx_runtime::vec3::{cross, length};
+
+/// Normal of a rigid plane for which none is given: `e2`.
+const UPWARDS: [f64; 3] = [0.0, 1.0, 0.0];
 
 /// Arguments that all functions share: fluid, method, point of the plane and its normal.
-type Surroundings = (String, Option<String>, Option<[f64; 3]>, [f64; 3]);
+type Surroundings = (String, Option<String>, Option<[f64; 3]>, Option<[f64; 3]>);
 
 calyx_abi::externs! {
     Scene fn calyx_gears_radiated_power(
         context, body: Handle, fluid: String, method: Option<String>, harmonic: Option<f64>,
-        panel: Option<String>, plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+        panel: Option<String>, plane: Option<[f64; 3]>, plane_normal: Option<[f64; 3]>,
     ) -> Handle {
         let lines = lines(harmonic)?;
         let panel = self::panel(context, body, panel)?;
@@ -30,7 +35,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_sound_power_level(
         context, body: Handle, weighting: String, fluid: String, method: Option<String>, harmonic: Option<f64>,
-        panel: Option<String>, plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+        panel: Option<String>, plane: Option<[f64; 3]>, plane_normal: Option<[f64; 3]>,
     ) -> Handle {
         let lines = lines(harmonic)?;
         let panel = self::panel(context, body, panel)?;
@@ -40,7 +45,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_radiation_efficiency(
         context, body: Handle, fluid: String, method: Option<String>, plane: Option<[f64; 3]>,
-        plane_normal: [f64; 3],
+        plane_normal: Option<[f64; 3]>,
     ) -> Handle {
         let sound = requested(context, body, (fluid, method, plane, plane_normal), Wanted::Nothing)?.sound;
         observe(context, RadiationEfficiency(sound))
@@ -48,7 +53,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_sound_pressure_level(
         context, body: Handle, at: [f64; 3], weighting: String, fluid: String, method: Option<String>,
-        plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+        plane: Option<[f64; 3]>, plane_normal: Option<[f64; 3]>,
     ) -> Handle {
         let added = requested(context, body, (fluid, method, plane, plane_normal), Wanted::Point(at))?;
         let point = added.points.first().copied().unwrap_or_default();
@@ -58,7 +63,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_mean_sound_pressure_level(
         context, body: Handle, field: Handle, weighting: String, fluid: String, method: Option<String>,
-        plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+        plane: Option<[f64; 3]>, plane_normal: Option<[f64; 3]>,
     ) -> Handle {
         let surroundings = (fluid, method, plane, plane_normal);
         let level = field_level(context, (body, field), surroundings, (&weighting, false))?;
@@ -67,7 +72,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_measured_sound_power_level(
         context, body: Handle, field: Handle, weighting: String, fluid: String, method: Option<String>,
-        plane: Option<[f64; 3]>, plane_normal: [f64; 3],
+        plane: Option<[f64; 3]>, plane_normal: Option<[f64; 3]>,
     ) -> Handle {
         let surroundings = (fluid, method, plane, plane_normal);
         let level = field_level(context, (body, field), surroundings, (&weighting, true))?;
@@ -89,6 +94,10 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_box_field(context, name: String, distance: f64) -> Handle {
+        if distance == 0.0 {
+            let message = format!("the box \"{name}\" would touch the body");
+            return Err(refusal("E0784", "distance", &message, "give a distance such as 1 m"));
+        }
         field(context, name, FieldShape::Box { distance })
     }
 
@@ -96,6 +105,11 @@ calyx_abi::externs! {
         context, name: String, corner: [f64; 3], first_edge: [f64; 3], second_edge: [f64; 3], first_points: f64,
         second_points: f64,
     ) -> Handle {
+        if length(cross(first_edge, second_edge)) == 0.0 {
+            let message = format!("the edges of the plane \"{name}\" are parallel, or one has no length");
+            let help = "give two edges in different directions, such as `2 m * e1` and `1 m * e3`";
+            return Err(refusal("E0784", "second_edge", &message, help));
+        }
         let counts = [whole("first_points", first_points)?, whole("second_points", second_points)?];
         field(context, name, FieldShape::Plane { corner, edges: [first_edge, second_edge], counts })
     }
@@ -191,7 +205,7 @@ fn requested(
     (fluid, method, plane, normal): Surroundings,
     wanted: Wanted,
 ) -> Result<AddedSound, RuntimeError> {
-    let host = host(context)?;
+    let (place, host) = (context.place, host(context)?);
     let Some(index) = as_elastic_body(host, body) else {
         return Err(refusal(
             "E0784",
@@ -206,7 +220,12 @@ fn requested(
         let help = "attach it by `gears.attachment` and mount bearings on the attachments before";
         return Err(refusal("E0784", "body", &message, help));
     };
-    if plane.is_some() && normal == [0.0; 3] {
+    if plane.is_none() && normal.is_some() {
+        let help = "give a point of the plane as `plane`, or leave `plane_normal` out";
+        return Err(refusal("E0784", "plane_normal", "a normal without a plane has no effect", help));
+    }
+    let normal = normal.unwrap_or(UPWARDS);
+    if normal == [0.0; 3] {
         let help = "give a vector such as `e2`";
         return Err(refusal("E0784", "plane_normal", "the normal of the plane has no direction", help));
     }
@@ -218,5 +237,12 @@ fn requested(
         points: if let Wanted::Point(at) = wanted { vec![at] } else { Vec::new() },
         fields: if let Wanted::Field(field) = wanted { vec![field] } else { Vec::new() },
     };
-    Ok(host.scene.add_sound(request))
+    let added = host.scene.add_sound(request);
+    let AddedSound { sound, points, fields } = &added;
+    let points = points.iter().map(|&point| Subject::SoundPoint(*sound, point));
+    let fields = fields.iter().map(|&field| Subject::SoundField(*sound, field));
+    for subject in points.chain(fields).chain([Subject::Sound(*sound)]) {
+        host.sound_places.entry(subject).or_insert(place);
+    }
+    Ok(added)
 }

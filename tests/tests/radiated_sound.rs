@@ -2,13 +2,15 @@
 //! error, agreement of outputs and tables, and refusals.
 
 use crate::models::codes;
+use calyx::rt::{RunOptions, run as run_in_directory};
 use calyx::{Engine, Module, check_file};
 use calyx_runtime::acoustics::levels::a_weighting;
 use calyx_runtime::forced_response::ForcedResponse;
-use calyx_runtime::radiated_sound::{RadiatedSound, SoundLevel};
+use calyx_runtime::radiated_sound::{RadiatedSound, SoundLevel, Weighting};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
+use std::path::Path;
 
 /// A box of plates in NASTRAN bulk data, mm: 120 x 100 x 60 in elements of 20 mm. The material has
 /// this density, and the shells of the top are left out from this number on.
@@ -92,13 +94,18 @@ pub(crate) fn analysis(highest: &str) -> String {
     )
 }
 
+/// Compiles a model in a folder, next to plates.
+fn module(folder: &Path, text: &str) -> Module {
+    fs::write(folder.join("plates.bdf"), plates("7.85-9", 99)).expect("written");
+    let path = folder.join("model.cx");
+    fs::write(&path, text).expect("written");
+    Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// Values of the outputs at the first position, and the forced response.
 pub(crate) fn run(text: &str) -> (Vec<f64>, ForcedResponse) {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("plates.bdf"), plates("7.85-9", 99)).expect("written");
-    let path = folder.path().join("model.cx");
-    fs::write(&path, text).expect("written");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let module = module(folder.path(), text);
     let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
     let result = results.analysis().expect("an analysis");
     let values = result.rows[0].outputs.iter().map(|output| output.value).collect();
@@ -169,6 +176,55 @@ output far := gears.sound_pressure_level(housing, method = \"boundary_elements\"
     assert!(elements.interpolation_error < 0.01 && elements.far_field_difference < 0.05);
     assert_eq!(elements.surface.closed, []);
     assert!(elements.solved_frequencies.len() > 4);
+}
+
+/// The sounds of a body have names by which they differ, a heavy fluid has a warning, and outputs
+/// with and without the method of the fidelity share one sound.
+#[test]
+fn sounds_of_a_body_differ_in_method_fluid_and_plane() {
+    let outputs = "output free := gears.radiated_power(housing);
+output same := gears.radiated_power(housing, method = \"rayleigh\");
+output sea := gears.radiated_power(housing, fluid = \"water\");
+output ground := gears.radiated_power(housing, plane = -60 mm * e2);
+";
+    let short = RESPONSE
+        .replace("speeds = 9, harmonics = 3", "speeds = 2, harmonics = 1")
+        .replace("3000 rpm, lowest_speed = 600 rpm", "1600 rpm, lowest_speed = 1400 rpm");
+    let model = pair(60.0, &format!("{short}{outputs}"), &analysis("2500 Hz"));
+    let (values, response) = run(&model);
+    let [free, sea, ground] = &response.sounds[..] else { panic!("three sounds") };
+    assert_eq!(values[0].to_bits(), values[1].to_bits());
+    assert_eq!((free.plane, ground.plane), (None, Some([[0.0, -0.06, 0.0], [0.0, 1.0, 0.0]])));
+    let folder = tempfile::tempdir().expect("a folder");
+    let module = module(folder.path(), &model);
+    let directory = folder.path().join("run");
+    let options = RunOptions { directory: directory.clone(), quiet: true, ..RunOptions::default() };
+    run_in_directory(module.as_program().clone(), &options).unwrap_or_else(|error| panic!("{error:?}"));
+    let head = fs::read_to_string(directory.join("run.json")).expect("readable");
+    let head: serde_json::Value = serde_json::from_str(&head).expect("JSON");
+    let entries = head["radiated_sound"].as_array().expect("sounds");
+    let names: Vec<&str> = entries.iter().filter_map(|one| one["body"].as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "housing, rayleigh, in air, in free space",
+            "housing, rayleigh, in water, in free space",
+            "housing, boundary_elements, in air, on the plane through (0, -60, 0) mm with normal (0, 1, 0)",
+        ]
+    );
+    // The plates have 4 mm; 1.5 kg. Air of the reactance of a sphere with 72 mm radius has 4.3 g.
+    let [air, water] = [free, sea].map(|sound| sound.fluid_mass_ratio().expect("a mass"));
+    assert!(air > 1e-3 && air < 5e-3 && water > 1.0, "{air} {water}");
+    let warned = |sound: &RadiatedSound| {
+        sound.warnings().iter().any(|warning| warning.contains("computed without fluid"))
+    };
+    assert_eq!([free, sea, ground].map(warned), [false, true, false]);
+    for sound in [free, ground] {
+        // The error of the level belongs to the sum of the errors of all lines.
+        let [power, error] = [&sound.own.powers, &sound.own.errors].map(|all| all.iter().sum::<f64>());
+        let level = sound.level_error(&sound.own, Weighting::None);
+        assert!((level - 10.0 * (1.0 + error / power).log10()).abs() < 1e-9 && level > 0.0, "{level}");
+    }
 }
 
 /// Half the torque halves the transmission error of unmodified gears, and the level is 6 dB lower.

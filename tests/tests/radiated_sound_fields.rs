@@ -77,14 +77,11 @@ output equivalent := gears.radiated_power(housing, method = \"erp\");
     let response = RESPONSE
         .replace("speeds = 9, harmonics = 3", "speeds = 3, harmonics = 2")
         .replace("3000 rpm, lowest_speed = 600 rpm", "1800 rpm, lowest_speed = 1300 rpm");
-    let model = pair(60.0, &format!("{PANELS}{response}{outputs}"), &analysis("2500 Hz"))
-        .replace("distant)", "distant, method = \"boundary_elements\")")
-        .replace("distant, weighting", "distant, method = \"boundary_elements\", weighting")
-        .replace("map, weighting", "map, method = \"boundary_elements\", weighting");
-    let (values, response) = run(&model);
+    let (values, response) = run(&pair(60.0, &format!("{PANELS}{response}{outputs}"), &analysis("2500 Hz")));
     let [plain, weighted, top, second, measured, measured_weighted, mean, point, ..] = values[..] else {
         panic!("{values:?}")
     };
+    // Pressures need boundary elements, so outputs without `method` have the same sound.
     assert_eq!(response.sounds.len(), 3);
     response.sounds.iter().for_each(check_panels);
     response.sounds.iter().for_each(check_skin);
@@ -142,17 +139,18 @@ output box := gears.measured_sound_power_level(housing, around, weighting = \"no
     assert!((top[0] - 0.02).abs() + (top[1] - 0.94).abs() + (top[2] - 0.03).abs() < 1e-9, "{top:?}");
 }
 
-/// Codes and messages of the diagnostics of a model next to plates.
+/// Codes, messages and places of the diagnostics of a model next to plates.
 fn refusal(text: &str) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("plates.bdf"), plates("7.85-9", 99)).expect("written");
     let path = folder.path().join("model.cx");
     fs::write(&path, text).expect("written");
     let found = check_file(&path).expect("readable").diagnostics;
-    let text = |found: &calyx::Diagnostic| {
-        format!("{}: {}; {}", found.code, found.message, found.help.clone().unwrap_or_default())
+    let shown = |found: &calyx::Diagnostic| {
+        let place = &text[found.primary.span.start as usize..found.primary.span.end as usize];
+        format!("{}: {}; {} @{place}", found.code, found.message, found.help.clone().unwrap_or_default())
     };
-    found.iter().map(text).collect::<Vec<_>>().join("\n")
+    found.iter().map(shown).collect::<Vec<_>>().join("\n")
 }
 
 #[test]
@@ -169,40 +167,48 @@ fn impossible_fields_and_panels_are_rejected() {
         )
     };
     let cases = [
-        (field("sphere_field(\"small\", radius = 60 mm)", ""), "does not enclose the body"),
-        (field("sphere_field(\"large\", radius = 1 m)", ground), "passes through the rigid plane"),
-        (field("hemisphere_field(\"free\", radius = 1 m)", ""), "the sound has none"),
-        (field("hemisphere_field(\"high\", radius = 1 m, center = 0 mm * e2)", ground), "is 60 mm from the rigid plane"),
-        (field("hemisphere_field(\"small\", radius = 0.1 m)", ground), "does not enclose the body"),
-        (field("box_field(\"near\", distance = 0.1 m)", ground), "nine microphones"),
+        (field("sphere_field(\"small\", radius = 60 mm)", ""), "does not enclose the body", "field"),
+        (field("sphere_field(\"large\", radius = 1 m)", ground), "passes through the rigid plane", "field"),
+        (field("hemisphere_field(\"free\", radius = 1 m)", ""), "the sound has none", "field"),
+        (field("hemisphere_field(\"high\", radius = 1 m, center = 0 mm * e2)", ground), "is 60 mm from the rigid plane", "field"),
+        (field("hemisphere_field(\"small\", radius = 0.1 m)", ground), "does not enclose the body", "field"),
+        (field("box_field(\"near\", distance = 0.1 m)", ground), "nine microphones", "field"),
         (
             field("plane_field(\"cut\", corner = -1 m * e1 - 1 m * e2 + 30 mm * e3, first_edge = 2 m * e1, second_edge = 2 m * e2)", ""),
-            "passes through the body",
+            "passes through the body", "field",
         ),
         (
             field("plane_field(\"deep\", corner = 1 m * e1 - 1 m * e2, first_edge = 2 m * e3, second_edge = 2 m * e2)", ground),
-            "is behind the rigid plane",
+            "is behind the rigid plane", "field",
         ),
-        (field("plane_field(\"line\", corner = 1 m * e1, first_edge = 1 m * e2, second_edge = 2 m * e2)", ""), "not parallel"),
-        (field("sphere_field(\"odd\", radius = 1 m, rings = 4.5)", ""), "E0784: `rings` cannot be 4.5"),
-        (field("sphere_field(\"fine\", radius = 1 m)", ", method = \"rayleigh\""), "has no sound pressure"),
+        (field("plane_field(\"line\", corner = 1 m * e1, first_edge = 1 m * e2, second_edge = 2 m * e2)", ""), "are parallel", "2 m * e2"),
+        (field("box_field(\"tight\", distance = 0 mm)", ground), "would touch the body", "0 mm"),
+        (field("sphere_field(\"odd\", radius = 1 m, rings = 4.5)", ""), "E0784: `rings` cannot be 4.5", "4.5"),
+        (field("sphere_field(\"fine\", radius = 1 m)", ", method = \"rayleigh\""), "has no sound pressure", "\"rayleigh\""),
         (
             "var field = gears.plane_field(\"map\", corner = 1 m * e1, first_edge = 1 m * e2, second_edge = 1 m * e3);\noutput level := gears.measured_sound_power_level(housing, field);\n".into(),
-            "does not enclose the body",
+            "does not enclose the body", "field",
         ),
-        (panel("top", "plane_region(20 mm * e3, e3)"), "no whole element"),
-        (panel("top", "node_set(\"none\")"), "E0991"),
-        (panel("rest", "plane_region(100 mm * e2, e2)"), "has this name in results"),
-        (panel("cover", "plane_region(100 mm * e2, e2)"), "has no panel \"top\"; give one of its panels: \"cover\""),
+        (panel("top", "plane_region(20 mm * e3, e3)"), "no whole element", "gears.radiated_power(housing, panel = \"top\")"),
+        (panel("top", "node_set(\"none\")"), "E0991", "gears.node_set(\"none\")"),
+        (panel("rest", "plane_region(100 mm * e2, e2)"), "has this name in results", "\"rest\""),
+        (panel("cover", "plane_region(100 mm * e2, e2)"), "has no panel \"top\"; give one of its panels: \"cover\"", "\"top\""),
+        (
+            "output power := gears.radiated_power(housing, plane_normal = e1);\n".into(),
+            "a normal without a plane has no effect",
+            "e1",
+        ),
         (
             format!("gears.panel(\"half\", housing, gears.plane_region(100 mm * e2, e2));\n{}", panel("top", "plane_region(100 mm * e2, e2)")),
-            "have common elements",
+            "have common elements", "gears.radiated_power(housing, panel = \"top\")",
         ),
     ];
-    for (outputs, expected) in cases {
+    for (outputs, expected, place) in cases {
         let found = refusal(&pair(60.0, &format!("{RESPONSE}{outputs}"), &analysis("2500 Hz")));
         assert!(found.contains(expected) && found.lines().count() == 1, "{expected}:\n{found}\n{outputs}");
-        let remedy = found.rsplit("; ").next().unwrap_or_default();
+        let (message, at) = found.rsplit_once(" @").unwrap_or_default();
+        assert_eq!(at, place, "{found}");
+        let remedy = message.rsplit("; ").next().unwrap_or_default();
         assert!(!remedy.trim().is_empty(), "{found}");
     }
 }

@@ -15,7 +15,7 @@ use calyx::rt::sensitivity::{
 use calyx::rt::sensitivity_journal::SensitivityJournal;
 use calyx::rt::settings_override::OverrideArguments;
 use calyx::rt::{
-    Error, Instance, InvalidParam, ModelDescription, ParamAssignment, Results, RunError, interrupt,
+    Error, ErrorKind, Instance, InvalidParam, ModelDescription, ParamAssignment, Results, RunError, interrupt,
 };
 use calyx::{Module, check_run_within};
 use calyx_runtime::estimate::Estimates;
@@ -116,12 +116,39 @@ impl Sensitivities {
             Err(error) => return format.directory(&error),
         };
         match SensitivityJournal::of_instance(&instance, locked.clone(), &self.of) {
-            Ok(journal) => instance.store_sensitivities(Arc::new(journal)),
+            Ok(journal) => {
+                self.note_replaced(&journal);
+                instance.store_sensitivities(Arc::new(journal));
+            }
             Err(error) => return failed(format, &module, RunError::Run(error)),
         }
         match self.solve(instance).and_then(|results| Ok((self.shown(&results)?, results))) {
             Ok((shown, results)) => self.report(&results.sensitivity_table(shown), &locked),
-            Err(error) => failed(format, &module, RunError::Run(error)),
+            Err(error) => {
+                let is_interrupted = error.kind() == ErrorKind::Cancelled;
+                let status = failed(format, &module, RunError::Run(error));
+                if is_interrupted {
+                    format.note(&format!(
+                        "the derivatives found so far are in {}; the same command continues after them\n",
+                        locked.path().display()
+                    ));
+                }
+                status
+            }
+        }
+    }
+
+    /// States that stored derivatives cannot be used.
+    fn note_replaced(&self, journal: &SensitivityJournal) {
+        let params = match journal.replaced() {
+            0 => return,
+            1 => "a param".to_owned(),
+            count => format!("{count} params"),
+        };
+        if !self.solving.quiet {
+            MessageFormat::Human.note(&format!(
+                "the stored derivatives by {params} belong to another text of the model, or to other values, settings or outputs, and are replaced\n"
+            ));
         }
     }
 

@@ -28,7 +28,7 @@ impl<'a> Checker<'a> {
                     high: None,
                     choices: Vec::new(),
                     unit: None,
-                    whole: takes_whole_numbers(info.decl),
+                    whole: takes_whole_numbers(info.decl, &|span| self.text(span)),
                     owner,
                     span,
                 },
@@ -101,7 +101,7 @@ impl<'a> Checker<'a> {
             name: name.to_string(),
             doc: doc.unwrap_or_default().to_string(),
             ty,
-            whole: takes_whole_numbers(decl),
+            whole: takes_whole_numbers(decl, &|span| self.text(span)),
             default,
             low,
             high,
@@ -351,33 +351,38 @@ pub(super) fn listed(e: &ast::Expr) -> Option<&[ast::Expr]> {
     }
 }
 
+/// Text of a number in the source.
+type Written<'a> = &'a dyn Fn(Span) -> &'a str;
+
 /// Returns `true` if a param takes whole numbers only: its default and the limits of its range are
-/// written as integers.
-fn takes_whole_numbers(decl: &ast::ParamDecl) -> bool {
+/// written as integers. `3.0` is written as a decimal number.
+fn takes_whole_numbers(decl: &ast::ParamDecl, written: Written<'_>) -> bool {
     let limits_are_whole = match &decl.domain {
-        Some(Domain::Range { low, high, .. }) => low.iter().chain(high).all(is_integer_or_constant),
+        Some(Domain::Range { low, high, .. }) => {
+            low.iter().chain(high).all(|limit| is_integer_or_constant(limit, written))
+        }
         _ => true,
     };
-    is_whole(&decl.default) && limits_are_whole
+    is_whole(&decl.default, written) && limits_are_whole
 }
 
 /// Returns `true` unless a limit is written as a fraction.
-fn is_integer_or_constant(limit: &ast::Expr) -> bool {
+fn is_integer_or_constant(limit: &ast::Expr, written: Written<'_>) -> bool {
     match &limit.kind {
-        ExprKind::Number(_) => is_whole(limit),
-        ExprKind::Unary { operand, .. } => is_integer_or_constant(operand),
-        ExprKind::Paren(inner) => is_integer_or_constant(inner),
+        ExprKind::Number(_) => is_whole(limit, written),
+        ExprKind::Unary { operand, .. } => is_integer_or_constant(operand, written),
+        ExprKind::Paren(inner) => is_integer_or_constant(inner, written),
         _ => true,
     }
 }
 
 /// Returns `true` for an integer without a unit, possibly signed.
-fn is_whole(e: &ast::Expr) -> bool {
+fn is_whole(e: &ast::Expr, written: Written<'_>) -> bool {
     match &e.kind {
-        ExprKind::Number(value) => value.fract() == 0.0,
-        ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => is_whole(operand),
-        ExprKind::Paren(inner) => is_whole(inner),
-        ExprKind::List(all) => !all.is_empty() && all.iter().all(is_whole),
+        ExprKind::Number(value) => value.fract() == 0.0 && !written(e.span).contains('.'),
+        ExprKind::Unary { op: UnaryOp::Plus | UnaryOp::Minus, operand } => is_whole(operand, written),
+        ExprKind::Paren(inner) => is_whole(inner, written),
+        ExprKind::List(all) => !all.is_empty() && all.iter().all(|element| is_whole(element, written)),
         _ => false,
     }
 }

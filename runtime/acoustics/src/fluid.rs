@@ -17,6 +17,14 @@ impl Fluid {
     /// Fresh water at 20 °C.
     pub const WATER: Self = Self { density: 998.2, speed_of_sound: 1482.0 };
 
+    /// Returns the name of a known fluid.
+    pub fn name(&self) -> Option<&'static str> {
+        [(Self::AIR, "air"), (Self::WATER, "water")]
+            .into_iter()
+            .find(|(fluid, _)| fluid == self)
+            .map(|(_, name)| name)
+    }
+
     /// Returns the characteristic impedance ρc, Pa·s/m.
     pub fn impedance(&self) -> f64 {
         self.density * self.speed_of_sound

@@ -12,6 +12,9 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par, c64};
 use rayon::prelude::*;
 
+/// Number of points whose rows are multiplied together.
+const BLOCK: usize = 32;
+
 /// Solutions of the equations for velocity patterns, such as those of the modes of a housing.
 #[derive(Debug)]
 pub struct SolvedPatterns<'e, 'm> {
@@ -122,17 +125,24 @@ impl<'e, 'm> SolvedPatterns<'e, 'm> {
         row: &(dyn Fn(Vector) -> (Vec<c64>, Vec<c64>) + Sync),
         interrupt: &Interrupt,
     ) -> Result<Mat<c64>, AcousticError> {
-        let count = self.solutions.len();
-        let _room = interrupt.reserve_memory((32 * at.len() * count) as u64)?;
-        let product = |&at: &Vector| -> Result<Vec<c64>, AcousticError> {
-            interrupt.check()?;
-            let (pressure, derivative) = row(at);
-            let row: Vec<c64> = pressure.into_iter().chain(derivative).collect();
-            let value =
-                |pattern: usize| row.iter().zip(self.sources.col(pattern).iter()).map(|(a, b)| a * b).sum();
-            Ok((0..count).map(value).collect())
+        let (count, sources) = (self.solutions.len(), self.sources.nrows());
+        let blocks = rayon::current_num_threads();
+        let _room =
+            interrupt.reserve_memory((32 * at.len() * count + 16 * blocks * BLOCK * sources) as u64)?;
+        let product = |points: &[Vector]| -> Result<Mat<c64>, AcousticError> {
+            let mut rows = Mat::zeros(sources, points.len());
+            for (&point, column) in points.iter().zip(rows.col_iter_mut()) {
+                interrupt.check()?;
+                let (pressure, derivative) = row(point);
+                let parts = pressure.into_iter().chain(derivative);
+                column.iter_mut().zip(parts).for_each(|(entry, part)| *entry = part);
+            }
+            let mut block = Mat::zeros(points.len(), count);
+            let (one, rows) = (c64::new(1.0, 0.0), rows.transpose());
+            matmul(block.as_mut(), Accum::Replace, rows, self.sources.as_ref(), one, Par::Seq);
+            Ok(block)
         };
-        let rows: Vec<Vec<c64>> = at.par_iter().map(product).collect::<Result<_, _>>()?;
-        Ok(Mat::from_fn(rows.len(), count, |row, pattern| rows[row][pattern]))
+        let blocks: Vec<Mat<c64>> = at.par_chunks(BLOCK).map(product).collect::<Result<_, _>>()?;
+        Ok(Mat::from_fn(at.len(), count, |row, pattern| blocks[row / BLOCK][(row % BLOCK, pattern)]))
     }
 }

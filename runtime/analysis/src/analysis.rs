@@ -290,7 +290,12 @@ impl<'s> Steps<'s> {
             let (scene, resources) = (self.scene, &self.resources);
             let found = forced_response::forced_response(&self.system, scene, request, &task, resources)?;
             self.forced_response = Some(found);
-            self.timing.add(FORCED_RESPONSE, started.elapsed());
+            let sound = radiated_sound::of_system(&self.system).map(|sound| sound.time);
+            let sound = sound.unwrap_or_default();
+            self.timing.add(FORCED_RESPONSE, started.elapsed().saturating_sub(sound));
+            if !sound.is_zero() {
+                self.timing.add(RADIATED_SOUND, sound);
+            }
         }
         Ok(self.forced_response.take())
     }
@@ -401,6 +406,10 @@ impl FusedIterator for Steps<'_> {}
 
 /// Name of the stage in which the forced response is computed.
 const FORCED_RESPONSE: &str = "forced response";
+/// Stage of the sound in [`Timing`].
+const RADIATED_SOUND: &str = "radiated sound";
+/// Stage of both for observers.
+const RESPONSE_AND_SOUND: &str = "forced response and radiated sound";
 /// Name of the stage in which errors are estimated.
 pub(crate) const ERRORS: &str = "errors";
 
@@ -468,7 +477,7 @@ pub fn quasi_static(
     let mut steps = planned.build()?;
     let displayed = steps.timing.displayed(scene, &steps.plan, options)?;
     if steps.needs_preparation() {
-        observer.observe(Event::Stage(FORCED_RESPONSE))?;
+        observer.observe(Event::Stage(RESPONSE_AND_SOUND))?;
         steps.prepare()?;
     }
     observer.observe(Event::Stage("positions"))?;

@@ -13,7 +13,7 @@ use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::PairId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::resources::Resources;
-use calyx_numerics::error::EngineError;
+use calyx_numerics::error::{EngineError, Subject};
 use calyx_solve::forced_response::sampling::Sampling;
 use calyx_solve::forced_response::{Amplitudes, ForcedVibration, LinearQuantity, PeriodicSystem, unknowns};
 use calyx_solve::system::System;
@@ -254,18 +254,20 @@ pub(crate) fn check(
     (fidelity, highest_frequency): (Fidelity, f64),
     dofs: usize,
 ) -> Result<(), EngineError> {
-    let refused = |message: &str, help: &str| Err(EngineError::new("E0774", message, help));
+    let refused = |message: &str, help: &str| EngineError::new("E0774", message, help);
     if fidelity == Fidelity::Rigid {
         let help = "choose a fidelity level with elastic teeth, such as \"analytic\", or remove `gears.forced_response`";
-        return refused("rigid teeth have no forced response", help);
+        return Err(refused("rigid teeth have no forced response", help).blame("fidelity"));
     }
     if fidelity == Fidelity::Plane && highest_frequency > 0.0 {
         let help = "set `highest_frequency = 0 Hz`";
-        return refused("a forced response does not support the component modes of gears", help);
+        let message = "a forced response does not support the component modes of gears";
+        return Err(refused(message, help).blame("highest_frequency"));
     }
     if dofs == 0 {
         let help = "free a body in the directions in which it vibrates (`free`), or give the gears shafts and bearings";
-        return refused("nothing vibrates: no body has a free degree of freedom", help);
+        let error = refused("nothing vibrates: no body has a free degree of freedom", help);
+        return Err(error.about(Subject::ForcedResponse));
     }
     Excitation::new(scene, request).map(drop)
 }
@@ -328,7 +330,7 @@ pub(crate) fn forced_response(
             "the forced response has {unknowns} unknowns by mode and spectral line, and at most {LARGEST} are possible"
         );
         let help = "give fewer `harmonics`, a lower `highest_speed`, or a lower `highest_frequency` of the component modes";
-        return Err(EngineError::new("E0774", message, help));
+        return Err(EngineError::new("E0774", message, help).about(Subject::ForcedResponse));
     }
     // Off the start of the cycle, where the stiffness jumps.
     let time = |k: usize| mesh.start + excitation.period * (sampling.place(k) + sampling.half_step());
@@ -399,7 +401,7 @@ fn most_repeating(
         1e2 * difference
     );
     let help = "a forced response needs equal teeth, concentric gears and constant loads; use time integration for other models";
-    Err(EngineError::new("E0774", message, help))
+    Err(EngineError::new("E0774", message, help).about(Subject::ForcedResponse))
 }
 
 /// Returns the natural frequencies, Hz. With carriers that rotate, the mean stiffness along ground
@@ -459,7 +461,7 @@ fn check_mass(first: &Sample, samples: &[Sample]) -> Result<(), EngineError> {
     let message = "the mass matrix varies as the bodies rotate, so the forced response is not periodic";
     let help =
         "give bodies their centre of mass on the axis of rotation and equal moments of inertia across it";
-    Err(EngineError::new("E0774", message, help))
+    Err(EngineError::new("E0774", message, help).about(Subject::ForcedResponse))
 }
 
 /// Checks that the damping matrix at a later time is that of the first position.
@@ -470,7 +472,7 @@ fn check_damping(first: &DMatrix<f64>, later: &DMatrix<f64>) -> Result<(), Engin
     let message =
         "the damping of a bearing rotates with its carrier, and a forced response needs constant damping";
     let help = "give this bearing equal damping in all radial directions, or none";
-    Err(EngineError::new("E0774", message, help))
+    Err(EngineError::new("E0774", message, help).about(Subject::ForcedResponse))
 }
 
 /// Returns the damping matrix of the bearings in all coordinates, N s/m and N m s/rad.

@@ -10,7 +10,7 @@ pub use calyx_model::prototype::{Ignored, Prototype, ToothFlanks, ToothMeridian}
 
 use crate::forced_response::ForcedResponseRequest;
 use crate::observables::{CampbellRequest, ModesRequest, Observable};
-use crate::radiated_sound::SoundRequest;
+use crate::radiated_sound::{SoundRequest, position_of};
 use calyx_model::target::{Examined, Target};
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
@@ -62,8 +62,8 @@ impl Scene {
         let SoundRequest { points, fields, .. } = &mut self.sounds[at];
         AddedSound {
             sound: at,
-            points: request.points.into_iter().map(|point| index(points, point)).collect(),
-            fields: request.fields.into_iter().map(|field| index(fields, field)).collect(),
+            points: request.points.iter().map(|point| position_of(points, point)).collect(),
+            fields: request.fields.iter().map(|field| position_of(fields, field)).collect(),
         }
     }
 }
@@ -77,14 +77,6 @@ pub struct AddedSound {
     pub points: Vec<usize>,
     /// Indices of the field meshes.
     pub fields: Vec<usize>,
-}
-
-/// Returns the index of an item, which is added if it is new.
-fn index<T: PartialEq>(known: &mut Vec<T>, item: T) -> usize {
-    known.iter().position(|other| *other == item).unwrap_or_else(|| {
-        known.push(item);
-        known.len() - 1
-    })
 }
 
 impl Deref for Scene {

@@ -146,7 +146,7 @@ impl<'a> Request<'a> {
             let message =
                 "a forced response belongs to a quasi-static analysis, and this one integrates in time";
             let help = "remove `gears.forced_response`, or use `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24))`";
-            return Err(EngineError::new("E0774", message, help));
+            return Err(EngineError::new("E0774", message, help).blame("method"));
         }
         if let Some(request) = &scene.forced_response {
             let dofs = number_dofs(scene, &plan).len();
@@ -155,7 +155,7 @@ impl<'a> Request<'a> {
         if method.has_inertia() && !scene.sounds.is_empty() {
             let message = "radiated sound is that of a forced response, which belongs to a quasi-static analysis, and this one integrates in time";
             let help = "use `analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 24))` with `gears.forced_response`";
-            return Err(EngineError::new("E0784", message, help));
+            return Err(EngineError::new("E0784", message, help).blame("method"));
         }
         let response = scene.forced_response.as_ref();
         let lowest_line = response.map(|request| forced_response::lowest_frequency(scene, request));

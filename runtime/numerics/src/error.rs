@@ -20,7 +20,7 @@ pub struct EngineError {
 }
 
 /// Part of the scene or of the request, by index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Subject {
     /// Body of the scene.
     Body(usize),
@@ -30,6 +30,14 @@ pub enum Subject {
     Bearing(usize),
     /// Requested output.
     Output(usize),
+    /// Forced response of the scene.
+    ForcedResponse,
+    /// Requested sound.
+    Sound(usize),
+    /// Point at which a requested sound has its pressure: request and point.
+    SoundPoint(usize, usize),
+    /// Field mesh of a requested sound: request and mesh.
+    SoundField(usize, usize),
 }
 
 impl EngineError {

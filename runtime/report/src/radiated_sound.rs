@@ -9,6 +9,7 @@ pub use pictures::{
 };
 pub use tables::{DIRECTIVITY, DirectivityRow, FIELDS, FieldRow, PANELS, PanelRow};
 
+use calyx_runtime::acoustics::Fluid;
 use calyx_runtime::acoustics::levels::{a_weighting, sound_power_level, sound_pressure_level};
 use calyx_runtime::forced_response::{ForcedResponse, ResponseLine};
 use calyx_runtime::radiated_sound::{RadiatedSound, SoundField, SoundPoint, Weighting};
@@ -91,17 +92,44 @@ fn has_sound(sound: &RadiatedSound, line: usize, speed: f64) -> bool {
     frequency > 0.0 && frequency <= sound.highest_frequency
 }
 
-/// Returns the names of all sounds: the body, with method and number if it has several.
+/// Returns the names of all sounds: the body, with what distinguishes it if it has several.
 fn names(sounds: &[RadiatedSound]) -> Vec<String> {
-    let name = |(index, sound): (usize, &RadiatedSound)| match sounds
-        .iter()
-        .filter(|other| other.body == sound.body)
-        .count()
-    {
-        1 => sound.body.clone(),
-        _ => format!("{}, {}, {}", sound.body, sound.level.name(), index + 1),
+    let parts: [fn(&RadiatedSound) -> String; 3] = [
+        |sound| sound.level.name().to_owned(),
+        |sound| format!("in {}", fluid_name(sound)),
+        |sound| plane_name(sound).map_or_else(|| "in free space".to_owned(), |name| format!("on the {name}")),
+    ];
+    let name = |sound: &RadiatedSound| {
+        let own: Vec<&RadiatedSound> = sounds.iter().filter(|other| other.body == sound.body).collect();
+        let differs =
+            |part: &&fn(&RadiatedSound) -> String| own.iter().any(|other| part(other) != part(sound));
+        let differing = parts.iter().filter(differs).map(|part| part(sound));
+        std::iter::once(sound.body.clone()).chain(differing).collect::<Vec<String>>().join(", ")
     };
-    sounds.iter().enumerate().map(name).collect()
+    let mut all: Vec<String> = sounds.iter().map(name).collect();
+    // Planes may differ by less than the digits of their names.
+    for index in 1..all.len() {
+        if all[..index].contains(&all[index]) {
+            all[index] += &format!(", {}", index + 1);
+        }
+    }
+    all
+}
+
+fn fluid_name(sound: &RadiatedSound) -> String {
+    let Fluid { density, speed_of_sound } = sound.fluid;
+    let unnamed = || format!("a fluid of {density} kg/m³ and {speed_of_sound} m/s");
+    sound.fluid.name().map_or_else(unnamed, str::to_owned)
+}
+
+/// Returns the name of the rigid plane of a sound; `None` in free space.
+fn plane_name(sound: &RadiatedSound) -> Option<String> {
+    let [point, normal] = sound.plane?;
+    let numbers = |all: [f64; 3], scale: f64| -> String {
+        let rounded = all.map(|value| ((value * scale * 1e3).round() / 1e3 + 0.0).to_string());
+        rounded.join(", ")
+    };
+    Some(format!("plane through ({}) mm with normal ({})", numbers(point, 1e3), numbers(normal, 1.0)))
 }
 
 /// Returns the rows of a sound at a speed: the lines with sound.
@@ -252,7 +280,12 @@ pub fn json(response: &ForcedResponse) -> Value {
         json!({
             "body": name,
             "method": sound.level.name(),
-            "fluid": { "density": sound.fluid.density, "speed_of_sound": sound.fluid.speed_of_sound },
+            "fluid": {
+                "name": sound.fluid.name(),
+                "density": sound.fluid.density,
+                "speed_of_sound": sound.fluid.speed_of_sound,
+            },
+            "plane": sound.plane.map(|[point, normal]| json!({ "point": point, "normal": normal })),
             "surface": {
                 "triangles": sound.surface.triangles,
                 "triangles_before_coarsening": sound.surface.fine_triangles,
@@ -270,6 +303,9 @@ pub fn json(response: &ForcedResponse) -> Value {
             "power": own.powers.iter().sum::<f64>(),
             "level": sound.level(own, Weighting::None),
             "a_weighted_level": sound.level(own, Weighting::A),
+            "level_error": sound.level_error(own, Weighting::None),
+            "a_weighted_level_error": sound.level_error(own, Weighting::A),
+            "fluid_mass_ratio": sound.fluid_mass_ratio(),
             "radiation_efficiency": sound.efficiency(own),
             "input_power": own.input.iter().sum::<f64>(),
             "dissipated_power": own.dissipated.iter().sum::<f64>(),

@@ -30,17 +30,18 @@ pub fn summary(description: &ModelDescription, result: &AnalysisResult) -> Strin
         let rounding = summary.error.as_ref().map_or(0.0, |error| error.rounding);
         let largest = summary.min.abs().max(summary.max.abs());
         let shown = |si: f64| number(from_si(without_rounding(si, largest, rounding), output.unit.factor));
+        let variation = variation([summary.min, summary.max], summary.peak_to_peak);
         let cells = vec![
             output.name.clone(),
             output.unit.name.clone(),
             shown(summary.min),
             shown(summary.mean),
             shown(summary.max),
-            shown(variation([summary.min, summary.max], summary.peak_to_peak)),
-            if summary.max.is_nan() {
-                String::new()
-            } else {
-                place(result, summary.at_max, summary.location.as_ref())
+            shown(variation),
+            match variation {
+                _ if summary.max.is_nan() => String::new(),
+                0.0 if result.rows.len() > 1 && summary.location.is_none() => "constant".into(),
+                _ => place(result, summary.at_max, summary.location.as_ref()),
             },
         ];
         rows.push(with_error(cells, error(summary, output.unit.factor)));

@@ -67,6 +67,12 @@ impl SensitivityJournal {
         Ok(SensitivityJournal::new(directory, &head, outputs))
     }
 
+    /// Returns the number of params whose stored derivatives belong to another model, or to other
+    /// values, settings or outputs, and are replaced.
+    pub fn replaced(&self) -> usize {
+        Journal::replaced(&self.directory.path().join(SENSITIVITY_JOURNAL), &self.subject)
+    }
+
     /// Calls a function with the opened journal.
     fn with<T>(&self, call: impl FnOnce(&Journal, &[Line]) -> io::Result<T>) -> io::Result<T> {
         let mut opened = self.opened.lock().unwrap_or_else(PoisonError::into_inner);

@@ -2,7 +2,7 @@
 
 use super::{Cost, EFFICIENCY, Rates};
 use crate::forced_response::highest_frequency;
-use crate::radiated_sound::{SoundLevel, SoundRequest, surface_size};
+use crate::radiated_sound::{JoinedRequests, SoundLevel, SoundRequest, surface_size};
 use crate::scene::Scene;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::BodyId;
@@ -87,5 +87,5 @@ pub fn sound_size(scene: &Scene, fidelity: Fidelity, highest: f64) -> Vec<SoundS
             patterns: dofs as f64 + MODES,
         })
     };
-    scene.sounds.iter().filter_map(size).collect()
+    JoinedRequests::new(&scene.sounds, fidelity).distinct.iter().filter_map(size).collect()
 }

@@ -6,7 +6,7 @@ use calyx_model::ids::{BodyId, PairId};
 use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::angular_velocity;
 use calyx_model::pairs::{GearMesh, SurfacePair};
-use calyx_numerics::error::EngineError;
+use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec3::{dot, length, minus};
 use calyx_solve::forced_response::orders::{Line, Modulation, Orders};
 use calyx_solve::forced_response::sampling::Sampling;
@@ -118,7 +118,7 @@ impl Excitation {
 }
 
 fn refused(message: &str, help: &str) -> EngineError {
-    EngineError::new("E0774", message, help)
+    EngineError::new("E0774", message, help).about(Subject::ForcedResponse)
 }
 
 fn is_same(one: f64, other: f64) -> bool {

@@ -1,7 +1,7 @@
 //! Observables of the sound that elastic bodies radiate at the speed of the model.
 
 use super::{Equilibrium, Observable, Quantity};
-use crate::radiated_sound::{self, RadiatedSound, Weighting};
+use crate::radiated_sound::{self, JoinedRequests, RadiatedSound, Weighting};
 use calyx_acoustics::levels::sound_power_level;
 use calyx_model::observed::Observed;
 
@@ -31,7 +31,7 @@ impl SoundLines {
         weighting: Weighting,
     ) -> f64 {
         let Some(all) = radiated_sound::of_system(at.system) else { return f64::NAN };
-        let Some(found) = all.results.get(sound) else { return f64::NAN };
+        let Some(found) = all.result(sound) else { return f64::NAN };
         let is_selected = |line: usize| match self {
             SoundLines::All => true,
             SoundLines::Harmonic(harmonic) => all.harmonics.get(line) == Some(&Some(harmonic)),
@@ -109,9 +109,14 @@ impl Observable for SoundPowerLevel {
 }
 
 /// Returns a value of a sound at the speed of the model; NaN without a result.
-fn own(at: &Equilibrium<'_>, sound: usize, value: impl Fn(&RadiatedSound) -> f64) -> Observed {
+fn own(
+    at: &Equilibrium<'_>,
+    sound: usize,
+    value: impl Fn(&RadiatedSound, &JoinedRequests) -> Option<f64>,
+) -> Observed {
     let found = radiated_sound::of_system(at.system);
-    Observed::number(found.and_then(|all| all.results.get(sound).map(value)).unwrap_or(f64::NAN))
+    let value = found.and_then(|all| value(all.result(sound)?, &all.requests));
+    Observed::number(value.unwrap_or(f64::NAN))
 }
 
 /// Radiation efficiency of a body: sound power over equivalent radiated power.
@@ -128,7 +133,7 @@ impl Observable for RadiationEfficiency {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        own(at, self.0, |sound| sound.efficiency(&sound.own))
+        own(at, self.0, |sound, _| Some(sound.efficiency(&sound.own)))
     }
 
     fn bounds(&self) -> [f64; 2] {
@@ -157,7 +162,10 @@ impl Observable for SoundPressureLevel {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        own(at, self.sound, |sound| sound.pressure_level(&sound.own, self.point, self.weighting))
+        own(at, self.sound, |sound, requests| {
+            let point = requests.point(self.sound, self.point)?;
+            Some(sound.pressure_level(&sound.own, point, self.weighting))
+        })
     }
 }
 
@@ -187,9 +195,12 @@ impl Observable for SoundFieldLevel {
     }
 
     fn value(&self, at: &Equilibrium<'_>) -> Observed {
-        own(at, self.sound, |sound| match self.is_power {
-            true => sound.measured_power_level(self.field, self.weighting),
-            false => sound.field_level(self.field, self.weighting),
+        own(at, self.sound, |sound, requests| {
+            let field = requests.field(self.sound, self.field)?;
+            Some(match self.is_power {
+                true => sound.measured_power_level(field, self.weighting),
+                false => sound.field_level(field, self.weighting),
+            })
         })
     }
 }

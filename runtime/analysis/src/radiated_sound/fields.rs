@@ -12,6 +12,11 @@ const MOST: usize = 10_000;
 /// the radius.
 const ON_PLANE: f64 = 1e-6;
 
+/// Least radius of a hemisphere of ISO 3744, m.
+const LEAST_RADIUS: f64 = 1.0;
+/// Least distance of the microphones on a box of ISO 3744, m.
+const LEAST_DISTANCE: f64 = 0.25;
+
 /// Request for the sound pressure on a field mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldRequest {
@@ -207,6 +212,31 @@ impl FieldRequest {
             ));
         }
         Ok(mesh)
+    }
+
+    /// Returns how a mesh of microphone positions differs from what ISO 3744:2010 requires, as a
+    /// clause.
+    pub(super) fn deviation(&self, body: &Extent) -> Option<String> {
+        match self.shape {
+            FieldShape::Hemisphere { center, radius, rings: None } => {
+                let center = center.unwrap_or(on_plane(body.plane?, body.middle()));
+                let reach = body.vertices.iter().map(|&at| length(minus(at, center))).fold(0.0, f64::max);
+                let least = (2.0 * reach).max(LEAST_RADIUS);
+                (radius < least).then(|| {
+                    format!(
+                        "ISO 3744 requires a radius of at least {} mm for this body, and it is {} mm",
+                        mm(least).ceil(),
+                        mm(radius)
+                    )
+                })
+            }
+            FieldShape::Box { distance } if distance < LEAST_DISTANCE => Some(format!(
+                "ISO 3744 requires a distance of at least {} mm, and it is {} mm",
+                mm(LEAST_DISTANCE),
+                mm(distance)
+            )),
+            _ => None,
+        }
     }
 
     fn plane(&self, body: &Extent) -> Result<[Vector; 2], EngineError> {

@@ -10,7 +10,7 @@ use calyx_acoustics::skin::Skin;
 use calyx_acoustics::{Fluid, RadiationImpedance, SurfaceMesh};
 use calyx_model::bearing::{BearingState, Support};
 use calyx_model::connection::ConnectionState;
-use calyx_model::elastic_body::MotionShapes;
+use calyx_model::elastic_body::{MotionShapes, SharedElasticBody};
 use calyx_model::ids::{BearingId, BodyId};
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
@@ -38,6 +38,8 @@ pub(crate) struct Vibrating {
     pub name: String,
     /// Fluid around it.
     pub fluid: Fluid,
+    /// Mass, kg; `None` if it is unknown.
+    pub mass: Option<f64>,
     /// Closed surface in the coordinates of the body.
     pub surface: Surface,
     /// Points at which the pressure is requested, and those of the field meshes, in the coordinates
@@ -146,6 +148,7 @@ impl Vibrating {
         Ok(Vibrating {
             name: connection.name.clone(),
             fluid: request.fluid,
+            mass: connection.body.as_ref().and_then(|SharedElasticBody(body)| body.size()?.mass),
             distances: points.iter().map(|point| length(minus(*point, middle))).collect(),
             points,
             fields,

@@ -23,6 +23,10 @@ const INTERPOLATION: f64 = 0.02;
 /// Part of the dissipated power that may be radiated: the motion includes no damping by the fluid.
 const ONE_WAY: f64 = 0.5;
 
+/// Mass of the fluid that moves with the surface, over that of the body, above which a warning
+/// states that the vibration is that without fluid.
+const HEAVY: f64 = 0.1;
+
 /// Largest number of lines whose sound on the surface is stored, and the part of the power of the
 /// loudest one above which it is.
 const SKIN_LINES: usize = 3;
@@ -89,6 +93,8 @@ pub struct SoundField {
     pub grid: Option<[usize; 2]>,
     /// Pressures by line and point, Pa.
     pub pressures: Vec<Vec<c64>>,
+    /// How the mesh differs from what ISO 3744 requires, as a clause.
+    pub deviation: Option<String>,
 }
 
 /// Sound on the surface at the speed of the model, for its loudest lines.
@@ -111,6 +117,10 @@ pub struct RadiatedSound {
     pub fluid: Fluid,
     /// Level of the field.
     pub level: SoundLevel,
+    /// Point (m) and normal of the rigid plane, in ground coordinates.
+    pub plane: Option<[Vector; 2]>,
+    /// Mass of the body, kg; `None` if it is unknown.
+    pub mass: Option<f64>,
     /// Surface.
     pub surface: SurfaceSummary,
     /// Highest frequency with sound, Hz: that of the component modes. Lines above it have none.
@@ -203,6 +213,8 @@ impl RadiatedSound {
             body: model.name.clone(),
             fluid: model.fluid,
             level: field.level,
+            plane: request.plane,
+            mass: model.mass,
             surface: SurfaceSummary {
                 triangles: mesh.triangles().len(),
                 fine_triangles: model.surface.original.mesh.triangles().len(),
@@ -343,6 +355,27 @@ impl RadiatedSound {
         sound_power_level(self.power(at, weighting))
     }
 
+    /// Returns the estimated error of [`RadiatedSound::level`] by the number of positions of the
+    /// forced response, dB: the increase of the level by the errors of all lines.
+    pub fn level_error(&self, at: &SoundPoint, weighting: Weighting) -> f64 {
+        let error = self.weighted(&at.errors, at.speed, weighting);
+        10.0 * (error / self.power(at, weighting)).ln_1p() / std::f64::consts::LN_10
+    }
+
+    /// Returns the estimated mass of the fluid that moves with the surface at the lowest line with
+    /// sound at the speed of the model, over that of the body: the reactance ρa/(1 + (ka)²) of a
+    /// pulsating sphere with the radius a that has the area of the surface. `None` if the mass of
+    /// the body is unknown, or no line has sound.
+    pub fn fluid_mass_ratio(&self) -> Option<f64> {
+        let lines = (0..self.orders.len()).map(|line| self.frequency(line, self.own.speed));
+        let lowest = lines.filter(|line| *line > 0.0 && *line <= self.highest_frequency);
+        let lowest = lowest.reduce(f64::min)?;
+        let radius = (self.surface.area / (2.0 * TAU)).sqrt();
+        let across = TAU * lowest * radius / self.fluid.speed_of_sound;
+        let per_area = self.fluid.density * radius / (1.0 + across * across);
+        Some(per_area * self.surface.area / self.mass.filter(|mass| *mass > 0.0)?)
+    }
+
     /// Returns the radiation efficiency: the sound power over the equivalent radiated power. NaN if
     /// the surface is at rest.
     pub fn efficiency(&self, at: &SoundPoint) -> f64 {
@@ -394,6 +427,26 @@ impl RadiatedSound {
                 1e2 * self.interpolation_error
             ));
         }
+        if let Some(ratio) = self.fluid_mass_ratio().filter(|ratio| *ratio > HEAVY) {
+            all.push(format!(
+                "the fluid that moves with \"{name}\" has about {:.0} % of its mass, and its vibration is computed without fluid: natural frequencies and levels are those of light fluids, such as air, and are wrong here",
+                1e2 * ratio
+            ));
+        }
+        for field in &self.fields {
+            all.extend(field.deviation.as_ref().map(|deviation| {
+                format!("the field mesh \"{}\" is not that of the standard: {deviation}", field.name)
+            }));
+        }
+        for (index, panel) in self.panels.iter().enumerate() {
+            let power = self.panel_power_of(&self.own, index, Weighting::None, |_| true);
+            if power < 0.0 {
+                all.push(format!(
+                    "the panel \"{}\" of \"{name}\" absorbs sound of others at the speed of the model ({power:.2e} W), so its contribution has no level",
+                    panel.name
+                ));
+            }
+        }
         let [mut radiated, mut dissipated] = [0.0_f64; 2];
         for point in self.speeds.iter().chain([&self.own]) {
             let (power, loss) = (point.powers.iter().sum::<f64>(), point.dissipated.iter().sum::<f64>());
@@ -430,6 +483,7 @@ fn around(
         false => (0..frequencies.len()).map(pressures).collect(),
     };
     let mut first = request.points.len();
+    let extent = model.surface.extent(request);
     let own = |(wanted, mesh): (&super::FieldRequest, &FieldMesh)| {
         let points = first..first + mesh.points.len();
         first = points.end;
@@ -440,6 +494,7 @@ fn around(
             mesh: mesh.clone(),
             grid: wanted.shape.grid(),
             pressures: pressures.iter().map(|all| all[points.clone()].to_vec()).collect(),
+            deviation: wanted.deviation(&extent),
         }
     };
     let fields = request.fields.iter().zip(&model.fields).map(own).collect();

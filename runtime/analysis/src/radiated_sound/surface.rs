@@ -1,7 +1,7 @@
 //! Surface of an elastic body: its skin, closed over the named openings, and coarsened.
 
 use super::directions::{Direction, directions};
-use super::fields::Extent;
+use super::fields::{Extent, FieldRequest};
 use super::plane::extent;
 use super::{Placement, SoundRequest, engine_error, mm, refused};
 use calyx_acoustics::coarsening::coarsened;
@@ -14,7 +14,7 @@ use calyx_acoustics::skin::{Skin, Solid, boundary};
 use calyx_acoustics::{AcousticError, Face};
 use calyx_model::elastic_body::{BodyMesh, CellShape, Panel, SharedElasticBody};
 use calyx_model::mechanism::Mechanism;
-use calyx_numerics::error::EngineError;
+use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec3::Vector;
 use calyx_structure::outer_surface::CellKind;
 use std::collections::BTreeSet;
@@ -146,36 +146,53 @@ impl Surface {
     /// # Errors
     /// E0784: a field mesh does not fit the body or the rigid plane.
     pub fn fields(&self, request: &SoundRequest) -> Result<Vec<FieldMesh>, EngineError> {
+        self.named_fields(request).map_err(|(error, _)| error)
+    }
+
+    /// Does the work of [`Self::fields`], with the index of the field mesh in errors.
+    fn named_fields(&self, request: &SoundRequest) -> Result<Vec<FieldMesh>, (EngineError, usize)> {
         if request.fields.is_empty() {
             return Ok(Vec::new());
         }
         let mut names = BTreeSet::new();
-        if let Some(twice) = request.fields.iter().find(|field| !names.insert(&field.name)) {
-            return Err(refused(
-                format!("two field meshes of the sound are called \"{}\"", twice.name),
-                "rename one of them",
-            ));
+        if let Some(twice) = request.fields.iter().position(|field| !names.insert(&field.name)) {
+            let name = &request.fields[twice].name;
+            let message = format!("two field meshes of the sound are called \"{name}\"");
+            return Err((refused(message, "rename one of them"), twice));
         }
-        let extent = Extent {
+        let extent = self.extent(request);
+        let mesh =
+            |(index, field): (usize, &FieldRequest)| field.mesh(&extent).map_err(|error| (error, index));
+        request.fields.iter().enumerate().map(mesh).collect()
+    }
+
+    /// Returns the surface in ground coordinates, with the plane of a request.
+    pub(super) fn extent(&self, request: &SoundRequest) -> Extent {
+        Extent {
             vertices: self.vertices(),
             triangles: self.skin.mesh.triangles().to_vec(),
             plane: request.plane,
-        };
-        request.fields.iter().map(|field| field.mesh(&extent)).collect()
+        }
     }
 
-    /// Checks that the points of a request are in the fluid.
+    /// Checks that the points of a request, of a given index, are in the fluid.
     ///
     /// # Errors
     /// E0784: a point is not in the fluid, or a field mesh does not fit.
-    pub fn check_points(&self, request: &SoundRequest) -> Result<(), EngineError> {
-        let check = |&at: &Vector| self.check_point(at, "at which sound pressure is requested");
-        request.points.iter().try_for_each(check).map_err(|error| error.blame("at"))?;
-        for (field, mesh) in request.fields.iter().zip(self.fields(request)?) {
+    pub fn check_points(&self, index: usize, request: &SoundRequest) -> Result<(), EngineError> {
+        for (number, &at) in request.points.iter().enumerate() {
+            self.check_point(at, "at which sound pressure is requested")
+                .map_err(|error| error.blame("at").about(Subject::SoundPoint(index, number)))?;
+        }
+        let about =
+            |error: EngineError, number| error.blame("field").about(Subject::SoundField(index, number));
+        let meshes = self.named_fields(request).map_err(|(error, number)| about(error, number))?;
+        for (number, (field, mesh)) in request.fields.iter().zip(meshes).enumerate() {
             // Others enclose the body.
             if !field.shape.encloses() {
                 let whose = format!("a point of the plane \"{}\"", field.name);
-                mesh.points.iter().try_for_each(|&at| self.check_point(at, &whose))?;
+                let check = |&at: &Vector| self.check_point(at, &whose);
+                mesh.points.iter().try_for_each(check).map_err(|error| about(error, number))?;
             }
         }
         Ok(())

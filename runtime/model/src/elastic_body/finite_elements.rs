@@ -96,11 +96,15 @@ impl FiniteElementBody {
     /// its rim, or of a bore between two rims.
     ///
     /// # Errors
-    /// E0991: the region contains fewer than three nodes.
+    /// E0991: the body has an opening of this name, or the region contains fewer than three nodes.
     pub fn close(&mut self, name: String, region: &Region) -> Result<(), EngineError> {
         let refused = |message: String, help: String| {
             EngineError::new("E0991", format!("opening \"{name}\": {message}"), help)
         };
+        if self.openings.iter().any(|opening| opening.name == name) {
+            let message = "the body has another opening of this name".into();
+            return Err(refused(message, "rename one of them".into()).blame("name"));
+        }
         let nodes = region.nodes(&self.model).map_err(|error| refused(error.message, error.help))?;
         if nodes.len() < 3 {
             return Err(refused(
@@ -124,11 +128,12 @@ impl FiniteElementBody {
             return Err(refused(
                 "the body has another panel of this name".into(),
                 "rename one of them".into(),
-            ));
+            )
+            .blame("name"));
         }
         if name == Panel::REST {
             let message = "the surface that belongs to no panel has this name in results".into();
-            return Err(refused(message, "rename the panel".into()));
+            return Err(refused(message, "rename the panel".into()).blame("name"));
         }
         let nodes = region.nodes(&self.model).map_err(|error| refused(error.message, error.help))?;
         if nodes.len() < 3 {

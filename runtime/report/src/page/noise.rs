@@ -6,9 +6,9 @@ mod surroundings;
 
 use super::chart::{Axis, Curve, WIDE, curves};
 use super::figure;
-use super::number;
 use super::read::Run;
 use super::waterfall::{self, Point, Ray};
+use super::{number, percent};
 use crate::radiated_sound::{DirectivityRow, FieldRow, KEY, PanelRow, SoundRow};
 use maud::{Markup, PreEscaped, html};
 use serde_json::Value;
@@ -80,7 +80,7 @@ fn facts(sound: &Value) -> Markup {
     let percent = |key: &str| sound[key].as_f64().map(|value| format!("{:.2} %", 1e2 * value));
     html! {
         p {
-            "Method: " (method) ", with " (count(&surface["triangles"])) " triangles (" (count(&surface["triangles_before_coarsening"])) " before coarsening) on "
+            "Method: " (method) " in " (surroundings(sound)) ", with " (count(&surface["triangles"])) " triangles (" (count(&surface["triangles_before_coarsening"])) " before coarsening) on "
             (number(1e4 * surface["area"].as_f64().unwrap_or_default())) " cm², with "
             (decimal(&sound["elements_per_wavelength"])) " elements per wavelength at the highest line. "
             "The body has component modes up to " (number(sound["highest_frequency"].as_f64().unwrap_or_default()))
@@ -97,6 +97,22 @@ fn facts(sound: &Value) -> Markup {
     }
 }
 
+/// Describes the fluid and the rigid plane.
+fn surroundings(sound: &Value) -> String {
+    let fluid = match text(&sound["fluid"], "name") {
+        "" => "a fluid",
+        name => name,
+    };
+    match &sound["plane"] {
+        Value::Null => format!("{fluid}, in free space"),
+        plane => format!(
+            "{fluid}, on the rigid plane through ({}) m with the normal ({})",
+            coordinates(&plane["point"]),
+            coordinates(&plane["normal"])
+        ),
+    }
+}
+
 fn decimal(value: &Value) -> String {
     value.as_f64().map_or_else(|| "unknown".into(), |value| format!("{value:.1}"))
 }
@@ -105,7 +121,13 @@ fn decimal(value: &Value) -> String {
 fn powers(sound: &Value) -> Markup {
     let power =
         |key: &str| sound[key].as_f64().map_or("unknown".to_owned(), |value| format!("{value:.4e} W"));
-    let level = |key: &str| sound[key].as_f64().map_or("none".to_owned(), |value| format!("{value:.1} dB"));
+    let error = |key: &str| {
+        let known = sound[&format!("{key}_error")].as_f64();
+        known.map_or_else(String::new, |error| format!(" (estimated error {} dB)", rounded_up(error)))
+    };
+    let level = |key: &str| {
+        sound[key].as_f64().map_or("none".to_owned(), |value| format!("{value:.1} dB{}", error(key)))
+    };
     let efficiency = sound["radiation_efficiency"].as_f64();
     let equivalent = sound["lines"]
         .as_array()
@@ -124,6 +146,9 @@ fn powers(sound: &Value) -> Markup {
             tr { th { "power into the body at its bearings" } td { (power("input_power")) } }
             tr { th { "power dissipated by the damping ratio" } td { (power("dissipated_power")) } }
             tr { th { "sound power" } td { (power("power")) } }
+            @if let Some(ratio) = sound["fluid_mass_ratio"].as_f64() {
+                tr { th { "estimated mass of the moving fluid over that of the body" } td { (percent(ratio)) } }
+            }
             @for point in sound["points"].as_array().into_iter().flatten() {
                 tr {
                     th { "A-weighted sound pressure level at (" (coordinates(&point["at"])) ") m" }
@@ -132,6 +157,11 @@ fn powers(sound: &Value) -> Markup {
             }
         }
     }
+}
+
+/// Returns an error in dB with a decimal, rounded up.
+fn rounded_up(error: f64) -> String {
+    format!("{:.1}", (1e1 * error).ceil() / 1e1)
 }
 
 fn coordinates(at: &Value) -> String {

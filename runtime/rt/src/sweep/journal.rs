@@ -103,6 +103,18 @@ impl Journal {
         Ok((Journal(Mutex::new(file)), cases))
     }
 
+    /// Returns the number of lines that [`Journal::open`] would replace, because they belong to
+    /// another subject.
+    pub fn replaced(path: &Path, subject: &Value) -> usize {
+        let Ok(text) = fs::read(path) else { return 0 };
+        let mut complete = text.split_inclusive(|byte| *byte == b'\n').filter(|line| line.ends_with(b"\n"));
+        let head = complete.next().map(serde_json::from_slice::<Value>);
+        match head {
+            Some(Ok(head)) if head == *subject => 0,
+            _ => complete.count(),
+        }
+    }
+
     /// Writes a solved case.
     ///
     /// # Errors
