@@ -155,7 +155,7 @@ impl Model {
         instance.limit_memory(options.memory_limit);
         let cancel = options.cancel.map_or_else(calyx::Cancel::default, |above| above.get().0.child());
         instance.set_cancel(cancel.clone());
-        let details = Details { tables: options.fields > 0, vtu: options.fields > 1 };
+        let details = Details { tables: options.fields > 0, vtu: options.fields > 1, unv: false };
         if options.fields > 0 {
             instance.request_fields(details.positions());
             instance.request_parts(true);

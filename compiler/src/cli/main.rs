@@ -23,6 +23,7 @@ mod report;
 mod run;
 mod sensitivities;
 mod solving;
+mod sound;
 mod studio;
 mod sweep;
 mod test;
@@ -95,6 +96,13 @@ enum Command {
     /// and a page with plots.
     #[command(after_help = sensitivities::EXAMPLES)]
     Sensitivities(sensitivities::Sensitivities),
+    /// Compute the sound of a vibrating surface from a universal file
+    ///
+    /// Reads a mesh and the motion of its nodes (UNV, datasets 2411, 2412, 55, 2414 and 58), which
+    /// another structural solver, a measurement or `calyx run --unv` has written. Prints sound
+    /// power, levels and radiation efficiency for each frequency or normal mode, and writes tables.
+    #[command(after_help = sound::EXAMPLES)]
+    Sound(Box<sound::Sound>),
     /// Set params, run a model and compare its results in the browser
     ///
     /// Starts a server on this computer, prints its address and opens it in the browser: a form of
@@ -178,6 +186,7 @@ impl Command {
             Command::Sweep(command) => command.warnings(),
             Command::Optimize(command) => command.warnings(),
             Command::Sensitivities(command) => command.warnings(),
+            Command::Sound(command) => command.warnings(),
             _ => Some(MessageFormat::Human),
         }
     }
@@ -207,6 +216,7 @@ fn main() -> ExitCode {
         Command::Sweep(command) => command.run(),
         Command::Optimize(command) => command.run(),
         Command::Sensitivities(command) => command.run(),
+        Command::Sound(command) => command.run(),
         Command::Studio(command) => command.run(),
         Command::Report(command) => command.run(),
         Command::View(command) => command.run(),

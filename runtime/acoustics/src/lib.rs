@@ -3,8 +3,9 @@
 //! A [`RadiationModel`] is a closed [`SurfaceMesh`] in a [`Fluid`], in free space or in front of a
 //! [`RigidPlane`]. Its [`Equations`] at a frequency give the surface pressure for normal
 //! velocities, the radiated power, pressures at points, and acoustic transfer vectors. The modules
-//! [`rayleigh`] and [`radiation`] have estimates that need no equations. The theory manual derives
-//! the method on its page about radiated sound.
+//! [`rayleigh`] and [`radiation`] have estimates that need no equations. [`surface_sound`] computes
+//! the sound of vibrations that other programs write. The theory manual derives the method on its
+//! page about radiated sound.
 
 #![warn(missing_docs)]
 
@@ -24,6 +25,7 @@ pub mod rayleigh;
 pub mod shares;
 pub mod shells;
 pub mod skin;
+pub mod surface_sound;
 pub mod sweep;
 pub mod transfer;
 pub mod unv;

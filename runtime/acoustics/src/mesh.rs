@@ -148,6 +148,13 @@ impl SurfaceMesh {
         size(&self.vertices)
     }
 
+    /// Returns the length of the diagonal of the box around the mesh and its mirror image in the
+    /// rigid plane, m: how fast the sound varies over the frequency and the direction.
+    pub fn extent(&self) -> f64 {
+        let mirrored = self.plane.iter().flat_map(|p| self.vertices.iter().map(|at| p.mirror(*at)));
+        size(&self.vertices.iter().copied().chain(mirrored).collect::<Vec<_>>())
+    }
+
     /// Returns the length of the longest edge, m.
     pub fn longest_edge(&self) -> f64 {
         let edges = (0..self.triangles.len()).flat_map(|triangle| {

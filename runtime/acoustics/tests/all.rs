@@ -10,5 +10,6 @@ mod shells;
 mod skins;
 mod special_functions;
 mod spheres;
+mod surface_sound;
 mod transfer;
 mod unv;

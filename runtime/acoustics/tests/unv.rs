@@ -240,7 +240,7 @@ fn values_that_do_not_fit_are_not_written() {
 #[test]
 fn surfaces_are_exchanged() {
     let mesh = sphere(1, 0.1);
-    let mut file = UnvFile { datasets: mesh_datasets(&mesh), skipped: vec![] };
+    let mut file = UnvFile { datasets: mesh_datasets(&mesh), ..UnvFile::default() };
     let text = write(&file.datasets).expect("valid");
     let read_back = read(text.as_bytes()).expect("valid");
     let (found, labels, elements) = surface_mesh(&read_back, None).expect("closed");

@@ -19,6 +19,7 @@ mod results;
 mod shapes;
 mod solver;
 mod surface;
+mod vibration;
 
 pub(crate) use check::{check, check_harmonics};
 pub use directions::{CoordinatePlane, Direction};
@@ -29,6 +30,7 @@ pub use request::{JoinedRequests, SoundLevel, SoundRequest};
 pub use results::{PanelSummary, RadiatedSound, Skin, SoundField, SoundPoint, SurfaceSummary, Weighting};
 pub use solver::SkinField;
 pub use surface::surface_size;
+pub use vibration::SurfaceVibration;
 
 use calyx_acoustics::{AcousticError, RigidPlane};
 use calyx_model::connection::{ConnectionState, ElasticConnection};
@@ -39,6 +41,7 @@ use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{Vector, dot, minus, plus, scaled};
 use calyx_solve::system::System;
+use faer::c64;
 use frequencies::Field;
 use shapes::BodyShapes;
 use solver::Solver;
@@ -80,6 +83,12 @@ impl Placement {
     fn ground(&self, point: Vector) -> Vector {
         let parts = self.state.axes.iter().zip(point);
         parts.fold(self.origin, |sum, (axis, part)| plus(sum, scaled(*axis, part)))
+    }
+
+    /// Transforms a vector from the axes of the body to those of ground.
+    fn ground_vector(&self, own: [c64; 3]) -> [c64; 3] {
+        let axes = &self.state.axes;
+        [0, 1, 2].map(|k: usize| axes.iter().zip(&own).map(|(axis, part)| part * axis[k]).sum())
     }
 
     fn plane(&self, request: &SoundRequest) -> Result<Option<RigidPlane>, EngineError> {
@@ -260,6 +269,10 @@ impl SoundModels {
             if let (None, Some(motion)) = (&self.shared, own.last()) {
                 let solver = Solver::new(model, self.levels[index], &resources.interrupt);
                 resources.install(|| result.add_skin(model, &solver, motion))?;
+                let lines = result.lines_with_sound();
+                let interrupt = &resources.interrupt;
+                let vibration = SurfaceVibration::new(model, &self.shapes[index], motion, &lines, interrupt)?;
+                result.vibration = Some(vibration);
             }
             results.push(result);
             fields.push(field);

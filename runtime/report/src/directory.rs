@@ -97,13 +97,15 @@ fn cell_json(column: &str, cell: &str) -> Value {
 /// simulation.
 const RECORDED: usize = 256;
 
-/// Files that a run writes for every position in addition to its row and the data of the report.
+/// Files that a run writes in addition to its rows and the data of the report.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Details {
     /// Field tables, see [`crate::field_tables`].
     pub tables: bool,
     /// VTU files for ParaView, see [`crate::vtu`].
     pub vtu: bool,
+    /// Universal files of radiating surfaces, see [`crate::unv`]; not for every position.
+    pub unv: bool,
 }
 
 impl Details {

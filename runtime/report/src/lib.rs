@@ -32,9 +32,11 @@ pub mod signals;
 pub mod stress_range;
 pub mod study;
 pub mod summary_table;
+pub mod surface_sound;
 pub mod sweep;
 #[cfg(feature = "pages")]
 pub mod tradeoff;
+pub mod unv;
 pub mod vtu;
 
 pub use calyx_view as view;

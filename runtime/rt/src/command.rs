@@ -85,6 +85,7 @@ impl RunCommand<'_> {
             resume: arguments.resume,
             fields: arguments.fields,
             vtu: arguments.vtu,
+            unv: arguments.unv,
             overrides: arguments.overrides.to_override(),
             cancel: interrupt::flag(),
         };

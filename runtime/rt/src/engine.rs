@@ -2,9 +2,12 @@
 //! are independent.
 
 use crate::error::Error;
-use calyx_abi::RuntimeError;
+use crate::watcher;
 use calyx_abi::error::codes;
+use calyx_abi::limits::Limits;
+use calyx_abi::{Cancel, RuntimeError};
 use calyx_runtime::cache::{CacheCounts, OperatorCache, Store};
+use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::resources::Resources;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -86,6 +89,23 @@ impl Engine {
         let EngineConfig { kept, store, .. } = &self.0.config;
         let cache = (*kept > 0 || store.is_some()).then(|| self.0.cache.clone());
         Ok(Resources { interrupt, cache, pool: Some(self.pool()?) })
+    }
+
+    /// Runs work outside of an instance on the threads of this engine. Its interrupt ends it if it
+    /// is cancelled, or requests more memory than this machine has.
+    ///
+    /// # Errors
+    /// The threads cannot be started.
+    pub fn work<T: Send>(
+        &self,
+        cancel: Cancel,
+        work: impl FnOnce(&Interrupt) -> T + Send,
+    ) -> Result<T, EngineError> {
+        let interrupt = watcher::interrupt(cancel, Limits::default());
+        let pool = self
+            .pool()
+            .map_err(|error| EngineError::new(codes::INTERNAL, error.to_string(), "use fewer threads"))?;
+        Ok(pool.install(|| work(&interrupt)))
     }
 
     fn pool(&self) -> Result<Arc<rayon::ThreadPool>, Error> {

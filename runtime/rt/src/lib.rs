@@ -80,7 +80,7 @@ pub use calyx_report::study;
 #[cfg(feature = "command")]
 pub use calyx_report::sweep as sweep_table;
 #[cfg(feature = "command")]
-pub use calyx_report::{component_table, directory, duty_cycle, page, tradeoff, view};
+pub use calyx_report::{component_table, directory, duty_cycle, page, surface_sound, tradeoff, view};
 pub use calyx_runtime::settings_override::Override;
 pub use engine::{Engine, EngineConfig};
 pub use error::{Error, ErrorKind};

@@ -70,6 +70,14 @@ pub struct RunArguments {
     /// the results.
     #[arg(long, help_heading = RESULTS)]
     pub vtu: bool,
+    /// Write universal files of radiating surfaces for other acoustic programs
+    ///
+    /// For each radiated sound of the model: the closed surface before it is coarsened, and the
+    /// complex velocities of its nodes at each spectral line of the speed of the model, as datasets
+    /// 2411, 2412 and 55 in SI. Written to the directory unv of the results. `calyx sound` reads
+    /// such files.
+    #[arg(long, help_heading = RESULTS)]
+    pub unv: bool,
     /// Print the results to standard output as one JSON document
     ///
     /// Contains the content of run.json and the rows of steps.csv. Output of the model's `print`

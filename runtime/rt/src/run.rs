@@ -25,7 +25,7 @@ use calyx_report::sensitivity::{
 };
 use calyx_report::{
     bearing_loads, body_pictures, campbell, contact_pattern, field_tables, flank_tables, forced_response,
-    journal, modes_table, page, radiated_sound, signals, stress_range, summary_table, view, vtu,
+    journal, modes_table, page, radiated_sound, signals, stress_range, summary_table, unv, view, vtu,
 };
 use calyx_runtime::error::EngineError;
 use calyx_runtime::observables::Fields;
@@ -67,6 +67,8 @@ pub struct RunOptions {
     pub fields: bool,
     /// Writes a VTU file of every position, for ParaView.
     pub vtu: bool,
+    /// Writes the vibration of radiating surfaces as universal files.
+    pub unv: bool,
     /// Settings that override the analysis settings of the model.
     pub overrides: Override,
     /// Cancellation from outside: ends the run soon; the files written so far are kept.
@@ -75,7 +77,7 @@ pub struct RunOptions {
 
 impl RunOptions {
     fn details(&self) -> Details {
-        Details { tables: self.fields, vtu: self.vtu }
+        Details { tables: self.fields, vtu: self.vtu, unv: self.unv }
     }
 }
 
@@ -207,6 +209,11 @@ pub fn run(program: Arc<dyn Program>, options: &RunOptions) -> Result<RunReport,
     let written = write_results(&directory, head, description, &results, (&stages, options.details()));
     let advice = written.map_err(unwritable)?;
     let mut report = report(description, &results);
+    if options.unv && !has_sound(&results) {
+        let text =
+            "--unv writes no files: the model observes no radiated sound, such as by `gears.radiated_power`";
+        report.warnings.push(text.into());
+    }
     report.summary.extend(advice.into_iter().map(|line| line + "\n"));
     Ok(RunReport { directory: Some(directory), ..report })
 }
@@ -220,6 +227,7 @@ fn lock(
     let directory = RunDirectory::lock(path, Kind::Run, force)?;
     directory.check_folder(SIGNALS, |name| signals::is_name_of_a_run(description, name))?;
     directory.check_folder(vtu::FOLDER, vtu::is_name_of_a_run)?;
+    directory.check_folder(unv::FOLDER, unv::is_name_of_a_run)?;
     let is_picture =
         |name: &str| body_pictures::is_name_of_a_run(name) || radiated_sound::is_picture_of_a_run(name);
     directory.check_folder(body_pictures::FOLDER, is_picture)?;
@@ -329,6 +337,10 @@ fn write_results(
                 directory.claim_all(vtu::sound_files(response))?;
                 vtu::write_sound(path, response)?;
             }
+            if details.unv {
+                directory.claim_all(unv::files(response))?;
+                unv::write_sound(path, response)?;
+            }
         }
     }
     if let Some(table) = results.model_sensitivities() {
@@ -371,6 +383,12 @@ fn report(description: &ModelDescription, results: &Results) -> RunReport {
     }
 }
 
+/// Returns true if radiating surfaces vibrate.
+fn has_sound(results: &Results) -> bool {
+    let response = results.analysis().and_then(|result| result.forced_response.as_ref());
+    response.is_some_and(|response| !unv::files(response).is_empty())
+}
+
 /// Returns the number of positions of an interrupted run with the same subject, if there is one.
 fn interrupted(directory: &Path, head: &Value) -> Option<usize> {
     match resume::find(directory, head) {
@@ -390,6 +408,10 @@ fn earlier(options: &RunOptions, head: &Value) -> Result<EarlierRun, RunError> {
     })?;
     let positions = match &found {
         EarlierRun::Nothing => return Ok(found),
+        // These files are written at the end of a run.
+        EarlierRun::Finished if options.unv && !options.directory.join(unv::FOLDER).exists() => {
+            return Ok(EarlierRun::Nothing);
+        }
         EarlierRun::Unfinished(found) => found.solved.len(),
         EarlierRun::Finished => 1,
     };

@@ -9,7 +9,7 @@
 
 use calyx_report::directory::SIGNALS;
 use calyx_report::former_keys::{self, ResultFile};
-use calyx_report::{body_pictures, journal, page, view, vtu};
+use calyx_report::{body_pictures, journal, page, surface_sound, unv, view, vtu};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
@@ -50,6 +50,8 @@ pub enum Kind {
     Optimization,
     /// Written by `calyx sensitivities`.
     Sensitivities,
+    /// Written by `calyx sound`.
+    Sound,
 }
 
 impl Kind {
@@ -69,6 +71,9 @@ impl Kind {
             Kind::Sensitivities => {
                 "Calyx sensitivities directory, format 1. `calyx sensitivities` replaces only the files listed here.\n"
             }
+            Kind::Sound => {
+                "Calyx sound directory, format 1. `calyx sound` replaces only the files listed here.\n"
+            }
         }
     }
 
@@ -81,14 +86,15 @@ impl Kind {
             Kind::Sweep => &FILES_OF_A_SWEEP,
             Kind::Optimization => &FILES_OF_AN_OPTIMIZATION,
             Kind::Sensitivities => &FILES_OF_SENSITIVITIES,
+            Kind::Sound => &surface_sound::FILES,
         }
     }
 
     /// Returns the folders whose file names depend on the model.
     fn folders(self) -> &'static [&'static str] {
         match self {
-            Kind::Run => &[SIGNALS, vtu::FOLDER, body_pictures::FOLDER, view::FOLDER],
-            Kind::Tradeoff | Kind::Sweep | Kind::Optimization | Kind::Sensitivities => &[],
+            Kind::Run => &[SIGNALS, vtu::FOLDER, unv::FOLDER, body_pictures::FOLDER, view::FOLDER],
+            Kind::Tradeoff | Kind::Sweep | Kind::Optimization | Kind::Sensitivities | Kind::Sound => &[],
         }
     }
 
@@ -123,7 +129,7 @@ impl Kind {
                 read("tradeoff.json").filter(|all| has(all, &["model", "settings", "reference"]))?;
             }
             // All directories of these kinds have a marker.
-            Kind::Sweep | Kind::Optimization | Kind::Sensitivities => return None,
+            Kind::Sweep | Kind::Optimization | Kind::Sensitivities | Kind::Sound => return None,
         }
         names.retain(|name| self.allows(name));
         Some(names)

@@ -7,19 +7,39 @@ use faer::c64;
 pub struct UnvFile {
     /// Datasets in the order of the file.
     pub datasets: Vec<UnvDataset>,
+    /// Line of the first delimiter of each dataset, from 1; empty if the content was not read.
+    pub lines: Vec<usize>,
     /// Datasets of other numbers.
     pub skipped: Vec<SkippedDataset>,
 }
 
 impl UnvFile {
+    /// Returns where a dataset is, such as `dataset 55 at line 12`; `index` is that of the list.
+    pub fn place(&self, index: usize) -> String {
+        let number = self.datasets.get(index).map_or(0, UnvDataset::number);
+        match self.lines.get(index) {
+            Some(line) => format!("dataset {number} at line {line}"),
+            None => format!("dataset {number}, number {} of the file", index + 1),
+        }
+    }
+
     /// Returns the factor by which lengths of the file are divided to be in m: that of the last
     /// dataset 164, or 1.
     pub fn length_factor(&self) -> f64 {
-        let factor = self.datasets.iter().rev().find_map(|dataset| match dataset {
-            UnvDataset::Units(units) => Some(units.factors[0]),
+        self.units().map_or(1.0, |units| units.factors[0])
+    }
+
+    /// Returns the factor by which forces of the file are divided to be in N, like
+    /// [`UnvFile::length_factor`].
+    pub fn force_factor(&self) -> f64 {
+        self.units().map_or(1.0, |units| units.factors[1])
+    }
+
+    fn units(&self) -> Option<&Units> {
+        self.datasets.iter().rev().find_map(|dataset| match dataset {
+            UnvDataset::Units(units) => Some(units),
             _ => None,
-        });
-        factor.unwrap_or(1.0)
+        })
     }
 }
 
@@ -51,6 +71,22 @@ pub enum UnvDataset {
     Function(Box<Function>),
     /// 2414: results at nodes or elements.
     AnalysisData(Box<AnalysisData>),
+}
+
+impl UnvDataset {
+    /// Returns the number of the dataset.
+    pub fn number(&self) -> u32 {
+        match self {
+            Self::Header(_) => 151,
+            Self::Units(_) => 164,
+            Self::Nodes(_) => 2411,
+            Self::Elements(_) => 2412,
+            Self::TraceLine(_) => 82,
+            Self::NodalData(_) => 55,
+            Self::Function(_) => 58,
+            Self::AnalysisData(_) => 2414,
+        }
+    }
 }
 
 /// Header of a model file (151).

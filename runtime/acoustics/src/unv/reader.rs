@@ -47,7 +47,10 @@ pub fn read(content: &[u8]) -> Result<UnvFile> {
         })?;
         let mut records = Records::new(number, &lines[at + 2..at + 2 + length], at + 2);
         match dataset(&mut records)? {
-            Some(dataset) => file.datasets.push(dataset),
+            Some(dataset) => {
+                file.datasets.push(dataset);
+                file.lines.push(start + 1);
+            }
             None => file.skipped.push(SkippedDataset { number, line: start + 1 }),
         }
         at += length + 3;

@@ -43,16 +43,7 @@ impl Writer<'_> {
     }
 
     fn dataset(&mut self, dataset: &UnvDataset) {
-        let number = match dataset {
-            UnvDataset::Header(_) => 151,
-            UnvDataset::Units(_) => 164,
-            UnvDataset::Nodes(_) => 2411,
-            UnvDataset::Elements(_) => 2412,
-            UnvDataset::TraceLine(_) => 82,
-            UnvDataset::NodalData(_) => 55,
-            UnvDataset::Function(_) => 58,
-            UnvDataset::AnalysisData(_) => 2414,
-        };
+        let number = dataset.number();
         let _ = writeln!(self.text, "    -1\n{number:>6}");
         match dataset {
             UnvDataset::Header(header) => header.lines.iter().for_each(|line| self.line(line, 80)),

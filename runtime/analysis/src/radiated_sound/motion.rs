@@ -61,6 +61,8 @@ pub(crate) struct Vibrating {
     pub equivalent_panels: Vec<RadiationImpedance>,
     /// Indices of these coordinates among those of the system.
     coordinates: Vec<usize>,
+    /// Unknowns of the body and their values by unit of each coordinate.
+    pub moved: Vec<Vec<(usize, f64)>>,
     /// Bearing forces on the body: bearing, component, and the deflections by unit of each
     /// coordinate.
     bearings: Vec<BearingMotion>,
@@ -159,6 +161,7 @@ impl Vibrating {
             equivalent,
             equivalent_panels,
             coordinates,
+            moved,
             bearings,
             input_is_known,
             _room: room,

@@ -4,6 +4,7 @@ use super::directions::Direction;
 use super::frequencies::Field;
 use super::motion::{SurfaceMotion, Vibrating};
 use super::solver::{SkinField, Solver};
+use super::vibration::SurfaceVibration;
 use super::{Lines, SoundLevel, SoundRequest};
 use calyx_acoustics::Fluid;
 use calyx_acoustics::field::FieldMesh;
@@ -148,6 +149,8 @@ pub struct RadiatedSound {
     pub far_field: Vec<Vec<c64>>,
     /// Sound on the surface at the speed of the model; `None` in perturbed solves.
     pub skin: Option<Skin>,
+    /// Velocities of the skin of the mesh at the speed of the model; `None` in perturbed solves.
+    pub vibration: Option<SurfaceVibration>,
     /// Sound at the speed of the model.
     pub own: SoundPoint,
     /// Sound by speed of the forced response.
@@ -234,6 +237,7 @@ impl RadiatedSound {
             directions: model.surface.directions(request),
             far_field,
             skin: None,
+            vibration: None,
             own,
             speeds,
         }
@@ -270,6 +274,13 @@ impl RadiatedSound {
     /// Returns the frequency of a line at a speed (rad/s), Hz.
     pub fn frequency(&self, line: usize, speed: f64) -> f64 {
         self.orders[line] * speed / TAU
+    }
+
+    /// Returns the lines with sound at the speed of the model.
+    pub(super) fn lines_with_sound(&self) -> Vec<usize> {
+        let frequency = |line: usize| self.frequency(line, self.own.speed);
+        let has_sound = |line: &usize| frequency(*line) > 0.0 && frequency(*line) <= self.highest_frequency;
+        (0..self.own.powers.len()).filter(has_sound).collect()
     }
 
     /// Returns the highest frequency of a line with sound, Hz.

@@ -17,6 +17,7 @@ use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec3::Vector;
 use calyx_structure::outer_surface::CellKind;
+use faer::c64;
 use std::collections::BTreeSet;
 
 /// Elements per wavelength to which a surface is coarsened.
@@ -129,6 +130,16 @@ impl Surface {
     /// Returns a direction of ground in the coordinates of the body.
     pub fn vector(&self, ground: Vector) -> Vector {
         self.placement.direction(ground)
+    }
+
+    /// Returns the vertices of the skin of the mesh in ground coordinates, m.
+    pub fn original_vertices(&self) -> Vec<Vector> {
+        self.original.mesh.vertices().iter().map(|&vertex| self.placement.ground(vertex)).collect()
+    }
+
+    /// Returns a vector of the body in ground coordinates.
+    pub fn ground_vector(&self, own: [c64; 3]) -> [c64; 3] {
+        self.placement.ground_vector(own)
     }
 
     /// Returns the vertices in ground coordinates, m.

@@ -48,6 +48,7 @@ impl fmt::Display for DirectoryError {
                     Kind::Sweep => "`calyx sweep`",
                     Kind::Optimization => "`calyx optimize`",
                     Kind::Sensitivities => "`calyx sensitivities`",
+                    Kind::Sound => "`calyx sound`",
                 };
                 let has = if files.len() == 1 { "a file" } else { "files" };
                 write!(f, "{} has {has} that {written_by} did not write: {}", path.display(), names(files))

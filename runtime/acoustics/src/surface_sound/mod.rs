@@ -1,0 +1,15 @@
+//! Sound of a surface whose vibration another program has computed or measured.
+//!
+//! [`Vibration::of_unv`] reads a mesh and the motion of its nodes from a universal file, and
+//! [`surface_sound`] closes the surface, coarsens it to what the wavelength needs, and computes
+//! power, radiation efficiency and pressures at points for each frequency or normal mode.
+
+mod functions;
+mod results;
+mod solution;
+mod surface;
+mod vibration;
+
+pub use results::{CaseSound, SurfaceOfSound, SurfaceSound};
+pub use solution::{SoundMethod, SoundOptions, surface_sound};
+pub use vibration::{CaseKind, Vibration, VibrationCase};

@@ -1,0 +1,423 @@
+//! Mesh of a vibrating body and the motion of its nodes, from a universal file.
+
+use super::functions::function_cases;
+use crate::mesh::Face;
+use crate::skin::Solid;
+use crate::unv::{Element, Entity, LocatedValues, ResultKind, UnvDataset, UnvFile};
+use calyx_numerics::error::EngineError;
+use calyx_numerics::vec3::Vector;
+use faer::c64;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::f64::consts::TAU;
+
+/// Analysis types of results.
+const MODES: i64 = 2;
+const RESPONSE: i64 = 5;
+/// Quantities of results: displacement, velocity and acceleration, the preferred one first.
+pub(super) const QUANTITIES: [i64; 3] = [11, 8, 12];
+
+/// Kind of a vibration.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CaseKind {
+    /// Frequency response of a load case; its name is empty if the file has only one.
+    Response(String),
+    /// Normal mode of this number.
+    Mode(i64),
+}
+
+/// Vibration at one frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VibrationCase {
+    /// Kind.
+    pub kind: CaseKind,
+    /// Frequency, Hz.
+    pub frequency: f64,
+    /// Location in the file, such as `dataset 55 at line 12`.
+    pub place: String,
+    /// Complex amplitudes of the velocities of the nodes, m/s, with the time factor exp(iωt); NaN
+    /// at nodes without a result.
+    pub velocities: Vec<[c64; 3]>,
+}
+
+/// Mesh of a body and the motion of its nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vibration {
+    /// Labels of the nodes in the file.
+    pub labels: Vec<i64>,
+    /// Positions of the nodes, m.
+    pub nodes: Vec<Vector>,
+    /// Solid elements.
+    pub solids: Vec<Solid>,
+    /// Surface elements.
+    pub shells: Vec<Face>,
+    /// Motions by kind and frequency.
+    pub cases: Vec<VibrationCase>,
+    /// How the file was read, in sentences.
+    pub notes: Vec<String>,
+}
+
+/// Returns the error of a file whose sound cannot be computed.
+pub(super) fn refused(message: impl Into<String>, help: impl Into<String>) -> EngineError {
+    EngineError::new("E0784", message, help)
+}
+
+impl Vibration {
+    /// Reads the mesh and the motion of its nodes from a universal file: triangles, quadrilaterals,
+    /// tetrahedra, wedges and hexahedra (2411, 2412), and displacements, velocities or
+    /// accelerations of a frequency response or of normal modes (55, 2414), or functions of a
+    /// frequency response (58). Midside nodes are left out. If a case has several quantities, the
+    /// velocity is used, or else the displacement.
+    ///
+    /// # Errors
+    /// E0784: an element has a node that is missing or has two positions, there are no elements or
+    /// no results, or results have an unknown node, a wrong frequency or a value that is not
+    /// finite.
+    pub fn of_unv(file: &UnvFile) -> Result<Vibration, EngineError> {
+        let factor = file.length_factor();
+        let positions = positions(file)?;
+        let mut skipped = Skipped::default();
+        let elements = Elements::of(file, &positions, &mut skipped)?;
+        let index: HashMap<i64, usize> =
+            elements.labels.iter().enumerate().map(|(index, label)| (*label, index)).collect();
+        let read = Nodes { positions: &positions, index: &index, factor };
+        let mut cases = result_cases(file, &read, &mut skipped)?;
+        match cases.is_empty() {
+            true => cases = function_cases(file, &read, &mut skipped)?,
+            false => {
+                let is_function = |dataset: &&UnvDataset| matches!(dataset, UnvDataset::Function(_));
+                (0..file.datasets.iter().filter(is_function).count())
+                    .for_each(|_| skipped.add("function (dataset 58) next to other results"));
+            }
+        }
+        file.skipped.iter().for_each(|other| skipped.add(format!("dataset {}", other.number)));
+        if cases.is_empty() {
+            let found = skipped.text().map_or(String::new(), |text| format!("; skipped: {text}"));
+            return Err(refused(
+                format!("the file has no motion of nodes of a frequency response or of normal modes{found}"),
+                "export displacements, velocities or accelerations of nodes as dataset 55 or 2414, analysis type 5 or 2",
+            ));
+        }
+        let is_known = file.datasets.iter().any(|dataset| matches!(dataset, UnvDataset::Units(_)));
+        let mut notes = vec![match is_known {
+            true if factor == 1.0 => "the units of the file are SI".into(),
+            true => format!("lengths and motions of the file are divided by {factor} to be in m"),
+            false => "the file has no units (dataset 164): lengths and motions are taken as m".into(),
+        }];
+        notes.extend(skipped.text().map(|text| format!("skipped: {text}")));
+        let nodes = elements.labels.iter().map(|label| positions[label].map(|x| x / factor)).collect();
+        let is_response = |case: &&VibrationCase| matches!(case.kind, CaseKind::Response(_));
+        let loads: BTreeSet<CaseKind> =
+            cases.iter().filter(is_response).map(|case| case.kind.clone()).collect();
+        for case in &mut cases {
+            if let CaseKind::Response(load) = &mut case.kind
+                && loads.len() == 1
+            {
+                load.clear();
+            }
+        }
+        let Elements { labels, solids, shells } = elements;
+        Ok(Vibration { labels, nodes, solids, shells, cases, notes })
+    }
+}
+
+/// Reasons why parts of a file are skipped, with how often.
+#[derive(Default)]
+pub(super) struct Skipped(BTreeMap<String, usize>);
+
+impl Skipped {
+    pub fn add(&mut self, reason: impl Into<String>) {
+        *self.0.entry(reason.into()).or_default() += 1;
+    }
+
+    fn text(&self) -> Option<String> {
+        let part = |(reason, count): (&String, &usize)| match count {
+            1 => reason.clone(),
+            count => format!("{count} times {reason}"),
+        };
+        let all: Vec<String> = self.0.iter().map(part).collect();
+        (!all.is_empty()).then(|| all.join(", "))
+    }
+}
+
+/// Positions of all nodes in the units of the file.
+fn positions(file: &UnvFile) -> Result<HashMap<i64, Vector>, EngineError> {
+    let mut positions: HashMap<i64, Vector> = HashMap::new();
+    for (index, dataset) in file.datasets.iter().enumerate() {
+        let UnvDataset::Nodes(nodes) = dataset else { continue };
+        for node in nodes {
+            let other = positions.insert(node.label, node.position);
+            if other.is_some_and(|other| other != node.position) {
+                return Err(refused(
+                    format!("{}: the file has two positions for the node {}", file.place(index), node.label),
+                    "remove one of the nodes",
+                ));
+            }
+        }
+    }
+    Ok(positions)
+}
+
+/// Nodes of a file.
+pub(super) struct Nodes<'f> {
+    /// Positions by label, in the units of the file.
+    pub positions: &'f HashMap<i64, Vector>,
+    /// Indices of the nodes of elements by label.
+    pub index: &'f HashMap<i64, usize>,
+    /// Factor by which lengths of the file are divided to be in m.
+    pub factor: f64,
+}
+
+/// Elements with the indices of their nodes.
+struct Elements {
+    labels: Vec<i64>,
+    solids: Vec<Solid>,
+    shells: Vec<Face>,
+}
+
+/// Returns the places of the corners among the nodes of an element; `None` for other elements.
+fn corners(descriptor: i64) -> Option<&'static [usize]> {
+    Some(match descriptor {
+        41 | 91 => &[0, 1, 2],
+        44 | 94 => &[0, 1, 2, 3],
+        42 | 92 => &[0, 2, 4],
+        45 | 95 => &[0, 2, 4, 6],
+        111 => &[0, 1, 2, 3],
+        112 => &[0, 1, 2, 3, 4, 5],
+        115 => &[0, 1, 2, 3, 4, 5, 6, 7],
+        118 => &[0, 2, 4, 9],
+        113 => &[0, 2, 4, 9, 11, 13],
+        116 => &[0, 2, 4, 6, 12, 14, 16, 18],
+        _ => return None,
+    })
+}
+
+impl Elements {
+    fn of(
+        file: &UnvFile,
+        positions: &HashMap<i64, Vector>,
+        skipped: &mut Skipped,
+    ) -> Result<Elements, EngineError> {
+        let mut found: Vec<(bool, Vec<i64>)> = Vec::new();
+        for (at, dataset) in file.datasets.iter().enumerate() {
+            let UnvDataset::Elements(elements) = dataset else { continue };
+            for element in elements {
+                let Some(corners) = corners(element.descriptor) else {
+                    skipped.add(format!("element with the descriptor {}", element.descriptor));
+                    continue;
+                };
+                found.push(checked(element, corners, positions, &file.place(at))?);
+            }
+        }
+        if found.is_empty() {
+            return Err(refused(
+                "the file has no surface: neither triangles, quadrilaterals nor solid elements (dataset 2412)",
+                "export the mesh of the body, or its skin as shell elements, with the results",
+            ));
+        }
+        let labels: BTreeSet<i64> = found.iter().flat_map(|(_, nodes)| nodes.iter().copied()).collect();
+        let labels: Vec<i64> = labels.into_iter().collect();
+        let index = |label: &i64| labels.binary_search(label).unwrap_or_default();
+        let (mut solids, mut shells) = (Vec::new(), Vec::new());
+        for (is_solid, nodes) in &found {
+            let own: Vec<usize> = nodes.iter().map(index).collect();
+            match (is_solid, own.as_slice()) {
+                (false, &[a, b, c]) => shells.push(Face::Triangle([a, b, c])),
+                (false, &[a, b, c, d]) => shells.push(Face::Quadrilateral([a, b, c, d])),
+                (true, &[a, b, c, d]) => solids.push(Solid::Tetrahedron([a, b, c, d])),
+                (true, &[a, b, c, d, e, f]) => solids.push(Solid::Wedge([a, b, c, d, e, f])),
+                (true, &[a, b, c, d, e, f, g, h]) => solids.push(Solid::Hexahedron([a, b, c, d, e, f, g, h])),
+                _ => {}
+            }
+        }
+        Ok(Elements { labels, solids, shells })
+    }
+}
+
+/// Returns whether an element is a solid, and the labels of its corners.
+fn checked(
+    element: &Element,
+    corners: &[usize],
+    positions: &HashMap<i64, Vector>,
+    place: &str,
+) -> Result<(bool, Vec<i64>), EngineError> {
+    let label = element.label;
+    let missing = |corner: usize| {
+        refused(
+            format!(
+                "{place}: the element {label} has {} nodes, and the descriptor {} has more than {corner}",
+                element.nodes.len(),
+                element.descriptor
+            ),
+            "correct the element, or export the file again",
+        )
+    };
+    let node = |&corner: &usize| element.nodes.get(corner).copied().ok_or_else(|| missing(corner));
+    let nodes: Vec<i64> = corners.iter().map(node).collect::<Result<_, _>>()?;
+    // Some programs write triangles as quadrilaterals with two equal nodes.
+    let mut distinct = nodes.clone();
+    distinct.dedup();
+    if distinct.len() > 1 && distinct.first() == distinct.last() {
+        distinct.pop();
+    }
+    let is_solid = element.descriptor > 100;
+    let is_triangle = !is_solid && nodes.len() == 4 && distinct.len() == 3;
+    let nodes = if is_triangle { distinct } else { nodes };
+    if let Some(twice) =
+        nodes.iter().enumerate().find_map(|(k, node)| nodes[..k].contains(node).then_some(node))
+    {
+        return Err(refused(
+            format!("{place}: the element {label} has the node {twice} twice"),
+            "correct the element, or leave it out",
+        ));
+    }
+    match nodes.iter().find(|node| !positions.contains_key(node)) {
+        Some(node) => Err(refused(
+            format!("{place}: the node {node} of the element {label} is not in the file"),
+            "export the nodes (dataset 2411) with the elements",
+        )),
+        None => Ok((is_solid, nodes)),
+    }
+}
+
+/// Results of a dataset 55 or 2414.
+struct Results<'f> {
+    at: usize,
+    kind: ResultKind,
+    load: String,
+    mode: i64,
+    frequency: Option<f64>,
+    values: &'f [LocatedValues],
+}
+
+/// Returns the motions of all datasets 55 and 2414, one of each case and frequency.
+fn result_cases(
+    file: &UnvFile,
+    nodes: &Nodes<'_>,
+    skipped: &mut Skipped,
+) -> Result<Vec<VibrationCase>, EngineError> {
+    // By kind and bits of the frequency, which is positive: the order is that of the frequency.
+    let mut found: BTreeMap<(CaseKind, u64), Results<'_>> = BTreeMap::new();
+    for (at, dataset) in file.datasets.iter().enumerate() {
+        let Some(results) = results(at, dataset, skipped) else { continue };
+        let place = file.place(at);
+        let Some(frequency) = frequency(&results, &place, skipped)? else { continue };
+        let kind = match results.kind.analysis {
+            MODES => CaseKind::Mode(results.mode),
+            _ => CaseKind::Response(results.load.clone()),
+        };
+        let rank =
+            |results: &Results<'_>| QUANTITIES.iter().position(|quantity| *quantity == results.kind.quantity);
+        match found.get(&(kind.clone(), frequency.to_bits())) {
+            Some(other) if rank(other) <= rank(&results) => {
+                skipped.add("further motion of the same case and frequency");
+            }
+            other => {
+                other.iter().for_each(|_| skipped.add("further motion of the same case and frequency"));
+                found.insert((kind, frequency.to_bits()), results);
+            }
+        }
+    }
+    let mut cases = Vec::new();
+    for ((kind, bits), results) in found {
+        let (frequency, place) = (f64::from_bits(bits), file.place(results.at));
+        let to_velocity = to_velocity(results.kind.quantity, frequency) / nodes.factor;
+        let mut velocities = vec![[c64::new(f64::NAN, 0.0); 3]; nodes.index.len()];
+        let mut known: BTreeSet<i64> = BTreeSet::new();
+        for LocatedValues { label, values } in results.values {
+            let at_node = |message: String, help: &str| refused(format!("{place}: {message}"), help);
+            if !nodes.positions.contains_key(label) {
+                let message = format!("the results have the node {label}, which is not in the file");
+                return Err(at_node(message, "export the nodes (dataset 2411) of all results"));
+            }
+            if !known.insert(*label) {
+                let message = format!("the results have the node {label} twice");
+                return Err(at_node(message, "leave one of its values out"));
+            }
+            let own = [0, 1, 2].map(|k: usize| values[k] * to_velocity);
+            if !own.iter().all(|value| value.re.is_finite() && value.im.is_finite()) {
+                let message = format!("the velocity of the node {label} is not finite");
+                return Err(at_node(message, "correct the values"));
+            }
+            if let Some(&node) = nodes.index.get(label) {
+                velocities[node] = own;
+            }
+        }
+        cases.push(VibrationCase { kind, frequency, place, velocities });
+    }
+    Ok(cases)
+}
+
+/// Returns the motion of a dataset; `None` for others, which are skipped with a reason.
+fn results<'f>(at: usize, dataset: &'f UnvDataset, skipped: &mut Skipped) -> Option<Results<'f>> {
+    let integer = |all: &[i64], at: usize| all.get(at).copied().unwrap_or(0);
+    let results = match dataset {
+        UnvDataset::NodalData(data) => Results {
+            at,
+            kind: data.kind,
+            load: integer(&data.integers, 0).to_string(),
+            mode: integer(&data.integers, 1),
+            frequency: data.reals.first().copied(),
+            values: &data.values,
+        },
+        UnvDataset::AnalysisData(data) if data.entity == Entity::Elements => {
+            skipped.add("results at elements");
+            return None;
+        }
+        UnvDataset::AnalysisData(data) => Results {
+            at,
+            kind: data.kind,
+            load: match (integer(&data.integers, 2), integer(&data.integers, 4)) {
+                (0, load) => load.to_string(),
+                (solution, load) => format!("{solution}/{load}"),
+            },
+            mode: integer(&data.integers, 5),
+            frequency: data.reals.get(1).copied(),
+            values: &data.values,
+        },
+        _ => return None,
+    };
+    let ResultKind { analysis, quantity, .. } = results.kind;
+    if ![MODES, RESPONSE].contains(&analysis) {
+        skipped.add(format!("results of the analysis type {analysis}"));
+        return None;
+    }
+    if !QUANTITIES.contains(&quantity) {
+        skipped.add(format!("results of the quantity {quantity}, which is no motion"));
+        return None;
+    }
+    if results.values.is_empty() || results.values.iter().any(|own| own.values.len() < 3) {
+        skipped.add("results with fewer than three components");
+        return None;
+    }
+    Some(results)
+}
+
+/// Returns the frequency of results, Hz; `None` for rigid-body modes, which are skipped.
+fn frequency(results: &Results<'_>, place: &str, skipped: &mut Skipped) -> Result<Option<f64>, EngineError> {
+    let is_mode = results.kind.analysis == MODES;
+    match results.frequency {
+        Some(frequency) if frequency > 0.0 && frequency.is_finite() => Ok(Some(frequency)),
+        Some(0.0) if is_mode => {
+            skipped.add("mode at 0 Hz");
+            Ok(None)
+        }
+        Some(frequency) => Err(refused(
+            format!("{place}: the frequency of the results is {frequency} Hz"),
+            "export results at frequencies above zero",
+        )),
+        None => Err(refused(
+            format!("{place}: the results have no frequency"),
+            "export the results with their frequency, in Hz",
+        )),
+    }
+}
+
+/// Returns the factor that makes a displacement, velocity or acceleration a velocity.
+pub(super) fn to_velocity(quantity: i64, frequency: f64) -> c64 {
+    let omega = TAU * frequency;
+    match quantity {
+        8 => c64::new(0.0, omega),
+        12 => c64::new(0.0, -omega.recip()),
+        _ => c64::new(1.0, 0.0),
+    }
+}

@@ -1,0 +1,145 @@
+//! Universal files of the vibration of radiating surfaces at the speed of the model, for other
+//! acoustic programs.
+//!
+//! Results at nodes are written as dataset 55: programs of modal testing and of acoustics read it
+//! for longer than dataset 2414, the Python package pyuff reads both, and dataset 55 has a fixed
+//! record for the frequency of a response. Numbers of dataset 55 have six digits.
+
+use calyx_runtime::acoustics::unv::{
+    Element, Header, LocatedValues, NodalData, Node, ResultKind, Units, UnvDataset, write,
+};
+use calyx_runtime::forced_response::ForcedResponse;
+use calyx_runtime::radiated_sound::{RadiatedSound, SurfaceVibration};
+use std::collections::HashMap;
+use std::path::Path;
+use std::{fs, io};
+
+/// Folder of the files in a run directory.
+pub const FOLDER: &str = "unv";
+/// Beginning of the names of the files.
+const SURFACE: &str = "sound_surface-";
+/// Quantities of results.
+const VELOCITY: i64 = 11;
+const PRESSURE: i64 = 15;
+/// Largest number of characters of a line.
+const COLUMNS: usize = 80;
+
+/// Returns true if a run may write a file of this name into [`FOLDER`].
+pub fn is_name_of_a_run(name: &str) -> bool {
+    name.starts_with(SURFACE) && name.ends_with(".unv")
+}
+
+/// Returns the sounds with a file, and the names of these, relative to the run directory.
+fn named(response: &ForcedResponse) -> impl Iterator<Item = (&RadiatedSound, &SurfaceVibration, String)> {
+    let sounds = response.sounds.iter().enumerate();
+    sounds.filter_map(|(index, sound)| {
+        let vibration = sound.vibration.as_ref().filter(|vibration| !vibration.lines.is_empty())?;
+        Some((sound, vibration, format!("{FOLDER}/{SURFACE}{index:02}.unv")))
+    })
+}
+
+/// Returns the names of the files of a response, relative to the run directory.
+pub fn files(response: &ForcedResponse) -> Vec<String> {
+    named(response).map(|(.., name)| name).collect()
+}
+
+/// Writes the files of a response.
+///
+/// # Errors
+/// A file cannot be written, or a value does not fit into the format.
+pub fn write_sound(directory: &Path, response: &ForcedResponse) -> io::Result<()> {
+    for (sound, vibration, name) in named(response) {
+        fs::create_dir_all(directory.join(FOLDER))?;
+        let text = write(&datasets(sound, vibration)).map_err(|error| {
+            let message = format!("{name}, dataset {}: {}; {}", error.line, error.message, error.help);
+            io::Error::new(io::ErrorKind::InvalidData, message)
+        })?;
+        fs::write(directory.join(name), text)?;
+    }
+    Ok(())
+}
+
+/// Returns a text that fits into a line.
+fn line(text: &str) -> String {
+    let printable = text.chars().map(|c| if c.is_control() { ' ' } else { c });
+    printable.take(COLUMNS).collect()
+}
+
+fn datasets(sound: &RadiatedSound, vibration: &SurfaceVibration) -> Vec<UnvDataset> {
+    // Files of the same model are equal, so they have no date.
+    let header = [
+        &sound.body,
+        "Surface velocities of a forced response, ground coordinates",
+        "Calyx",
+        "01-Jan-00  00:00:00           0         0         0",
+        "01-Jan-00  00:00:00",
+        "Calyx",
+        "01-Jan-00  00:00:00",
+    ];
+    let node = |(index, position): (usize, &[f64; 3])| Node {
+        label: index as i64 + 1,
+        attributes: [1, 1, 11],
+        position: *position,
+    };
+    let element = |(index, triangle): (usize, &[usize; 3])| Element {
+        label: index as i64 + 1,
+        descriptor: 91,
+        attributes: [1, 1, 7],
+        beam: None,
+        nodes: triangle.iter().map(|vertex| *vertex as i64 + 1).collect(),
+    };
+    let mut all = vec![
+        UnvDataset::Header(Header { lines: header.into_iter().map(line).collect() }),
+        UnvDataset::Units(Units::si()),
+        UnvDataset::Nodes(vibration.vertices.iter().enumerate().map(node).collect()),
+        UnvDataset::Elements(vibration.triangles.iter().enumerate().map(element).collect()),
+    ];
+    let mut lines: Vec<_> = vibration.lines.iter().collect();
+    let frequency = |line: usize| sound.frequency(line, sound.own.speed);
+    lines.sort_by(|one, other| frequency(one.0).total_cmp(&frequency(other.0)));
+    for (step, (index, velocities)) in lines.into_iter().enumerate() {
+        let results = |name: &str, [characteristic, quantity]: [i64; 2], values| {
+            let names = [
+                name,
+                &sound.body,
+                "Peak amplitudes; time factor exp(+i omega t)",
+                &format!("Spectral line {index} of the forced response"),
+                "NONE",
+            ];
+            UnvDataset::NodalData(NodalData {
+                names: names.into_iter().map(line).collect(),
+                // Structural model, frequency response.
+                kind: ResultKind { model: 1, analysis: 5, characteristic, quantity },
+                is_complex: true,
+                integers: vec![1, step as i64 + 1],
+                reals: vec![frequency(*index)],
+                values,
+            })
+        };
+        let values = velocities.iter().enumerate();
+        let values = values.map(|(node, own)| LocatedValues { label: node as i64 + 1, values: own.to_vec() });
+        all.push(results("Velocity, m/s", [2, VELOCITY], values.collect()));
+        let values = pressures(sound, vibration, *index);
+        if !values.is_empty() {
+            all.push(results("Sound pressure on the surface, Pa", [1, PRESSURE], values));
+        }
+    }
+    all
+}
+
+/// Returns the surface pressure of a line at the nodes of the coarsened surface, which are nodes of
+/// the skin; empty if it is unknown.
+fn pressures(sound: &RadiatedSound, vibration: &SurfaceVibration, line: usize) -> Vec<LocatedValues> {
+    let Some(skin) = &sound.skin else { return Vec::new() };
+    let Some(field) = skin.fields.iter().find(|field| field.line == line) else { return Vec::new() };
+    let bits = |at: &[f64; 3]| at.map(f64::to_bits);
+    let labels: HashMap<[u64; 3], i64> =
+        vibration.vertices.iter().enumerate().map(|(index, at)| (bits(at), index as i64 + 1)).collect();
+    let value = |(at, pressure): (&[f64; 3], _)| {
+        Some(LocatedValues { label: *labels.get(&bits(at))?, values: vec![pressure] })
+    };
+    let mut values: Vec<LocatedValues> =
+        skin.vertices.iter().zip(field.pressures.iter().copied()).filter_map(value).collect();
+    values.sort_by_key(|own| own.label);
+    values
+}
