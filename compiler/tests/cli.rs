@@ -143,6 +143,11 @@ fn sensitivities_are_ranked_by_their_effect() {
 }
 
 #[test]
+fn sound_of_universal_files() {
+    hold(include_str!("cli/sound.md"));
+}
+
+#[test]
 fn plans_of_sweeps_are_solved_by_workers() {
     hold(include_str!("cli/sweep-plan.md"));
 }

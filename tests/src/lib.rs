@@ -6,6 +6,7 @@ pub mod judge;
 pub mod modules;
 pub mod plots;
 pub mod printed;
+pub mod python;
 
 use std::path::PathBuf;
 

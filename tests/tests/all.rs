@@ -35,6 +35,7 @@ mod rolling_bearings;
 mod rust_scene;
 mod same_scene;
 mod shafts;
+mod surface_sound;
 mod theory;
 mod tooth_contact;
 mod transmission;

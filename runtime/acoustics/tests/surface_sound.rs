@@ -303,7 +303,8 @@ fn openings_are_listed_or_closed() {
     }
     let whole = sound(&box_file(&nodes, &elements), &SoundOptions::default()).expect("closed");
     let ratio = closed.cases[0].power / whole.cases[0].power;
-    assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
+    // The triangles of both lids begin at other vertices, which changes the quadrature.
+    assert!((ratio - 1.0).abs() < 1e-5, "{ratio}");
     assert!((closed.surface.area / whole.surface.area - 1.0).abs() < 1e-12);
 }
 
@@ -398,7 +399,7 @@ fn wrong_files_are_rejected() {
     check(&|all| data(all).reals[0] = 0.0, "dataset 55 at line");
     check(&|all| data(all).reals[0] = -5.0, "the frequency of the results is -5 Hz");
     check(&|all| data(all).reals.clear(), "the results have no frequency");
-    check(&|all| data(all).kind.quantity = PRESSURE, "quantity 15, which is no motion");
+    check(&|all| data(all).kind.quantity = PRESSURE, "results of pressure");
     check(&|all| data(all).kind.analysis = 4, "analysis type 4");
     check(
         &|all| data(all).values.iter_mut().for_each(|own| own.values.truncate(1)),

@@ -382,7 +382,10 @@ fn results<'f>(at: usize, dataset: &'f UnvDataset, skipped: &mut Skipped) -> Opt
         return None;
     }
     if !QUANTITIES.contains(&quantity) {
-        skipped.add(format!("results of the quantity {quantity}, which is no motion"));
+        skipped.add(match quantity {
+            15 => "results of pressure".into(),
+            _ => format!("results of the quantity {quantity}, which is no motion"),
+        });
         return None;
     }
     if results.values.is_empty() || results.values.iter().any(|own| own.values.len() < 3) {
