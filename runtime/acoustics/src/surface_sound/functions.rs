@@ -74,7 +74,7 @@ fn rank(function: &Function, skipped: &mut Skipped) -> Option<usize> {
         format!("function of the quantity {}, which is no motion", ordinate.quantity)
     } else if ![0, FORCE].contains(&denominator.quantity) {
         format!("function per quantity {}", denominator.quantity)
-    } else if !(1..=3).contains(&function.response.direction.abs()) {
+    } else if !(1..=3).contains(&function.response.direction.unsigned_abs()) {
         format!("function in the direction {}", function.response.direction)
     } else {
         return rank;
@@ -112,7 +112,7 @@ fn group_cases(
     }
     let rest = [c64::new(f64::NAN, 0.0); 3];
     let mut motions = vec![vec![rest; nodes.index.len()]; all.len()];
-    let mut known: BTreeSet<(i64, i64)> = BTreeSet::new();
+    let mut known: BTreeSet<(i64, u64)> = BTreeSet::new();
     for (at, function) in group {
         let own = frequencies(function);
         let is_same = |(one, other): (&f64, &f64)| (one - other).abs() <= SAME * one.abs().max(other.abs());
@@ -121,7 +121,7 @@ fn group_cases(
             return Err(refused(message, "export all functions at the same frequencies"));
         }
         let end = &function.response;
-        if !known.insert((end.node, end.direction.abs())) {
+        if !known.insert((end.node, end.direction.unsigned_abs())) {
             skipped.add("further function of the same node and direction");
             continue;
         }
@@ -131,9 +131,10 @@ fn group_cases(
         let axis = end.direction.unsigned_abs() as usize - 1;
         for (k, motion) in motions.iter_mut().enumerate() {
             let value = match &function.ordinates {
-                Ordinates::Real(values, _) => c64::new(values[k], 0.0),
-                Ordinates::Complex(values, _) => values[k],
+                Ordinates::Real(values, _) => values.get(k).map(|value| c64::new(*value, 0.0)),
+                Ordinates::Complex(values, _) => values.get(k).copied(),
             };
+            let value = value.unwrap_or(c64::new(f64::NAN, 0.0));
             let velocity = value * to_velocity(function.axes[1].quantity, all[k]) * factor;
             if all[k] > 0.0 && !(velocity.re.is_finite() && velocity.im.is_finite()) {
                 let message = format!("{}: the value at {} Hz is not finite", file.place(*at), all[k]);

@@ -104,6 +104,7 @@ impl Vibration {
             false => "the file has no units (dataset 164): lengths and motions are taken as m".into(),
         }];
         notes.extend(skipped.text().map(|text| format!("skipped: {text}")));
+        notes.extend(coordinate_systems(file, &index));
         let nodes = elements.labels.iter().map(|label| positions[label].map(|x| x / factor)).collect();
         let is_response = |case: &&VibrationCase| matches!(case.kind, CaseKind::Response(_));
         let loads: BTreeSet<CaseKind> =
@@ -155,6 +156,23 @@ fn positions(file: &UnvFile) -> Result<HashMap<i64, Vector>, EngineError> {
         }
     }
     Ok(positions)
+}
+
+/// Returns a note if the motions of nodes may be in coordinate systems of their own.
+fn coordinate_systems(file: &UnvFile, index: &HashMap<i64, usize>) -> Option<String> {
+    let mut all: BTreeSet<i64> = BTreeSet::new();
+    for dataset in &file.datasets {
+        let UnvDataset::Nodes(nodes) = dataset else { continue };
+        let own = nodes.iter().filter(|node| index.contains_key(&node.label));
+        all.extend(own.map(|node| node.attributes[1]));
+    }
+    (all.len() > 1).then(|| {
+        let all: Vec<String> = all.iter().map(i64::to_string).collect();
+        format!(
+            "nodes have the displacement coordinate systems {}; all motions are taken in global coordinates",
+            all.join(", ")
+        )
+    })
 }
 
 /// Nodes of a file.
