@@ -6,7 +6,7 @@
 use crate::python::python_with;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use vtkio::Vtk;
 use vtkio::model::{Attribute, Attributes, CellType, DataSet, Piece, UnstructuredGridPiece};

@@ -371,9 +371,7 @@ class Results(Mapping[str, OutputValues]):
     def sensitivity_frame(self, engine: str | None = None) -> Any:
         """Returns a table with a row for each derivative."""
         names = ("output", "statistic", "param", "unit")
-        columns: dict[str, Any] = {
-            name: [getattr(one, name) for one in self.sensitivities] for name in names
-        }
+        columns: dict[str, Any] = {name: [getattr(one, name) for one in self.sensitivities] for name in names}
         for name in ("value", "below", "above", "error"):
             columns[name] = np.array([getattr(one, name) for one in self.sensitivities])
         columns["new_structures"] = np.array([one.new_structures for one in self.sensitivities], dtype=bool)

@@ -52,7 +52,9 @@ def test_derivatives_that_do_not_exist_are_errors():
 
 def test_an_optimizer_takes_value_and_gradient():
     optimize = optional("scipy.optimize")
-    beam = calyx.loads("param x = 3.0 in -9 .. 9; param y = 2.0 in -9 .. 9; output f := (x - 1)^2 + 2 * (y + 1)^2;")
+    beam = calyx.loads(
+        "param x = 3.0 in -9 .. 9; param y = 2.0 in -9 .. 9; output f := (x - 1)^2 + 2 * (y + 1)^2;"
+    )
 
     def objective(at):
         value, gradient = beam.value_and_gradient("f", {"x": at[0], "y": at[1]})
