@@ -7,7 +7,7 @@ use calyx::{Engine, Module};
 use calyx_runtime::acoustics::surface_sound::{
     CaseSound, SoundMethod, SoundOptions, Vibration, surface_sound,
 };
-use calyx_runtime::acoustics::unv::{UnvDataset, UnvFile, read};
+use calyx_runtime::acoustics::unv::{LocatedValues, NodalData, UnvDataset, UnvFile, read};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_tests::python::python_with;
 use serde_json::Value;
@@ -82,10 +82,9 @@ fn files_of_a_run_have_its_sound() {
             let level = 10.0 * (cases.iter().map(square).sum::<f64>() / 4e-10).log10();
             let expected = entry["points"][0]["a_weighted_level"].as_f64().expect("a level");
             assert!((level - expected).abs() < 0.1, "{level} {expected}");
-            let pressures = own
-                .datasets
-                .iter()
-                .filter(|dataset| matches!(dataset, UnvDataset::NodalData(data) if data.kind.quantity == 15));
+            let pressures = own.datasets.iter().filter(
+                |dataset| matches!(dataset, UnvDataset::AnalysisData(data) if data.kind.quantity == 15),
+            );
             assert!(pressures.count() > 0, "surface pressures of the loudest lines");
         }
     }
@@ -109,8 +108,8 @@ json.dump([{
     'type': s['type'],
     'nodes': len(s.get('node_nums', [])),
     'x': list(s.get('x', [])) if s['type'] == 2411 else [],
-    'frequency': float(s['freq']) if s['type'] == 55 else None,
-    'values': [part(s[key]) for key in ('r1', 'r2', 'r3') if key in s] if s['type'] == 55 else [],
+    'frequency': float(s.get('freq', s.get('frequency', 0))),
+    'values': [part(s[key]) for key in {55: ('r1', 'r2', 'r3'), 2414: ('x',)}.get(s['type'], ())],
 } for s in sets], sys.stdout)
 ";
     let output = Command::new(python).args(["-c", script]).arg(path).output().expect("Python starts");
@@ -124,17 +123,23 @@ json.dump([{
                 assert_eq!(found["nodes"], nodes.len());
                 assert_eq!(found["x"][3], nodes[3].position[0]);
             }
-            UnvDataset::NodalData(data) => {
-                assert_eq!(found["nodes"], data.values.len());
-                assert_eq!(found["frequency"], data.reals[0]);
-                for (node, own) in data.values.iter().enumerate() {
-                    for (component, value) in own.values.iter().enumerate() {
-                        assert_eq!(found["values"][component][node][0], value.re);
-                        assert_eq!(found["values"][component][node][1], value.im);
-                    }
-                }
+            UnvDataset::NodalData(NodalData { reals, values, .. }) => {
+                same_values(found, reals[0], values);
             }
+            UnvDataset::AnalysisData(data) => same_values(found, data.reals[1], &data.values),
             _ => {}
+        }
+    }
+}
+
+/// Checks the frequency and the values of a dataset as read by pyuff.
+fn same_values(found: &Value, frequency: f64, values: &[LocatedValues]) {
+    assert_eq!(found["nodes"], values.len());
+    assert_eq!(found["frequency"], frequency);
+    for (node, own) in values.iter().enumerate() {
+        for (component, value) in own.values.iter().enumerate() {
+            assert_eq!(found["values"][component][node][0], value.re);
+            assert_eq!(found["values"][component][node][1], value.im);
         }
     }
 }

@@ -412,7 +412,7 @@ fn wrong_files_are_rejected() {
         nodes(all).iter_mut().for_each(|node| node.position = node.position.map(|x| 1e-200 * x));
     };
     check(&huge, "the velocity of the node 1 is not finite");
-    // What the method does not have.
+    // Requests that the method does not support.
     let points = SoundOptions { points: vec![[1.0, 0.0, 0.0]], ..options.clone() };
     assert!(sound(&good(), &points).expect_err("no pressures").message.contains("no sound pressure"));
     let inside = SoundOptions { points: vec![[0.0; 3]], ..SoundOptions::default() };

@@ -1,12 +1,14 @@
 //! Universal files of the vibration of radiating surfaces at the speed of the model, for other
 //! acoustic programs.
 //!
-//! Results at nodes are written as dataset 55: programs of modal testing and of acoustics read it
-//! for longer than dataset 2414, the Python package pyuff reads both, and dataset 55 has a fixed
-//! record for the frequency of a response. Numbers of dataset 55 have six digits.
+//! Velocities are written as dataset 55: programs of modal testing and of acoustics have read it
+//! for longer than dataset 2414, and it has a record for the frequency of a response. The Python
+//! package pyuff reads vectors only in dataset 55, so the surface pressure is a dataset 2414.
+//! Numbers of both have six digits.
 
 use calyx_runtime::acoustics::unv::{
-    Element, Header, LocatedValues, NodalData, Node, ResultKind, Units, UnvDataset, write,
+    AnalysisData, Element, Entity, Header, LocatedValues, NodalData, Node, ResultKind, Units, UnvDataset,
+    write,
 };
 use calyx_runtime::forced_response::ForcedResponse;
 use calyx_runtime::radiated_sound::{RadiatedSound, SurfaceVibration};
@@ -98,30 +100,48 @@ fn datasets(sound: &RadiatedSound, vibration: &SurfaceVibration) -> Vec<UnvDatas
     let frequency = |line: usize| sound.frequency(line, sound.own.speed);
     lines.sort_by(|one, other| frequency(one.0).total_cmp(&frequency(other.0)));
     for (step, (index, velocities)) in lines.into_iter().enumerate() {
-        let results = |name: &str, [characteristic, quantity]: [i64; 2], values| {
+        let names = |quantity: &str| -> Vec<String> {
             let names = [
-                name,
+                quantity,
                 &sound.body,
                 "Peak amplitudes; time factor exp(+i omega t)",
                 &format!("Spectral line {index} of the forced response"),
                 "NONE",
             ];
-            UnvDataset::NodalData(NodalData {
-                names: names.into_iter().map(line).collect(),
-                // Structural model, frequency response.
-                kind: ResultKind { model: 1, analysis: 5, characteristic, quantity },
-                is_complex: true,
-                integers: vec![1, step as i64 + 1],
-                reals: vec![frequency(*index)],
-                values,
-            })
+            names.into_iter().map(line).collect()
         };
+        // Structural model, frequency response.
+        let kind = |[characteristic, quantity]: [i64; 2]| ResultKind {
+            model: 1,
+            analysis: 5,
+            characteristic,
+            quantity,
+        };
+        let (step, frequency) = (step as i64 + 1, frequency(*index));
         let values = velocities.iter().enumerate();
         let values = values.map(|(node, own)| LocatedValues { label: node as i64 + 1, values: own.to_vec() });
-        all.push(results("Velocity, m/s", [2, VELOCITY], values.collect()));
+        all.push(UnvDataset::NodalData(NodalData {
+            names: names("Velocity, m/s"),
+            kind: kind([2, VELOCITY]),
+            is_complex: true,
+            integers: vec![1, step],
+            reals: vec![frequency],
+            values: values.collect(),
+        }));
         let values = pressures(sound, vibration, *index);
         if !values.is_empty() {
-            all.push(results("Sound pressure on the surface, Pa", [1, PRESSURE], values));
+            all.push(UnvDataset::AnalysisData(Box::new(AnalysisData {
+                label: step,
+                name: line("Sound pressure on the surface"),
+                entity: Entity::Nodes,
+                names: names("Sound pressure on the surface, Pa"),
+                kind: kind([1, PRESSURE]),
+                is_complex: true,
+                // The load set is the fifth one, the number of the frequency the eighth one.
+                integers: vec![1, 0, 0, 0, 1, 0, 0, step],
+                reals: vec![0.0, frequency],
+                values,
+            })));
         }
     }
     all

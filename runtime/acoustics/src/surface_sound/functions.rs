@@ -1,6 +1,6 @@
 //! Motion of nodes from functions at degrees of freedom (dataset 58): response spectra.
 
-use super::vibration::{CaseKind, Nodes, QUANTITIES, Skipped, VibrationCase, refused, to_velocity};
+use super::cases::{CaseKind, Nodes, QUANTITIES, Skipped, VibrationCase, refused, to_velocity};
 use crate::unv::{Abscissae, Function, Ordinates, UnvDataset, UnvFile};
 use calyx_numerics::error::EngineError;
 use faer::c64;

@@ -4,12 +4,16 @@
 //! [`surface_sound`] closes the surface, coarsens it to what the wavelength needs, and computes
 //! power, radiation efficiency and pressures at points for each frequency or normal mode.
 
+mod cases;
 mod functions;
+mod method;
 mod results;
 mod solution;
 mod surface;
 mod vibration;
 
+pub use cases::{CaseKind, VibrationCase};
+pub use method::SoundMethod;
 pub use results::{CaseSound, SurfaceOfSound, SurfaceSound};
-pub use solution::{SoundMethod, SoundOptions, surface_sound};
-pub use vibration::{CaseKind, Vibration, VibrationCase};
+pub use solution::{SoundOptions, surface_sound};
+pub use vibration::Vibration;

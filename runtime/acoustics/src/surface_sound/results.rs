@@ -1,7 +1,7 @@
 //! Results of the sound of a vibrating surface.
 
-use super::solution::SoundMethod;
-use super::vibration::CaseKind;
+use super::cases::CaseKind;
+use super::method::SoundMethod;
 use crate::fluid::Fluid;
 use crate::levels::{a_weighting, sound_power_level};
 use calyx_numerics::vec3::Vector;

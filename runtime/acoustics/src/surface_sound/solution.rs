@@ -4,9 +4,11 @@
 //! elements in a wavelength of its highest frequency, and less if the waves of the walls are
 //! shorter. Cases of the same frequency share the equations.
 
+use super::cases::{CaseKind, refused};
+use super::method::SoundMethod;
 use super::results::{CaseSound, SurfaceOfSound, SurfaceSound};
 use super::surface::{ClosedSurface, edges_of_box, engine_error};
-use super::vibration::{CaseKind, Vibration, refused};
+use super::vibration::Vibration;
 use crate::coarsening::coarsened;
 use crate::fluid::Fluid;
 use crate::mesh::SurfaceMesh;
@@ -39,30 +41,6 @@ const NOTABLE: f64 = 0.1;
 /// Polar angles of the far field: twice the number of wavelengths across the body and its mirror
 /// image, and these.
 const RINGS: usize = 10;
-
-/// Method from velocities to sound.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SoundMethod {
-    /// Equivalent radiated power: plane waves everywhere.
-    EquivalentPower,
-    /// Rayleigh integral: every part of the surface radiates as in a plane baffle, and all
-    /// interfere.
-    Rayleigh,
-    /// Boundary elements.
-    #[default]
-    BoundaryElements,
-}
-
-impl SoundMethod {
-    /// Returns the name in models and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::EquivalentPower => "erp",
-            Self::Rayleigh => "rayleigh",
-            Self::BoundaryElements => "boundary_elements",
-        }
-    }
-}
 
 /// Options of the sound of a vibration.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! Closed surface of a vibrating body, from its shells or the skin of its solids.
 
-use super::vibration::{Vibration, VibrationCase, refused};
+use super::cases::{VibrationCase, refused};
+use super::vibration::Vibration;
 use crate::error::AcousticError;
 use crate::plane::RigidPlane;
 use crate::shells::{ShellProblem, ShellSkin};

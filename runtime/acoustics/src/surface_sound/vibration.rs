@@ -1,5 +1,6 @@
 //! Mesh of a vibrating body and the motion of its nodes, from a universal file.
 
+use super::cases::{CaseKind, Nodes, QUANTITIES, Skipped, VibrationCase, refused, to_velocity};
 use super::functions::function_cases;
 use crate::mesh::Face;
 use crate::skin::Solid;
@@ -8,37 +9,10 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::Vector;
 use faer::c64;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use std::f64::consts::TAU;
 
 /// Analysis types of results.
 const MODES: i64 = 2;
 const RESPONSE: i64 = 5;
-/// Quantities of results: displacement, velocity and acceleration, the preferred one first.
-pub(super) const QUANTITIES: [i64; 3] = [11, 8, 12];
-
-/// Kind of a vibration.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum CaseKind {
-    /// Frequency response of a load case; its name is empty if the file has only one.
-    Response(String),
-    /// Normal mode of this number.
-    Mode(i64),
-}
-
-/// Vibration at one frequency.
-#[derive(Clone, Debug, PartialEq)]
-pub struct VibrationCase {
-    /// Kind.
-    pub kind: CaseKind,
-    /// Frequency, Hz.
-    pub frequency: f64,
-    /// Location in the file, such as `dataset 55 at line 12`.
-    pub place: String,
-    /// Complex amplitudes of the velocities of the nodes, m/s, with the time factor exp(iωt); NaN
-    /// at nodes without a result.
-    pub velocities: Vec<[c64; 3]>,
-}
-
 /// Mesh of a body and the motion of its nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vibration {
@@ -54,11 +28,6 @@ pub struct Vibration {
     pub cases: Vec<VibrationCase>,
     /// How the file was read, in sentences.
     pub notes: Vec<String>,
-}
-
-/// Returns the error of a file whose sound cannot be computed.
-pub(super) fn refused(message: impl Into<String>, help: impl Into<String>) -> EngineError {
-    EngineError::new("E0784", message, help)
 }
 
 impl Vibration {
@@ -121,25 +90,6 @@ impl Vibration {
     }
 }
 
-/// Reasons why parts of a file are skipped, with how often.
-#[derive(Default)]
-pub(super) struct Skipped(BTreeMap<String, usize>);
-
-impl Skipped {
-    pub fn add(&mut self, reason: impl Into<String>) {
-        *self.0.entry(reason.into()).or_default() += 1;
-    }
-
-    fn text(&self) -> Option<String> {
-        let part = |(reason, count): (&String, &usize)| match count {
-            1 => reason.clone(),
-            count => format!("{count} times {reason}"),
-        };
-        let all: Vec<String> = self.0.iter().map(part).collect();
-        (!all.is_empty()).then(|| all.join(", "))
-    }
-}
-
 /// Positions of all nodes in the units of the file.
 fn positions(file: &UnvFile) -> Result<HashMap<i64, Vector>, EngineError> {
     let mut positions: HashMap<i64, Vector> = HashMap::new();
@@ -173,16 +123,6 @@ fn coordinate_systems(file: &UnvFile, index: &HashMap<i64, usize>) -> Option<Str
             all.join(", ")
         )
     })
-}
-
-/// Nodes of a file.
-pub(super) struct Nodes<'f> {
-    /// Positions by label, in the units of the file.
-    pub positions: &'f HashMap<i64, Vector>,
-    /// Indices of the nodes of elements by label.
-    pub index: &'f HashMap<i64, usize>,
-    /// Factor by which lengths of the file are divided to be in m.
-    pub factor: f64,
 }
 
 /// Elements with the indices of their nodes.
@@ -313,7 +253,7 @@ fn result_cases(
     nodes: &Nodes<'_>,
     skipped: &mut Skipped,
 ) -> Result<Vec<VibrationCase>, EngineError> {
-    // By kind and bits of the frequency, which is positive: the order is that of the frequency.
+    // Bits of positive numbers have the order of the numbers.
     let mut found: BTreeMap<(CaseKind, u64), Results<'_>> = BTreeMap::new();
     for (at, dataset) in file.datasets.iter().enumerate() {
         let Some(results) = results(at, dataset, skipped) else { continue };
@@ -430,15 +370,5 @@ fn frequency(results: &Results<'_>, place: &str, skipped: &mut Skipped) -> Resul
             format!("{place}: the results have no frequency"),
             "export the results with their frequency, in Hz",
         )),
-    }
-}
-
-/// Returns the factor that makes a displacement, velocity or acceleration a velocity.
-pub(super) fn to_velocity(quantity: i64, frequency: f64) -> c64 {
-    let omega = TAU * frequency;
-    match quantity {
-        8 => c64::new(0.0, omega),
-        12 => c64::new(0.0, -omega.recip()),
-        _ => c64::new(1.0, 0.0),
     }
 }
