@@ -6,7 +6,7 @@ use faer::c64;
 use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::TAU;
 
-/// Quantities of results: displacement, velocity and acceleration, the preferred one first.
+/// Quantities of results: velocity, displacement and acceleration, the preferred one first.
 pub(super) const QUANTITIES: [i64; 3] = [11, 8, 12];
 
 /// Kind of a vibration.
