@@ -239,8 +239,8 @@ fn requested(
     };
     let added = host.scene.add_sound(request);
     let AddedSound { sound, points, fields } = &added;
-    let points = points.iter().map(|&point| Subject::SoundPoint(*sound, point));
-    let fields = fields.iter().map(|&field| Subject::SoundField(*sound, field));
+    let points = points.iter().map(|&point| Subject::SoundPoint(*sound as u32, point as u32));
+    let fields = fields.iter().map(|&field| Subject::SoundField(*sound as u32, field as u32));
     for subject in points.chain(fields).chain([Subject::Sound(*sound)]) {
         host.sound_places.entry(subject).or_insert(place);
     }

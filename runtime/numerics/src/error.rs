@@ -19,7 +19,8 @@ pub struct EngineError {
     pub subject: Option<Subject>,
 }
 
-/// Part of the scene or of the request, by index.
+/// Part of the scene or of the request, by index. Pairs of indices have 32 bits each, so that errors
+/// stay small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Subject {
     /// Body of the scene.
@@ -35,9 +36,9 @@ pub enum Subject {
     /// Requested sound.
     Sound(usize),
     /// Point at which a requested sound has its pressure: request and point.
-    SoundPoint(usize, usize),
+    SoundPoint(u32, u32),
     /// Field mesh of a requested sound: request and mesh.
-    SoundField(usize, usize),
+    SoundField(u32, u32),
 }
 
 impl EngineError {

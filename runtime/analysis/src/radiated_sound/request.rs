@@ -151,18 +151,17 @@ impl JoinedRequests {
     /// it replaces.
     pub fn of_scene(&self, error: EngineError) -> EngineError {
         // Request of the scene, and the index of an item in it.
-        let origin = |at: usize, item: usize, items: fn(&JoinedRequest) -> &Vec<usize>| {
-            let own = self.places.iter().enumerate().filter(|(_, place)| place.request == at);
-            let find = |(index, place)| {
-                let position = items(place).iter().position(|other| *other == item);
-                position.map(|position| (index, position))
-            };
-            own.into_iter().find_map(find)
+        let origin = |at: u32, item: u32, items: fn(&JoinedRequest) -> &Vec<usize>| {
+            self.places.iter().enumerate().filter(|(_, place)| place.request == at as usize).find_map(
+                |(index, place)| {
+                    let position = items(place).iter().position(|other| *other == item as usize)?;
+                    Some((index as u32, position as u32))
+                },
+            )
         };
         let subject = match error.subject {
             Some(Subject::Sound(at)) => {
-                let first = self.places.iter().position(|place| place.request == at);
-                first.map(Subject::Sound)
+                self.places.iter().position(|place| place.request == at).map(Subject::Sound)
             }
             Some(Subject::SoundPoint(at, point)) => {
                 origin(at, point, |place| &place.points).map(|(at, point)| Subject::SoundPoint(at, point))

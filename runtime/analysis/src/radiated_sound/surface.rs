@@ -193,10 +193,11 @@ impl Surface {
     pub fn check_points(&self, index: usize, request: &SoundRequest) -> Result<(), EngineError> {
         for (number, &at) in request.points.iter().enumerate() {
             self.check_point(at, "at which sound pressure is requested")
-                .map_err(|error| error.blame("at").about(Subject::SoundPoint(index, number)))?;
+                .map_err(|error| error.blame("at").about(Subject::SoundPoint(index as u32, number as u32)))?;
         }
-        let about =
-            |error: EngineError, number| error.blame("field").about(Subject::SoundField(index, number));
+        let about = |error: EngineError, number| {
+            error.blame("field").about(Subject::SoundField(index as u32, number as u32))
+        };
         let meshes = self.named_fields(request).map_err(|(error, number)| about(error, number))?;
         for (number, (field, mesh)) in request.fields.iter().zip(meshes).enumerate() {
             // Others enclose the body.
