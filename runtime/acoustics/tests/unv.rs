@@ -297,8 +297,8 @@ fn python_with_pyuff() -> Option<PathBuf> {
     [installed, "python3".into()].into_iter().find(has_it)
 }
 
-/// pyuff, a Python reader, finds the same values. Without pyuff, the test is skipped with a message;
-/// with `CALYX_CI_STRICT=1`, which `.ci/run` sets after installing it, the test fails.
+/// pyuff, a Python reader, finds the same values. Without pyuff, the test is skipped with a
+/// message; with `CALYX_CI_STRICT=1`, which `.ci/run` sets after installing it, the test fails.
 #[test]
 fn pyuff_reads_what_is_written() {
     let Some(python) = python_with_pyuff() else {

@@ -194,7 +194,7 @@ impl SoundModels {
     /// Prepares the bodies of all requests; `highest_line` is the highest frequency of a line, Hz.
     ///
     /// # Errors
-    /// Those of [`check`], and of the condensation of a body.
+    /// Those of [`check()`], and of the condensation of a body.
     pub fn new(
         system: &System<'_>,
         task: &SoundTask<'_>,

@@ -19,8 +19,8 @@ pub struct EngineError {
     pub subject: Option<Subject>,
 }
 
-/// Part of the scene or of the request, by index. Pairs of indices have 32 bits each, so that errors
-/// stay small.
+/// Part of the scene or of the request, by index. Pairs of indices have 32 bits each, so that
+/// errors stay small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Subject {
     /// Body of the scene.

@@ -102,7 +102,7 @@ pub fn files(sound: &SurfaceSound) -> Vec<&'static str> {
     all.into_iter().filter(|(_, wanted)| *wanted).map(|(name, _)| name).collect()
 }
 
-/// Writes the files of a sound: its table, the pressures at points, and [`json`].
+/// Writes the files of a sound: its table, the pressures at points, and [`json()`].
 ///
 /// # Errors
 /// A file cannot be written.
