@@ -7,8 +7,7 @@
 //! Numbers of both have six digits.
 
 use calyx_runtime::acoustics::unv::{
-    AnalysisData, Element, Entity, Header, LocatedValues, NodalData, Node, ResultKind, Units, UnvDataset,
-    write,
+    AnalysisData, Entity, Header, LocatedValues, NodalData, ResultKind, UnvDataset, triangle_datasets, write,
 };
 use calyx_runtime::forced_response::ForcedResponse;
 use calyx_runtime::radiated_sound::{RadiatedSound, SurfaceVibration};
@@ -78,24 +77,8 @@ fn datasets(sound: &RadiatedSound, vibration: &SurfaceVibration) -> Vec<UnvDatas
         "Calyx",
         "01-Jan-00  00:00:00",
     ];
-    let node = |(index, position): (usize, &[f64; 3])| Node {
-        label: index as i64 + 1,
-        attributes: [1, 1, 11],
-        position: *position,
-    };
-    let element = |(index, triangle): (usize, &[usize; 3])| Element {
-        label: index as i64 + 1,
-        descriptor: 91,
-        attributes: [1, 1, 7],
-        beam: None,
-        nodes: triangle.iter().map(|vertex| *vertex as i64 + 1).collect(),
-    };
-    let mut all = vec![
-        UnvDataset::Header(Header { lines: header.into_iter().map(line).collect() }),
-        UnvDataset::Units(Units::si()),
-        UnvDataset::Nodes(vibration.vertices.iter().enumerate().map(node).collect()),
-        UnvDataset::Elements(vibration.triangles.iter().enumerate().map(element).collect()),
-    ];
+    let mut all = vec![UnvDataset::Header(Header { lines: header.into_iter().map(line).collect() })];
+    all.extend(triangle_datasets(&vibration.vertices, &vibration.triangles));
     let mut lines: Vec<_> = vibration.lines.iter().collect();
     let frequency = |line: usize| sound.frequency(line, sound.own.speed);
     lines.sort_by(|one, other| frequency(one.0).total_cmp(&frequency(other.0)));

@@ -1,4 +1,4 @@
-//! Motion of nodes from functions at degrees of freedom (dataset 58): response spectra.
+//! Motion of nodes from functions of their DOFs (dataset 58): response spectra.
 
 use super::cases::{CaseKind, Nodes, QUANTITIES, Skipped, VibrationCase, refused, to_velocity};
 use crate::unv::{Abscissae, Function, Ordinates, UnvDataset, UnvFile};

@@ -87,6 +87,11 @@ fn corners(descriptor: i64) -> Option<usize> {
 
 /// Returns the units, nodes and triangles of a mesh. Labels are indices plus 1.
 pub fn mesh_datasets(mesh: &SurfaceMesh) -> Vec<UnvDataset> {
+    triangle_datasets(mesh.vertices(), mesh.triangles())
+}
+
+/// Returns the units, nodes (m) and triangles of a surface. Labels are indices plus 1.
+pub fn triangle_datasets(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Vec<UnvDataset> {
     let node = |(index, position): (usize, &[f64; 3])| Node {
         label: index as i64 + 1,
         attributes: [1, 1, 11],
@@ -101,8 +106,8 @@ pub fn mesh_datasets(mesh: &SurfaceMesh) -> Vec<UnvDataset> {
     };
     vec![
         UnvDataset::Units(Units::si()),
-        UnvDataset::Nodes(mesh.vertices().iter().enumerate().map(node).collect()),
-        UnvDataset::Elements(mesh.triangles().iter().enumerate().map(element).collect()),
+        UnvDataset::Nodes(vertices.iter().enumerate().map(node).collect()),
+        UnvDataset::Elements(triangles.iter().enumerate().map(element).collect()),
     ]
 }
 
