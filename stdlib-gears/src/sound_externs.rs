@@ -8,11 +8,12 @@ use crate::observable_externs::observe;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::acoustics::Fluid;
+use calyx_runtime::acoustics::SoundMethod;
 use calyx_runtime::error::Subject;
 use calyx_runtime::observables::{
     RadiationEfficiency, SoundFieldLevel, SoundLines, SoundPower, SoundPowerLevel, SoundPressureLevel,
 };
-use calyx_runtime::radiated_sound::{FieldRequest, FieldShape, SoundLevel, SoundRequest, Weighting};
+use calyx_runtime::radiated_sound::{FieldRequest, FieldShape, SoundRequest, Weighting};
 use calyx_runtime::scene::AddedSound;
 use calyx_runtime::vec3::{cross, length};
 
@@ -232,7 +233,7 @@ fn requested(
     let request = SoundRequest {
         body: connection,
         fluid: if fluid == "water" { Fluid::WATER } else { Fluid::AIR },
-        level: method.as_deref().and_then(SoundLevel::named),
+        method: method.as_deref().and_then(SoundMethod::named),
         plane: plane.map(|point| [point, normal]),
         points: if let Wanted::Point(at) = wanted { vec![at] } else { Vec::new() },
         fields: if let Wanted::Field(field) = wanted { vec![field] } else { Vec::new() },

@@ -4,9 +4,10 @@
 use crate::models::codes;
 use calyx::rt::{RunOptions, run as run_in_directory};
 use calyx::{Engine, Module, check_file};
+use calyx_runtime::acoustics::SoundMethod;
 use calyx_runtime::acoustics::levels::a_weighting;
 use calyx_runtime::forced_response::ForcedResponse;
-use calyx_runtime::radiated_sound::{RadiatedSound, SoundLevel, Weighting};
+use calyx_runtime::radiated_sound::{RadiatedSound, Weighting};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
@@ -144,8 +145,8 @@ output far := gears.sound_pressure_level(housing, method = \"boundary_elements\"
     let (values, response) = run(&pair(60.0, &format!("{RESPONSE}{outputs}"), &analysis("2500 Hz")));
     let [power, level, plain, second, efficiency, equivalent, elements, near, far] =
         values[..].try_into().expect("nine outputs");
-    let levels: Vec<SoundLevel> = response.sounds.iter().map(|sound| sound.level).collect();
-    assert_eq!(levels, [SoundLevel::Rayleigh, SoundLevel::EquivalentPower, SoundLevel::BoundaryElements]);
+    let methods: Vec<SoundMethod> = response.sounds.iter().map(|sound| sound.method).collect();
+    assert_eq!(methods, [SoundMethod::Rayleigh, SoundMethod::EquivalentPower, SoundMethod::BoundaryElements]);
     let sound = &response.sounds[0];
     response.sounds.iter().for_each(check_balance);
     assert!((power / sound.own.powers.iter().sum::<f64>() - 1.0).abs() < 1e-12);

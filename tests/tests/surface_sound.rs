@@ -4,9 +4,8 @@
 use crate::radiated_sound::{analysis, pair, plates};
 use calyx::rt::{RunOptions, run};
 use calyx::{Engine, Module};
-use calyx_runtime::acoustics::surface_sound::{
-    CaseSound, SoundMethod, SoundOptions, Vibration, surface_sound,
-};
+use calyx_runtime::acoustics::SoundMethod;
+use calyx_runtime::acoustics::surface_sound::{CaseSound, SoundOptions, Vibration, surface_sound};
 use calyx_runtime::acoustics::unv::{LocatedValues, NodalData, UnvDataset, UnvFile, read};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_tests::python::python_with;

@@ -3,9 +3,9 @@
 
 use crate::shown::{grouped, rounded};
 use calyx_gears::host::ModelHost;
+use calyx_runtime::acoustics::SoundMethod;
 use calyx_runtime::cost::{SoundSize, sound_size};
 use calyx_runtime::plan::Plan;
-use calyx_runtime::radiated_sound::SoundLevel;
 use std::f64::consts::TAU;
 
 /// Returns the links of all requested sounds, as lines.
@@ -15,14 +15,14 @@ pub(crate) fn lines(host: &ModelHost, plan: &Plan) -> Vec<String> {
     let link = |size: &SoundSize| {
         let rpm = |speed: f64| rounded((speed * 60.0 / TAU * 1e6).round() / 1e6);
         let [lowest, fastest] = response.speeds.map(rpm);
-        let last = match size.level {
-            SoundLevel::EquivalentPower => {
+        let last = match size.method {
+            SoundMethod::EquivalentPower => {
                 "equivalent radiated power (\"erp\"), without equations".to_owned()
             }
-            SoundLevel::Rayleigh => {
+            SoundMethod::Rayleigh => {
                 format!("Rayleigh integral (\"rayleigh\") at about {} frequencies", size.frequencies)
             }
-            SoundLevel::BoundaryElements => {
+            SoundMethod::BoundaryElements => {
                 format!("boundary elements (\"boundary_elements\") at about {} frequencies", size.frequencies)
             }
         };

@@ -9,10 +9,8 @@ use calyx_abi::description::UnitDescription;
 use calyx_abi::quantity;
 use calyx_abi::visible::visible;
 use calyx_lang::units::Unit;
-use calyx_runtime::acoustics::surface_sound::{
-    SoundMethod, SoundOptions, SurfaceSound, Vibration, surface_sound,
-};
-use calyx_runtime::acoustics::{Fluid, RigidPlane, unv};
+use calyx_runtime::acoustics::surface_sound::{SoundOptions, SurfaceSound, Vibration, surface_sound};
+use calyx_runtime::acoustics::{Fluid, RigidPlane, SoundMethod, unv};
 use calyx_runtime::error::EngineError;
 use clap::{Args, ValueEnum};
 use std::num::NonZeroUsize;

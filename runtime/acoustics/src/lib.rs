@@ -9,12 +9,14 @@
 
 #![warn(missing_docs)]
 
+pub mod coarse_surface;
 pub mod coarsening;
 pub mod error;
 pub mod field;
 pub mod fluid;
 pub mod levels;
 pub mod mesh;
+pub mod method;
 pub mod model;
 pub mod openings;
 pub mod patterns;
@@ -46,6 +48,7 @@ mod quadrature;
 pub use error::AcousticError;
 pub use fluid::Fluid;
 pub use mesh::{Face, SurfaceMesh};
+pub use method::SoundMethod;
 pub use model::{Equations, Method, RadiationModel, Settings};
 pub use patterns::SolvedPatterns;
 pub use plane::RigidPlane;

@@ -26,13 +26,13 @@ pub use directions::{CoordinatePlane, Direction};
 pub use fields::{FieldRequest, FieldShape};
 pub(crate) use motion::{SurfaceMotion, Vibrating};
 pub(crate) use request::position_of;
-pub use request::{JoinedRequests, SoundLevel, SoundRequest};
+pub use request::{JoinedRequests, SoundRequest};
 pub use results::{PanelSummary, RadiatedSound, Skin, SoundField, SoundPoint, SurfaceSummary, Weighting};
 pub use solver::SkinField;
 pub use surface::surface_size;
 pub use vibration::SurfaceVibration;
 
-use calyx_acoustics::{AcousticError, RigidPlane};
+use calyx_acoustics::{AcousticError, RigidPlane, SoundMethod};
 use calyx_model::connection::{ConnectionState, ElasticConnection};
 use calyx_model::elastic_body::SharedElasticBody;
 use calyx_model::mechanism::Mechanism;
@@ -172,7 +172,7 @@ pub(crate) struct SoundModels {
     models: Vec<Vibrating>,
     shapes: Vec<Arc<BodyShapes>>,
     requests: JoinedRequests,
-    levels: Vec<SoundLevel>,
+    methods: Vec<SoundMethod>,
     shared: Option<Arc<Sound>>,
     /// Time of the preparation.
     time: Duration,
@@ -228,7 +228,7 @@ impl SoundModels {
         Ok(SoundModels {
             models: requests.iter().zip(surfaces).zip(&shapes).map(model).collect::<Result<_, _>>()?,
             shapes,
-            levels: requests.iter().map(|request| request.level_at(plan.fidelity)).collect(),
+            methods: requests.iter().map(|request| request.method_at(plan.fidelity)).collect(),
             requests: joined,
             shared: task.shared.clone(),
             time: started.elapsed(),
@@ -260,14 +260,14 @@ impl SoundModels {
             let field = match known {
                 Some(field) => field,
                 None => {
-                    let find = || Field::new(model, self.levels[index], lines, (speeds, &own), resources);
+                    let find = || Field::new(model, self.methods[index], lines, (speeds, &own), resources);
                     Arc::new(resources.install(find)?)
                 }
             };
             let mut result = RadiatedSound::new((model, request), &field, lines, (speeds, &own));
             // Results of perturbed solves are compared, and not shown.
             if let (None, Some(motion)) = (&self.shared, own.last()) {
-                let solver = Solver::new(model, self.levels[index], &resources.interrupt);
+                let solver = Solver::new(model, self.methods[index], &resources.interrupt);
                 resources.install(|| result.add_skin(model, &solver, motion))?;
                 let lines = result.lines_with_sound();
                 let interrupt = &resources.interrupt;

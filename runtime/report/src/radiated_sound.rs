@@ -95,7 +95,7 @@ fn has_sound(sound: &RadiatedSound, line: usize, speed: f64) -> bool {
 /// Returns the names of all sounds: the body, with what distinguishes it if it has several.
 fn names(sounds: &[RadiatedSound]) -> Vec<String> {
     let parts: [fn(&RadiatedSound) -> String; 3] = [
-        |sound| sound.level.name().to_owned(),
+        |sound| sound.method.name().to_owned(),
         |sound| format!("in {}", fluid_name(sound)),
         |sound| plane_name(sound).map_or_else(|| "in free space".to_owned(), |name| format!("on the {name}")),
     ];
@@ -279,7 +279,7 @@ pub fn json(response: &ForcedResponse) -> Value {
             .collect();
         json!({
             "body": name,
-            "method": sound.level.name(),
+            "method": sound.method.name(),
             "fluid": {
                 "name": sound.fluid.name(),
                 "density": sound.fluid.density,

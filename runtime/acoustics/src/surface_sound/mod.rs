@@ -6,14 +6,12 @@
 
 mod cases;
 mod functions;
-mod method;
 mod results;
 mod solution;
 mod surface;
 mod vibration;
 
 pub use cases::{CaseKind, VibrationCase};
-pub use method::SoundMethod;
 pub use results::{CaseSound, SurfaceOfSound, SurfaceSound};
 pub use solution::{SoundOptions, surface_sound};
 pub use vibration::Vibration;

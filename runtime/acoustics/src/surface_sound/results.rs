@@ -1,9 +1,9 @@
 //! Results of the sound of a vibrating surface.
 
 use super::cases::CaseKind;
-use super::method::SoundMethod;
 use crate::fluid::Fluid;
 use crate::levels::{a_weighting, sound_power_level};
+use crate::method::SoundMethod;
 use calyx_numerics::vec3::Vector;
 use faer::c64;
 

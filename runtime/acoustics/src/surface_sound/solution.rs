@@ -5,16 +5,15 @@
 //! shorter. Cases of the same frequency share the equations.
 
 use super::cases::{CaseKind, refused};
-use super::method::SoundMethod;
 use super::results::{CaseSound, SurfaceOfSound, SurfaceSound};
 use super::surface::{ClosedSurface, edges_of_box, engine_error};
 use super::vibration::Vibration;
-use crate::coarsening::coarsened;
+use crate::coarse_surface::CoarseSurface;
 use crate::fluid::Fluid;
 use crate::mesh::SurfaceMesh;
+use crate::method::SoundMethod;
 use crate::model::{RadiationModel, Settings};
 use crate::plane::RigidPlane;
-use crate::projection::Projection;
 use crate::radiation::equivalent_radiated_power;
 use crate::rayleigh;
 use crate::skin::Skin;
@@ -23,16 +22,6 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::Vector;
 use faer::c64;
 
-/// Elements per wavelength to which a surface is coarsened.
-const PER_WAVELENGTH: f64 = 6.0;
-/// Least number of edges in the size of a body: coarse surfaces of curved bodies are too small.
-/// With 12, the power of a pulsating sphere is within 1 %; with 6, within 4 %.
-const LEAST_EDGES: f64 = 12.0;
-/// Part of the mean square velocity that a coarsened surface keeps: about six elements in a
-/// wavelength of the walls.
-const KEPT: f64 = 0.9;
-/// Ratio of the longest edges of successive attempts.
-const SHORTER: f64 = 0.7;
 /// Elements per wavelength below which a warning states that the mesh is too coarse.
 const COARSE: f64 = 5.0;
 /// Relative difference of the powers on the surface and in the far field above which a warning
@@ -106,8 +95,8 @@ pub fn surface_sound(
         let octave = order[done..].iter().take_while(|&&case| frequency(case) > 0.5 * highest).count().max(1);
         let cases = &order[done..done + octave];
         let own: Vec<&[c64]> = cases.iter().map(|&case| &velocities[case][..]).collect();
-        let surface = CoarseSurface::new(&closed.skin, options, highest, &own)?;
-        solver.triangles.push(surface.mesh().triangles().len());
+        let surface = coarse_surface(&closed.skin, options.fluid.speed_of_sound / highest, &own)?;
+        solver.triangles.push(surface.skin.mesh.triangles().len());
         let mut from = 0;
         while from < octave {
             let at = frequency(cases[from]);
@@ -166,57 +155,22 @@ fn check_points(mesh: &SurfaceMesh, options: &SoundOptions) -> Result<(), Engine
     Ok(())
 }
 
-/// Coarsened surface with the projection of velocities to it.
-struct CoarseSurface {
-    skin: Skin,
-    projection: Projection,
+/// Coarsens a skin for a wavelength, m, and for these normal velocities.
+fn coarse_surface(skin: &Skin, wavelength: f64, velocities: &[&[c64]]) -> Result<CoarseSurface, EngineError> {
+    let parts: Vec<[Vec<f64>; 2]> = velocities.iter().map(|own| parts(own)).collect();
+    let all: Vec<&[f64]> = parts.iter().flatten().map(Vec::as_slice).collect();
+    CoarseSurface::new(skin, wavelength, &all).map_err(engine_error)
 }
 
-impl CoarseSurface {
-    /// Coarsens a skin for a highest frequency, Hz, and so far that the mean square of these normal
-    /// velocities is kept.
-    fn new(
-        skin: &Skin,
-        options: &SoundOptions,
-        highest: f64,
-        velocities: &[&[c64]],
-    ) -> Result<CoarseSurface, EngineError> {
-        let wavelength = options.fluid.speed_of_sound / highest;
-        let fine = &skin.mesh;
-        let mean_square = |mesh: &SurfaceMesh, velocities: &[c64]| -> f64 {
-            velocities.iter().zip(mesh.areas()).map(|(value, area)| value.norm_sqr() * area).sum()
-        };
-        let mut longest = (wavelength / PER_WAVELENGTH).min(fine.size() / LEAST_EDGES);
-        loop {
-            let coarse = coarsened(skin, longest).map_err(engine_error)?;
-            let projection = Projection::new(fine, &coarse.mesh);
-            let surface = CoarseSurface { skin: coarse, projection };
-            let kept = |own: &&[c64]| {
-                let whole = mean_square(fine, own);
-                let part = mean_square(surface.mesh(), &surface.projected(own));
-                if whole > 0.0 { part / whole } else { 1.0 }
-            };
-            let mean = velocities.iter().map(kept).sum::<f64>() / velocities.len().max(1) as f64;
-            let is_fine = surface.mesh().triangles().len() == fine.triangles().len();
-            // Overflowing velocities are rejected with the powers.
-            if is_fine || mean >= KEPT || mean.is_nan() {
-                return Ok(surface);
-            }
-            longest *= SHORTER;
-        }
-    }
+/// Returns the normal velocities of a coarsened surface from those of the fine one.
+fn projected(surface: &CoarseSurface, velocities: &[c64]) -> Vec<c64> {
+    let [real, imaginary] = parts(velocities).map(|part| surface.projection.normal_velocities(&part));
+    real.into_iter().zip(imaginary).map(|(re, im)| c64::new(re, im)).collect()
+}
 
-    fn mesh(&self) -> &SurfaceMesh {
-        &self.skin.mesh
-    }
-
-    fn projected(&self, velocities: &[c64]) -> Vec<c64> {
-        let part = |of: fn(&c64) -> f64| {
-            self.projection.normal_velocities(&velocities.iter().map(of).collect::<Vec<_>>())
-        };
-        let (real, imaginary) = (part(|value| value.re), part(|value| value.im));
-        real.into_iter().zip(imaginary).map(|(re, im)| c64::new(re, im)).collect()
-    }
+/// Returns real and imaginary parts.
+fn parts(velocities: &[c64]) -> [Vec<f64>; 2] {
+    [|value: &c64| value.re, |value: &c64| value.im].map(|part| velocities.iter().map(part).collect())
 }
 
 /// Solver of all cases.
@@ -240,12 +194,12 @@ impl Solver<'_> {
     ) -> Result<Vec<CaseSound>, EngineError> {
         self.interrupt.check()?;
         let SoundOptions { fluid, method, points, .. } = self.options;
-        let (fine, mesh) = (&self.closed.skin.mesh, surface.mesh());
+        let (fine, mesh) = (&self.closed.skin.mesh, &surface.skin.mesh);
         let elements = fluid.speed_of_sound / (frequency * mesh.longest_edge());
         if *method != SoundMethod::EquivalentPower && self.coarse.is_none_or(|(least, _)| elements < least) {
             self.coarse = Some((elements, frequency));
         }
-        let projected: Vec<Vec<c64>> = velocities.iter().map(|own| surface.projected(own)).collect();
+        let projected: Vec<Vec<c64>> = velocities.iter().map(|own| projected(surface, own)).collect();
         let mut sounds: Vec<CaseSound> = kinds
             .iter()
             .zip(velocities)

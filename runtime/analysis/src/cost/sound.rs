@@ -2,8 +2,9 @@
 
 use super::{Cost, EFFICIENCY, Rates};
 use crate::forced_response::highest_frequency;
-use crate::radiated_sound::{JoinedRequests, SoundLevel, SoundRequest, surface_size};
+use crate::radiated_sound::{JoinedRequests, SoundRequest, surface_size};
 use crate::scene::Scene;
+use calyx_acoustics::SoundMethod;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::BodyId;
 
@@ -25,7 +26,7 @@ pub struct SoundSize {
     /// Name of the body.
     pub body: String,
     /// Method.
-    pub level: SoundLevel,
+    pub method: SoundMethod,
     /// Number of triangles.
     pub triangles: usize,
     /// Area of the surface, m².
@@ -43,14 +44,16 @@ impl SoundSize {
     pub fn cost(&self, rates: &Rates) -> Cost {
         let (triangles, patterns) = (self.triangles as f64, self.patterns);
         let vertices = 0.5 * triangles;
-        let (logarithms, products, bytes) = match self.level {
-            SoundLevel::EquivalentPower => (0.0, triangles * patterns * patterns, 8.0 * triangles * patterns),
-            SoundLevel::Rayleigh => {
+        let (logarithms, products, bytes) = match self.method {
+            SoundMethod::EquivalentPower => {
+                (0.0, triangles * patterns * patterns, 8.0 * triangles * patterns)
+            }
+            SoundMethod::Rayleigh => {
                 let points = 3.0 * triangles;
                 (LOGARITHMS_PER_ENTRY * points * points, points * points * patterns, 8.0 * points * patterns)
             }
             // A complex multiplication is four real ones.
-            SoundLevel::BoundaryElements => (
+            SoundMethod::BoundaryElements => (
                 0.5 * LOGARITHMS_PER_PAIR * triangles * triangles,
                 4.0 * (vertices.powi(3) / 3.0 + (2.0 * vertices + triangles) * vertices * patterns),
                 16.0 * vertices * (vertices + triangles) + 16.0 * triangles * patterns,
@@ -72,16 +75,16 @@ pub fn sound_size(scene: &Scene, fidelity: Fidelity, highest: f64) -> Vec<SoundS
         let (triangles, area, width) = surface_size(scene, request, highest).ok()?;
         let free = |id: BodyId| scene.bodies.get(id.0).map_or([false; 6], |body| body.free);
         let dofs = connection.bodies().flat_map(free).filter(|free| *free).count();
-        let level = request.level_at(fidelity);
+        let method = request.method_at(fidelity);
         let across = width * highest / request.fluid.speed_of_sound;
         Some(SoundSize {
             body: connection.name.clone(),
-            level,
+            method,
             triangles,
             area,
             highest_frequency: highest,
-            frequencies: match level {
-                SoundLevel::EquivalentPower => 0,
+            frequencies: match method {
+                SoundMethod::EquivalentPower => 0,
                 _ => (LOW_FREQUENCIES + PER_WAVELENGTH * across).ceil() as usize,
             },
             patterns: dofs as f64 + MODES,

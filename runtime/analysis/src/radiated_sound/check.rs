@@ -1,8 +1,9 @@
 //! Checks of requested sound before a structure is built.
 
-use super::request::{JoinedRequests, SoundLevel, SoundRequest};
+use super::request::{JoinedRequests, SoundRequest};
 use super::surface::Surface;
 use super::{AT_REST, plane, refused};
+use calyx_acoustics::SoundMethod;
 use calyx_model::connection::ElasticConnection;
 use calyx_model::elastic_body::SharedElasticBody;
 use calyx_model::fidelity::Fidelity;
@@ -132,15 +133,15 @@ fn check_surroundings(
         )
         .blame("body"));
     }
-    let level = request.level_at(fidelity);
-    if request.needs_pressures() && level != SoundLevel::BoundaryElements {
+    let method = request.method_at(fidelity);
+    if request.needs_pressures() && method != SoundMethod::BoundaryElements {
         return Err(refused(
-            format!("the method \"{}\" has no sound pressure in the fluid", level.name()),
+            format!("the method \"{}\" has no sound pressure in the fluid", method.name()),
             "choose `method = \"boundary_elements\"`, or leave `method` out",
         )
         .blame("method"));
     }
-    plane::check(scene, (connection, request), level)
+    plane::check(scene, (connection, request), method)
 }
 
 /// Checks that a forced response with a number of harmonics has those whose sound is observed.

@@ -6,11 +6,11 @@
 //! the logarithm of the frequency. Intervals are halved until the interpolation at their middle
 //! agrees with a solution there.
 
+use super::Lines;
 use super::motion::{SurfaceMotion, Vibrating};
 use super::plane::extent;
 use super::solver::{Solution, Solver};
-use super::{Lines, SoundLevel};
-use calyx_acoustics::RadiationImpedance;
+use calyx_acoustics::{RadiationImpedance, SoundMethod};
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use faer::{Mat, c64};
@@ -35,7 +35,7 @@ const NOTABLE: f64 = 0.01;
 /// Sound field of the patterns of a body.
 pub(super) struct Field {
     /// Level of the field.
-    pub level: SoundLevel,
+    pub method: SoundMethod,
     /// Form of the equivalent radiated power.
     equivalent: RadiationImpedance,
     /// Forms of the equivalent radiated powers of the panels.
@@ -92,14 +92,14 @@ impl Field {
     /// Those of the acoustic solution and of the interrupt.
     pub fn new(
         body: &Vibrating,
-        level: SoundLevel,
+        method: SoundMethod,
         lines: &Lines<'_>,
         (speeds, motions): (&[f64], &[&SurfaceMotion]),
         resources: &Resources,
     ) -> Result<Field, EngineError> {
         let mesh = &body.surface.skin.mesh;
         let mut field = Field {
-            level,
+            method,
             equivalent: body.equivalent.clone(),
             equivalent_panels: body.equivalent_panels.clone(),
             solutions: Vec::new(),
@@ -109,10 +109,10 @@ impl Field {
             far_field_difference: f64::NAN,
         };
         let probe = Probe::new(lines, speeds, motions);
-        let Some(range) = probe.range().filter(|_| level != SoundLevel::EquivalentPower) else {
+        let Some(range) = probe.range().filter(|_| method != SoundMethod::EquivalentPower) else {
             return Ok(field);
         };
-        let solver = Solver::new(body, level, &resources.interrupt);
+        let solver = Solver::new(body, method, &resources.interrupt);
         let step = STEP / (field.wavenumber * 0.5 * extent(mesh));
         // Powers on the surface and in the far field.
         let mut powers: Vec<[f64; 2]> = Vec::new();

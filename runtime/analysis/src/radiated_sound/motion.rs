@@ -2,12 +2,12 @@
 //! in a forced response, and the powers that enter and leave the body.
 
 use super::shapes::{BodyShapes, check_modes};
-use super::surface::{PER_WAVELENGTH, Surface, SurfacePanel};
+use super::surface::{Surface, SurfacePanel};
 use super::{SoundRequest, middle, refused};
 use calyx_acoustics::field::FieldMesh;
 use calyx_acoustics::radiation::equivalent_impedance;
 use calyx_acoustics::skin::Skin;
-use calyx_acoustics::{Fluid, RadiationImpedance, SurfaceMesh};
+use calyx_acoustics::{Fluid, RadiationImpedance};
 use calyx_model::bearing::{BearingState, Support};
 use calyx_model::connection::ConnectionState;
 use calyx_model::elastic_body::{MotionShapes, SharedElasticBody};
@@ -22,13 +22,6 @@ use faer::c64;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Part of the mean square velocity of the modes that a coarsened surface keeps: about six elements
-/// in a wavelength of the walls.
-const KEPT: f64 = 0.9;
-/// Ratio of the longest edges of successive attempts.
-const SHORTER: f64 = 0.7;
-/// Least number of edges in the size of a body.
-const LEAST_EDGES: f64 = 6.0;
 /// Frequency up to which modes count, relative to that of the highest line.
 const MODES: f64 = 1.5;
 
@@ -140,8 +133,9 @@ impl Vibrating {
         let modes = shapes.eigenvalues.iter().take_while(|value| is_moved(value)).count();
         let first = original.len() - condensed.modes.count();
         let wavelength = request.fluid.speed_of_sound / highest;
-        let counted = &original[first..(first + modes).min(original.len())];
-        let (surface, patterns) = resolved(surface, wavelength, (&original, counted))?;
+        let counted: Vec<&[f64]> = original[first..].iter().take(modes).map(Vec::as_slice).collect();
+        let surface = surface.coarsened(wavelength, &counted)?;
+        let patterns = original.iter().map(|pattern| surface.projected(pattern)).collect();
         let (bearings, input_is_known) = bearings(system, &attached, &coordinates)?;
         let fields = surface.fields(request)?;
         let mut points = surface.points(&request.points);
@@ -205,34 +199,6 @@ impl Vibrating {
             dissipated: (0..frequencies.len()).map(dissipated).collect(),
             velocities: [all, velocities(coarse)],
         }
-    }
-}
-
-/// Coarsens a surface to a sixth of the wavelength (m) in the fluid, or further if needed for the
-/// waves of the walls: the mean square velocities of the `modes` are kept. Returns it with the
-/// patterns on it, from those on the skin of the mesh.
-fn resolved(
-    mut surface: Surface,
-    wavelength: f64,
-    (patterns, modes): (&[Vec<f64>], &[Vec<f64>]),
-) -> Result<(Surface, Vec<Vec<f64>>), EngineError> {
-    let mean_square = |mesh: &SurfaceMesh, pattern: &[f64]| -> f64 {
-        pattern.iter().zip(mesh.areas()).map(|(value, area)| value * value * area).sum()
-    };
-    let mut longest = (wavelength / PER_WAVELENGTH).min(surface.original.mesh.size() / LEAST_EDGES);
-    loop {
-        surface = surface.coarsened(longest)?;
-        let kept = |mode: &Vec<f64>| {
-            let whole = mean_square(&surface.original.mesh, mode);
-            let part = mean_square(&surface.skin.mesh, &surface.projected(mode));
-            if whole > 0.0 { part / whole } else { 1.0 }
-        };
-        let mean = modes.iter().map(kept).sum::<f64>() / modes.len().max(1) as f64;
-        if modes.is_empty() || surface.is_original() || mean >= KEPT {
-            let patterns = patterns.iter().map(|pattern| surface.projected(pattern)).collect();
-            return Ok((surface, patterns));
-        }
-        longest *= SHORTER;
     }
 }
 

@@ -1,7 +1,7 @@
 //! Rigid plane in front of which a body radiates.
 
-use super::{Placement, SoundLevel, SoundRequest, refused};
-use calyx_acoustics::{RigidPlane, SurfaceMesh};
+use super::{Placement, SoundRequest, refused};
+use calyx_acoustics::{RigidPlane, SoundMethod, SurfaceMesh};
 use calyx_model::connection::ElasticConnection;
 use calyx_model::elastic_body::{BodyMesh, CellShape, SharedElasticBody};
 use calyx_model::mechanism::Mechanism;
@@ -22,15 +22,15 @@ const FARTHEST: f64 = 10.0;
 pub(super) fn check(
     scene: &Mechanism,
     (connection, request): (&ElasticConnection, &SoundRequest),
-    level: SoundLevel,
+    method: SoundMethod,
 ) -> Result<(), EngineError> {
     let Some(plane) = Placement::new(scene, connection)?.plane(request)? else { return Ok(()) };
     let name = &connection.name;
-    if level != SoundLevel::BoundaryElements {
+    if method != SoundMethod::BoundaryElements {
         return Err(refused(
             format!(
                 "the method \"{}\" has no rigid plane: it knows every part of the walls alone",
-                level.name()
+                method.name()
             ),
             "choose `method = \"boundary_elements\"`, or leave `plane` out",
         )

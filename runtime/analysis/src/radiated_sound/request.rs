@@ -2,53 +2,13 @@
 
 use super::fields::FieldRequest;
 use super::refused;
-use calyx_acoustics::Fluid;
+use calyx_acoustics::{Fluid, SoundMethod};
 use calyx_model::connection::ElasticConnection;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::ConnectionId;
 use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec3::Vector;
-
-/// Fidelity level of the last link, from velocities to sound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SoundLevel {
-    /// Equivalent radiated power: plane waves everywhere. It needs no equations.
-    EquivalentPower,
-    /// Rayleigh integral: every part of the surface radiates as in a plane baffle, and all
-    /// interfere.
-    Rayleigh,
-    /// Boundary elements.
-    BoundaryElements,
-}
-
-impl SoundLevel {
-    /// All levels, the cheapest first.
-    pub const ALL: [SoundLevel; 3] = [Self::EquivalentPower, Self::Rayleigh, Self::BoundaryElements];
-
-    /// Returns the name in models and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::EquivalentPower => "erp",
-            Self::Rayleigh => "rayleigh",
-            Self::BoundaryElements => "boundary_elements",
-        }
-    }
-
-    /// Returns the level of a name.
-    pub fn named(name: &str) -> Option<SoundLevel> {
-        Self::ALL.into_iter().find(|level| level.name() == name)
-    }
-
-    /// Returns the level that belongs to a fidelity of the bodies: boundary elements to finite
-    /// elements, the Rayleigh integral to closed forms.
-    pub fn of_fidelity(fidelity: Fidelity) -> SoundLevel {
-        match fidelity {
-            Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => Self::Rayleigh,
-            Fidelity::Solid(_) => Self::BoundaryElements,
-        }
-    }
-}
 
 /// Request for the sound of an elastic body.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,8 +17,8 @@ pub struct SoundRequest {
     pub body: ConnectionId,
     /// Fluid around it.
     pub fluid: Fluid,
-    /// Level; `None` for that of the fidelity.
-    pub level: Option<SoundLevel>,
+    /// Method from velocities to sound; `None` for that of the fidelity.
+    pub method: Option<SoundMethod>,
     /// Point (m) and normal of a rigid plane in front of which the body is, in ground coordinates.
     pub plane: Option<[Vector; 2]>,
     /// Points at which the pressure is requested, in ground coordinates, m.
@@ -68,13 +28,16 @@ pub struct SoundRequest {
 }
 
 impl SoundRequest {
-    /// Returns the level at a fidelity.
-    pub fn level_at(&self, fidelity: Fidelity) -> SoundLevel {
-        match self.level {
-            Some(level) => level,
-            None if self.needs_pressures() || self.plane.is_some() => SoundLevel::BoundaryElements,
-            None => SoundLevel::of_fidelity(fidelity),
-        }
+    /// Returns the method at a fidelity of the bodies: without a choice, boundary elements belong
+    /// to finite elements, to pressures and to rigid planes, and the Rayleigh integral to closed
+    /// forms.
+    pub fn method_at(&self, fidelity: Fidelity) -> SoundMethod {
+        let needs_field = self.needs_pressures() || self.plane.is_some();
+        self.method.unwrap_or(match fidelity {
+            _ if needs_field => SoundMethod::BoundaryElements,
+            Fidelity::Rigid | Fidelity::Analytic | Fidelity::Plane => SoundMethod::Rayleigh,
+            Fidelity::Solid(_) => SoundMethod::BoundaryElements,
+        })
     }
 
     /// Returns true if pressures in the fluid are requested.
@@ -89,11 +52,12 @@ impl SoundRequest {
     }
 }
 
-/// Requests of a scene at a fidelity, of which those with the same body, fluid, level and plane are
+/// Requests of a scene at a fidelity, of which those with the same body, fluid, method and
+/// plane are
 /// one.
 pub struct JoinedRequests {
     /// Distinct requests, with the points and field meshes of all that they replace. Each has a
-    /// level.
+    /// method.
     pub distinct: Vec<SoundRequest>,
     /// For each request of the scene, what replaces it.
     places: Vec<JoinedRequest>,
@@ -112,13 +76,14 @@ impl JoinedRequests {
     pub fn new(requests: &[SoundRequest], fidelity: Fidelity) -> JoinedRequests {
         let (mut distinct, mut places) = (Vec::<SoundRequest>::new(), Vec::new());
         for request in requests {
-            let level = Some(request.level_at(fidelity));
+            let method = Some(request.method_at(fidelity));
             let is_same = |other: &SoundRequest| {
                 let SoundRequest { body, fluid, plane, .. } = request;
-                (other.body, other.fluid, other.level, other.plane) == (*body, *fluid, level, *plane)
+                (other.body, other.fluid, other.method, other.plane) == (*body, *fluid, method, *plane)
             };
             let at = distinct.iter().position(is_same).unwrap_or_else(|| {
-                let alone = SoundRequest { level, points: Vec::new(), fields: Vec::new(), ..request.clone() };
+                let alone =
+                    SoundRequest { method, points: Vec::new(), fields: Vec::new(), ..request.clone() };
                 distinct.push(alone);
                 distinct.len() - 1
             });

@@ -5,10 +5,10 @@ use super::frequencies::Field;
 use super::motion::{SurfaceMotion, Vibrating};
 use super::solver::{SkinField, Solver};
 use super::vibration::SurfaceVibration;
-use super::{Lines, SoundLevel, SoundRequest};
-use calyx_acoustics::Fluid;
+use super::{Lines, SoundRequest};
 use calyx_acoustics::field::FieldMesh;
 use calyx_acoustics::levels::{REFERENCE_PRESSURE, a_weighting, sound_power_level};
+use calyx_acoustics::{Fluid, SoundMethod};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::Vector;
 use faer::c64;
@@ -117,7 +117,7 @@ pub struct RadiatedSound {
     /// Fluid around it.
     pub fluid: Fluid,
     /// Level of the field.
-    pub level: SoundLevel,
+    pub method: SoundMethod,
     /// Point (m) and normal of the rigid plane, in ground coordinates.
     pub plane: Option<[Vector; 2]>,
     /// Mass of the body, kg; `None` if it is unknown.
@@ -215,7 +215,7 @@ impl RadiatedSound {
         RadiatedSound {
             body: model.name.clone(),
             fluid: model.fluid,
-            level: field.level,
+            method: field.method,
             plane: request.plane,
             mass: model.mass,
             surface: SurfaceSummary {
@@ -420,7 +420,7 @@ impl RadiatedSound {
             ));
         }
         let elements = self.elements_per_wavelength();
-        if elements < COARSE && self.level != SoundLevel::EquivalentPower {
+        if elements < COARSE && self.method != SoundMethod::EquivalentPower {
             all.push(format!(
                 "the surface of \"{name}\" has {elements:.1} elements in a wavelength at {:.0} Hz, and six are needed for errors of some percent: refine its mesh, or lower `highest_frequency`",
                 self.highest_line()

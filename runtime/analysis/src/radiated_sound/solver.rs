@@ -1,10 +1,10 @@
 //! Solutions of the sound field of velocity patterns at a frequency, and on the surface for
 //! velocities at a line.
 
+use super::engine_error;
 use super::motion::Vibrating;
 use super::plane::extent;
-use super::{SoundLevel, engine_error};
-use calyx_acoustics::{RadiationModel, Settings, SolvedPatterns, rayleigh};
+use calyx_acoustics::{RadiationModel, Settings, SolvedPatterns, SoundMethod, rayleigh};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, dot};
@@ -49,20 +49,20 @@ pub struct SkinField {
 pub(super) struct Solver<'a> {
     body: &'a Vibrating,
     model: RadiationModel,
-    level: SoundLevel,
+    method: SoundMethod,
     patterns: Vec<Vec<c64>>,
     triangles: Vec<[Vector; 3]>,
     interrupt: &'a Interrupt,
 }
 
 impl<'a> Solver<'a> {
-    pub fn new(body: &'a Vibrating, level: SoundLevel, interrupt: &'a Interrupt) -> Solver<'a> {
+    pub fn new(body: &'a Vibrating, method: SoundMethod, interrupt: &'a Interrupt) -> Solver<'a> {
         let mesh = &body.surface.skin.mesh;
         let complex = |pattern: &Vec<f64>| pattern.iter().map(|value| c64::new(*value, 0.0)).collect();
         Solver {
             body,
             model: RadiationModel { mesh: mesh.clone(), fluid: body.fluid },
-            level,
+            method,
             patterns: body.patterns.iter().map(complex).collect(),
             triangles: (0..mesh.triangles().len()).map(|triangle| mesh.corners(triangle)).collect(),
             interrupt,
@@ -84,8 +84,8 @@ impl<'a> Solver<'a> {
         let count = self.patterns.len();
         let shares: Vec<Vec<f64>> =
             self.body.surface.panels.iter().map(|panel| panel.shares.clone()).collect();
-        let (impedance, panels, pressures, far_field) = match self.level {
-            SoundLevel::EquivalentPower | SoundLevel::Rayleigh => {
+        let (impedance, panels, pressures, far_field) = match self.method {
+            SoundMethod::EquivalentPower | SoundMethod::Rayleigh => {
                 let all = vec![vec![1.0; self.triangles.len()]];
                 let parts: Vec<Vec<f64>> = all.into_iter().chain(shares).collect();
                 let medium = (&self.body.fluid, frequency);
@@ -96,7 +96,7 @@ impl<'a> Solver<'a> {
                 let panels = found.split_off(1);
                 (found.remove(0), panels, Mat::zeros(0, count), Mat::zeros(0, count))
             }
-            SoundLevel::BoundaryElements => {
+            SoundMethod::BoundaryElements => {
                 let equations = self.model.equations(frequency, &Settings::default(), self.interrupt);
                 let equations = equations.map_err(engine_error)?;
                 let solved = SolvedPatterns::new(&equations, &self.patterns, self.interrupt);
@@ -165,18 +165,18 @@ impl<'a> Solver<'a> {
             self.body.patterns.iter().zip(amplitudes).map(|(pattern, a)| a * pattern[triangle]).sum()
         };
         let velocities: Vec<c64> = (0..self.triangles.len()).map(velocity).collect();
-        let (intensities, pressures) = match self.level {
-            SoundLevel::EquivalentPower => {
+        let (intensities, pressures) = match self.method {
+            SoundMethod::EquivalentPower => {
                 let intensity = |velocity: &c64| 0.5 * fluid.impedance() * velocity.norm_sqr();
                 (velocities.iter().map(intensity).collect(), Vec::new())
             }
-            SoundLevel::Rayleigh => {
+            SoundMethod::Rayleigh => {
                 let powers =
                     rayleigh::triangle_powers(&self.triangles, &velocities, fluid, frequency, self.interrupt);
                 let powers = powers.map_err(engine_error)?;
                 (powers.iter().zip(mesh.areas()).map(|(power, area)| power / area).collect(), Vec::new())
             }
-            SoundLevel::BoundaryElements => {
+            SoundMethod::BoundaryElements => {
                 let equations = self.model.equations(frequency, &Settings::default(), self.interrupt);
                 let equations = equations.map_err(engine_error)?;
                 let found = equations.solve(std::slice::from_ref(&velocities), self.interrupt);

@@ -4,7 +4,7 @@ use super::directions::{Direction, directions};
 use super::fields::{Extent, FieldRequest};
 use super::plane::extent;
 use super::{Placement, SoundRequest, engine_error, mm, refused};
-use calyx_acoustics::coarsening::coarsened;
+use calyx_acoustics::coarse_surface::{CoarseSurface, PER_WAVELENGTH};
 use calyx_acoustics::field::FieldMesh;
 use calyx_acoustics::openings::selected_rims;
 use calyx_acoustics::projection::Projection;
@@ -20,8 +20,6 @@ use calyx_structure::outer_surface::CellKind;
 use faer::c64;
 use std::collections::BTreeSet;
 
-/// Elements per wavelength to which a surface is coarsened.
-pub(super) const PER_WAVELENGTH: f64 = 6.0;
 /// Mean area of the triangles of a coarsened surface over the square of the longest edge. Measured:
 /// 0.2 for the plates of a housing; 0.43 for equal sides.
 const COARSENED: f64 = 0.22;
@@ -87,14 +85,15 @@ impl Surface {
         Ok(Surface { skin, original, projection, closed, left_out, panels, placement })
     }
 
-    /// Returns the skin of the mesh, coarsened to edges of at most a length, m.
+    /// Returns the skin of the mesh, coarsened for a wavelength in the fluid, m, and for these normal
+    /// velocities.
     ///
     /// # Errors
-    /// Those of [`coarsened`].
-    pub fn coarsened(self, longest: f64) -> Result<Surface, EngineError> {
+    /// Those of [`CoarseSurface::new`].
+    pub fn coarsened(self, wavelength: f64, velocities: &[&[f64]]) -> Result<Surface, EngineError> {
         let original = &self.original;
-        let skin = coarsened(original, longest).map_err(engine_error)?;
-        let projection = Projection::new(&original.mesh, &skin.mesh);
+        let CoarseSurface { skin, projection } =
+            CoarseSurface::new(original, wavelength, velocities).map_err(engine_error)?;
         if self.panels.is_empty() {
             return Ok(Surface { skin, projection, ..self });
         }
@@ -110,11 +109,6 @@ impl Surface {
         let panels = self.panels.into_iter().zip(shares);
         let panels = panels.map(|(panel, shares)| SurfacePanel { shares, ..panel }).collect();
         Ok(Surface { skin, projection, panels, ..self })
-    }
-
-    /// Returns whether the skin has all triangles of the mesh.
-    pub fn is_original(&self) -> bool {
-        self.skin.mesh.triangles().len() == self.original.mesh.triangles().len()
     }
 
     /// Returns the normal velocities of the coarsened skin from those of the skin of the mesh.
