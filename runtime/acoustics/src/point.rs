@@ -15,9 +15,10 @@ type PointGroup = ([f64x4; 3], f64x4);
 #[derive(Debug)]
 pub(crate) struct PointQuadrature {
     rules: [Vec<PointGroup>; 3],
-    /// Rule for the far field.
-    far: TriangleRule,
 }
+
+/// Index of the rule for the far field, which has 6 points.
+const FAR: usize = 1;
 
 /// Least distances of the centroid for the rules of 3 and 6 points, relative to the radius.
 const LIMITS: [f64; 2] = [6.0, 3.5];
@@ -36,7 +37,7 @@ pub(crate) struct PointMoments {
 
 impl PointQuadrature {
     pub fn new() -> Self {
-        Self { rules: [3, 6, 12].map(|points| packed(&triangle_rule(points))), far: triangle_rule(6) }
+        Self { rules: [3, 6, 12].map(|points| packed(&triangle_rule(points))) }
     }
 
     /// Integrates over a triangle.
@@ -81,15 +82,27 @@ impl PointQuadrature {
         let wavenumber = operators.wavenumber;
         for panels in [&operators.panels, &operators.images] {
             for (triangle, panel) in panels.iter().enumerate() {
-                let slope = c64::new(0.0, wavenumber * dot(direction, panel.normal));
-                for (point, weight) in &self.far {
-                    let phase = wavenumber * dot(direction, position(panel, *point));
-                    let scale = weight * panel.area / (4.0 * std::f64::consts::PI);
-                    let value = c64::new(phase.cos(), phase.sin()) * scale;
-                    derivative[triangle] -= value;
-                    for (node, shape) in panel.nodes.iter().zip(point) {
-                        pressure[*node] += slope * value * *shape;
+                let phases = panel.corners.map(|at| f64x4::splat(wavenumber * dot(direction, at)));
+                // Integrals of the plane wave by shape function, and its own.
+                let mut sums = [[f64x4::splat(0.0); 2]; 4];
+                for (coordinates, weights) in &self.rules[FAR] {
+                    let [a, b, c] = [0, 1, 2].map(|k: usize| phases[k] * coordinates[k]);
+                    let (sine, cosine) = (a + b + c).sin_cos();
+                    let parts = [cosine * *weights, sine * *weights];
+                    for (sum, part) in sums[3].iter_mut().zip(parts) {
+                        *sum += part;
                     }
+                    for (own, coordinate) in sums.iter_mut().zip(coordinates) {
+                        own.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part * *coordinate);
+                    }
+                }
+                let scale = panel.area / (4.0 * std::f64::consts::PI);
+                let [a, b, c, whole] =
+                    sums.map(|[re, im]| c64::new(re.reduce_add(), im.reduce_add()) * scale);
+                derivative[triangle] -= whole;
+                let slope = c64::new(0.0, wavenumber * dot(direction, panel.normal));
+                for (node, value) in panel.nodes.iter().zip([a, b, c]) {
+                    pressure[*node] += slope * value;
                 }
             }
         }
