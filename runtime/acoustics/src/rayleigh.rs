@@ -11,10 +11,11 @@ use crate::point::PointQuadrature;
 use crate::quadrature::triangle_rule;
 use crate::transfer::RadiationImpedance;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_numerics::vec3::{Vector, length, minus, plus, scaled};
+use calyx_numerics::vec3::{Vector, plus, scaled};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par, c64};
 use rayon::prelude::*;
+use wide::f64x4;
 
 /// Number of rows of the kernel that are computed at a time.
 const ROWS: usize = 64;
@@ -75,53 +76,67 @@ pub fn triangle_powers(
     frequency: f64,
     interrupt: &Interrupt,
 ) -> Result<Vec<f64>, AcousticError> {
-    let wavenumber = fluid.wavenumber(frequency)?;
+    let kernel = Kernel::new(triangles, fluid.wavenumber(frequency)?);
     check_velocities(velocities, triangles.len(), 0)?;
-    let samples = Samples::new(triangles);
-    let flows: Vec<c64> =
-        samples.weights.iter().map(|&(triangle, weight)| velocities[triangle] * weight).collect();
-    let own = |(at, flow): (&Vector, &c64)| {
+    let own = |(triangle, velocity): (usize, &c64)| {
         interrupt.check()?;
-        let parts = samples.points.iter().zip(&flows);
-        Ok(parts.map(|(other, source)| (flow.conj() * source).re * kernel(wavenumber, *at, *other)).sum())
+        let part =
+            |(other, source): (usize, &c64)| (velocity.conj() * source).re * kernel.integral(triangle, other);
+        let sum: f64 = velocities.iter().enumerate().map(part).sum();
+        Ok(0.5 * fluid.density * frequency * sum)
     };
-    let found: Result<Vec<f64>, AcousticError> = samples.points.par_iter().zip(&flows).map(own).collect();
-    let mut powers = vec![0.0; triangles.len()];
-    for ((triangle, _), value) in samples.weights.iter().zip(found?) {
-        powers[*triangle] += 0.5 * fluid.density * frequency * value;
-    }
-    Ok(powers)
+    velocities.par_iter().enumerate().map(own).collect()
 }
 
-/// Sample points of triangles. The kernel is smooth, so three points a triangle suffice at six
-/// elements per wavelength.
-struct Samples {
-    points: Vec<Vector>,
-    /// Triangle of each point, and the area that the point represents, m².
-    weights: Vec<(usize, f64)>,
+/// Kernel sin(kr)/r at sample points of triangles. It is smooth, so three points a triangle suffice
+/// at six elements per wavelength.
+struct Kernel {
+    wavenumber: f64,
+    /// Points of each triangle, m, and the area that each represents, m².
+    points: Vec<([Vector; 3], f64)>,
+    /// The same, with a fourth point of no area.
+    packed: Vec<([f64x4; 3], f64x4)>,
 }
 
-impl Samples {
-    fn new(triangles: &[[Vector; 3]]) -> Samples {
+/// Least product of wavenumber and distance: shorter distances change the kernel by 2e-9.
+const LEAST_PHASE: f64 = 1e-4;
+
+impl Kernel {
+    fn new(triangles: &[[Vector; 3]], wavenumber: f64) -> Kernel {
         let rule = triangle_rule(3);
-        let (mut points, mut weights) = (Vec::new(), Vec::new());
-        for (index, corners) in triangles.iter().enumerate() {
-            let area = Panel::separate(*corners).area;
-            let [a, b, c] = *corners;
-            for ([p, q, r], weight) in &rule {
-                points.push(plus(plus(scaled(a, *p), scaled(b, *q)), scaled(c, *r)));
-                weights.push((index, area * weight));
-            }
-        }
-        Samples { points, weights }
+        let point = |[a, b, c]: [Vector; 3], k: usize| {
+            let [p, q, r] = rule[k].0;
+            plus(plus(scaled(a, p), scaled(b, q)), scaled(c, r))
+        };
+        // The three points have equal weights.
+        let points: Vec<([Vector; 3], f64)> = triangles
+            .iter()
+            .map(|corners| ([0, 1, 2].map(|k| point(*corners, k)), Panel::separate(*corners).area / 3.0))
+            .collect();
+        let packed = points
+            .iter()
+            .map(|([a, b, c], area)| {
+                let coordinates =
+                    [0, 1, 2].map(|axis: usize| f64x4::from([a[axis], b[axis], c[axis], a[axis]]));
+                (coordinates, f64x4::from([*area, *area, *area, 0.0]))
+            })
+            .collect();
+        Kernel { wavenumber, points, packed }
     }
-}
 
-/// Returns sin(kr)/r of the distance of two points.
-fn kernel(wavenumber: f64, at: Vector, other: Vector) -> f64 {
-    let distance = length(minus(at, other));
-    let phase = wavenumber * distance;
-    if phase < 1e-4 { wavenumber } else { phase.sin() / distance }
+    /// Returns the integral over two triangles, m³.
+    fn integral(&self, one: usize, other: usize) -> f64 {
+        let (points, area) = &self.points[one];
+        let (coordinates, areas) = &self.packed[other];
+        let least = f64x4::splat(LEAST_PHASE / self.wavenumber);
+        let mut sum = f64x4::splat(0.0);
+        for at in points {
+            let [x, y, z] = [0, 1, 2].map(|axis: usize| coordinates[axis] - f64x4::splat(at[axis]));
+            let distance = (x * x + y * y + z * z).sqrt().max(least);
+            sum += (distance * f64x4::splat(self.wavenumber)).sin() / distance;
+        }
+        area * (sum * *areas).reduce_add()
+    }
 }
 
 /// Returns the radiation impedances of panels for real velocity patterns; that of one panel with
@@ -138,22 +153,18 @@ pub fn panel_impedances(
     (fluid, frequency): (&Fluid, f64),
     interrupt: &Interrupt,
 ) -> Result<Vec<RadiationImpedance>, AcousticError> {
-    let wavenumber = fluid.wavenumber(frequency)?;
+    let kernel = Kernel::new(triangles, fluid.wavenumber(frequency)?);
     for (case, pattern) in patterns.iter().enumerate() {
         let velocities: Vec<c64> = pattern.iter().map(|value| c64::new(*value, 0.0)).collect();
         check_velocities(&velocities, triangles.len(), case)?;
     }
-    let Samples { points, weights } = Samples::new(triangles);
-    let (count, size) = (points.len(), patterns.len());
+    let (count, size) = (triangles.len(), patterns.len());
     let blocks = count.div_ceil(ROWS);
     let threads = rayon::current_num_threads();
     let bytes =
         8 * (count * size + threads * ROWS * (count + 2 * size) + blocks * panels.len() * size * size);
     let _room = interrupt.reserve_memory(bytes as u64)?;
-    let flows = Mat::from_fn(count, size, |point, pattern| {
-        let (triangle, weight) = weights[point];
-        patterns[pattern][triangle] * weight
-    });
+    let velocities = Mat::from_fn(count, size, |triangle, pattern| patterns[pattern][triangle]);
     let multiply = |out: faer::MatMut<'_, f64>, a: faer::MatRef<'_, f64>, b: faer::MatRef<'_, f64>| {
         matmul(out, Accum::Replace, a, b, 1.0, Par::Seq);
     };
@@ -161,14 +172,14 @@ pub fn panel_impedances(
         interrupt.check()?;
         let first = block * ROWS;
         let rows = ROWS.min(count - first);
-        let kernel =
-            Mat::from_fn(rows, count, |row, column| kernel(wavenumber, points[first + row], points[column]));
+        let kernel = Mat::from_fn(rows, count, |row, column| kernel.integral(first + row, column));
         let mut product = Mat::zeros(rows, size);
-        multiply(product.as_mut(), kernel.as_ref(), flows.as_ref());
+        multiply(product.as_mut(), kernel.as_ref(), velocities.as_ref());
         let form = |panel: &Vec<f64>| {
-            let share = |row: usize| panel[weights[first + row].0];
-            (0..rows).any(|row| share(row) != 0.0).then(|| {
-                let own = Mat::from_fn(rows, size, |row, pattern| flows[(first + row, pattern)] * share(row));
+            let shares = &panel[first..first + rows];
+            shares.iter().any(|share| *share != 0.0).then(|| {
+                let own =
+                    Mat::from_fn(rows, size, |row, pattern| velocities[(first + row, pattern)] * shares[row]);
                 let mut form = Mat::zeros(size, size);
                 multiply(form.as_mut(), own.transpose(), product.as_ref());
                 form

@@ -29,7 +29,7 @@ pub(crate) use request::position_of;
 pub use request::{JoinedRequests, SoundRequest};
 pub use results::{PanelSummary, RadiatedSound, Skin, SoundField, SoundPoint, SurfaceSummary, Weighting};
 pub use solver::SkinField;
-pub use surface::surface_size;
+pub use surface::SurfaceSize;
 pub use vibration::SurfaceVibration;
 
 use calyx_acoustics::{AcousticError, RigidPlane, SoundMethod};

@@ -2,23 +2,30 @@
 
 use super::{Cost, EFFICIENCY, Rates};
 use crate::forced_response::highest_frequency;
-use crate::radiated_sound::{JoinedRequests, SoundRequest, surface_size};
+use crate::radiated_sound::{JoinedRequests, SoundRequest, SurfaceSize};
 use crate::scene::Scene;
 use calyx_acoustics::SoundMethod;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::BodyId;
 
-/// Time of the integrals of a pair of triangles, in logarithms. Measured: 1.4 s of one thread for
-/// 1,112 triangles on a machine with 8.9 nanoseconds per logarithm.
-const LOGARITHMS_PER_PAIR: f64 = 250.0;
-/// Time of an entry of the kernel of the Rayleigh integral, in logarithms.
-const LOGARITHMS_PER_ENTRY: f64 = 1.0;
+/// Times of the integrals of a pair of triangles, of those of a triangle with the near ones, and of a
+/// triangle with a point in the fluid, in logarithms. Measured: 4.5 s of two threads for a sphere of
+/// 5,120 triangles, 0.44 s for a housing of 1,104 triangles, and 0.27 s more for 1,806 points, on a
+/// machine with 3.3 nanoseconds per logarithm.
+const LOGARITHMS_PER_PAIR: f64 = 58.0;
+const LOGARITHMS_PER_TRIANGLE: f64 = 1.27e5;
+const LOGARITHMS_PER_POINT: f64 = 65.0;
+/// Time of a pair of triangles in the Rayleigh integral, in logarithms. Measured: 0.13 s of two
+/// threads for the same housing.
+const LOGARITHMS_PER_RAYLEIGH_PAIR: f64 = 52.0;
+/// Number of spectral lines whose sound on the surface is solved once more.
+const SKIN_LINES: usize = 3;
 /// Assumed number of component modes with pseudo-modes.
 const MODES: f64 = 60.0;
 /// Number of frequencies per wavelength across the body, and those at low frequencies. The number
 /// adapts to the body; these fit bodies of one to two wavelengths.
-const PER_WAVELENGTH: f64 = 7.0;
-const LOW_FREQUENCIES: f64 = 14.0;
+const PER_WAVELENGTH: f64 = 14.0;
+const LOW_FREQUENCIES: f64 = 12.0;
 
 /// Size of the last link from velocities to sound.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +42,8 @@ pub struct SoundSize {
     pub highest_frequency: f64,
     /// Number of frequencies at which the field is solved.
     pub frequencies: usize,
+    /// Number of points at which the pressure is requested.
+    pub points: usize,
     /// Number of velocity patterns.
     patterns: f64,
 }
@@ -42,25 +51,33 @@ pub struct SoundSize {
 impl SoundSize {
     /// Predicts the cost on a machine of given rates.
     pub fn cost(&self, rates: &Rates) -> Cost {
-        let (triangles, patterns) = (self.triangles as f64, self.patterns);
+        let (triangles, patterns, points) = (self.triangles as f64, self.patterns, self.points as f64);
         let vertices = 0.5 * triangles;
+        let count = self.frequencies.max(1) as f64;
         let (logarithms, products, bytes) = match self.method {
             SoundMethod::EquivalentPower => {
                 (0.0, triangles * patterns * patterns, 8.0 * triangles * patterns)
             }
             SoundMethod::Rayleigh => {
-                let points = 3.0 * triangles;
-                (LOGARITHMS_PER_ENTRY * points * points, points * points * patterns, 8.0 * points * patterns)
+                let pairs = triangles * triangles;
+                (LOGARITHMS_PER_RAYLEIGH_PAIR * pairs, pairs * patterns, 8.0 * triangles * patterns)
             }
             // A complex multiplication is four real ones.
-            SoundMethod::BoundaryElements => (
-                0.5 * LOGARITHMS_PER_PAIR * triangles * triangles,
-                4.0 * (vertices.powi(3) / 3.0 + (2.0 * vertices + triangles) * vertices * patterns),
-                16.0 * vertices * (vertices + triangles) + 16.0 * triangles * patterns,
-            ),
+            SoundMethod::BoundaryElements => {
+                let pairs = LOGARITHMS_PER_PAIR * triangles + LOGARITHMS_PER_TRIANGLE;
+                let columns = (2.0 * vertices + triangles) * vertices + points * (vertices + triangles);
+                (
+                    (pairs + LOGARITHMS_PER_POINT * points) * triangles,
+                    4.0 * (vertices.powi(3) / 3.0 + columns * patterns),
+                    16.0 * (vertices * (vertices + triangles) + (triangles + count * points) * patterns),
+                )
+            }
         };
-        let count = self.frequencies.max(1) as f64;
-        let time = count * (logarithms / rates.logarithms + products / rates.products);
+        let solved = match self.method {
+            SoundMethod::EquivalentPower => count,
+            _ => count + SKIN_LINES as f64,
+        };
+        let time = solved * (logarithms / rates.logarithms + products / rates.products);
         Cost { time: time / (EFFICIENCY * rates.threads.max(1) as f64), memory: bytes }
     }
 }
@@ -72,7 +89,8 @@ pub fn sound_size(scene: &Scene, fidelity: Fidelity, highest: f64) -> Vec<SoundS
     let highest = highest.min(highest_frequency(scene, response));
     let size = |request: &SoundRequest| {
         let connection = scene.connections.get(request.body.0)?;
-        let (triangles, area, width) = surface_size(scene, request, highest).ok()?;
+        let SurfaceSize { triangles, area, width, points } =
+            SurfaceSize::new(scene, request, highest).ok()?;
         let free = |id: BodyId| scene.bodies.get(id.0).map_or([false; 6], |body| body.free);
         let dofs = connection.bodies().flat_map(free).filter(|free| *free).count();
         let method = request.method_at(fidelity);
@@ -87,6 +105,7 @@ pub fn sound_size(scene: &Scene, fidelity: Fidelity, highest: f64) -> Vec<SoundS
                 SoundMethod::EquivalentPower => 0,
                 _ => (LOW_FREQUENCIES + PER_WAVELENGTH * across).ceil() as usize,
             },
+            points,
             patterns: dofs as f64 + MODES,
         })
     };

@@ -219,25 +219,38 @@ impl Surface {
     }
 }
 
-/// Returns the estimated number of triangles of the surface of a request at a highest frequency
-/// (Hz), its area (m²), and its width (m), for the display of a plan: the mean edge is shorter than
-/// a sixth of the wavelength, unless the mesh is coarser. The width is that of a sphere of the same
-/// area, and contains the mirror image in a rigid plane.
-///
-/// # Errors
-/// Those of the surface.
-pub fn surface_size(
-    scene: &Mechanism,
-    request: &SoundRequest,
-    highest: f64,
-) -> Result<(usize, f64, f64), EngineError> {
-    let surface = Surface::new(scene, request)?;
-    let (mesh, area) = (&surface.skin.mesh, surface.skin.mesh.area());
-    let width = (area / std::f64::consts::PI).sqrt() * extent(mesh) / mesh.size();
-    let edge = request.fluid.speed_of_sound / (PER_WAVELENGTH * highest);
-    let wanted = (area / (COARSENED * edge * edge)).ceil() as usize;
-    let fine = mesh.triangles().len();
-    Ok((wanted.clamp(4.min(fine), fine), area, width))
+/// Size of the sound of a body, for the display of a plan.
+pub struct SurfaceSize {
+    /// Estimated number of triangles: the mean edge is shorter than a sixth of the wavelength, unless
+    /// the mesh is coarser.
+    pub triangles: usize,
+    /// Area, m².
+    pub area: f64,
+    /// Width of a sphere of the same area, with the mirror image in a rigid plane, m.
+    pub width: f64,
+    /// Number of points at which the pressure is requested.
+    pub points: usize,
+}
+
+impl SurfaceSize {
+    /// Returns the size of the surface of a request at a highest frequency, Hz.
+    ///
+    /// # Errors
+    /// Those of the surface.
+    pub fn new(scene: &Mechanism, request: &SoundRequest, highest: f64) -> Result<SurfaceSize, EngineError> {
+        let surface = Surface::new(scene, request)?;
+        let (mesh, area) = (&surface.skin.mesh, surface.skin.mesh.area());
+        let edge = request.fluid.speed_of_sound / (PER_WAVELENGTH * highest);
+        let wanted = (area / (COARSENED * edge * edge)).ceil() as usize;
+        let fine = mesh.triangles().len();
+        let on_fields = surface.fields(request)?.iter().map(|field| field.points.len()).sum::<usize>();
+        Ok(SurfaceSize {
+            triangles: wanted.clamp(4.min(fine), fine),
+            area,
+            width: (area / std::f64::consts::PI).sqrt() * extent(mesh) / mesh.size(),
+            points: request.points.len() + on_fields,
+        })
+    }
 }
 
 /// Returns the panels of a mesh on its skin, and the rest; none without panels.
