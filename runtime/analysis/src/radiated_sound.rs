@@ -41,7 +41,6 @@ use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::{Vector, dot, minus, plus, scaled};
 use calyx_solve::system::System;
-use faer::c64;
 use frequencies::Field;
 use shapes::BodyShapes;
 use solver::Solver;
@@ -83,12 +82,6 @@ impl Placement {
     fn ground(&self, point: Vector) -> Vector {
         let parts = self.state.axes.iter().zip(point);
         parts.fold(self.origin, |sum, (axis, part)| plus(sum, scaled(*axis, part)))
-    }
-
-    /// Transforms a vector from the axes of the body to those of ground.
-    fn ground_vector(&self, own: [c64; 3]) -> [c64; 3] {
-        let axes = &self.state.axes;
-        [0, 1, 2].map(|k: usize| axes.iter().zip(&own).map(|(axis, part)| part * axis[k]).sum())
     }
 
     fn plane(&self, request: &SoundRequest) -> Result<Option<RigidPlane>, EngineError> {
@@ -270,9 +263,7 @@ impl SoundModels {
                 let solver = Solver::new(model, self.methods[index], &resources.interrupt);
                 resources.install(|| result.add_skin(model, &solver, motion))?;
                 let lines = result.lines_with_sound();
-                let interrupt = &resources.interrupt;
-                let vibration = SurfaceVibration::new(model, &self.shapes[index], motion, &lines, interrupt)?;
-                result.vibration = Some(vibration);
+                result.vibration = Some(SurfaceVibration::new(model, &self.shapes[index], motion, &lines));
             }
             results.push(result);
             fields.push(field);

@@ -34,7 +34,7 @@ pub fn is_name_of_a_run(name: &str) -> bool {
 fn named(response: &ForcedResponse) -> impl Iterator<Item = (&RadiatedSound, &SurfaceVibration, String)> {
     let sounds = response.sounds.iter().enumerate();
     sounds.filter_map(|(index, sound)| {
-        let vibration = sound.vibration.as_ref().filter(|vibration| !vibration.lines.is_empty())?;
+        let vibration = sound.vibration.as_ref().filter(|vibration| vibration.lines().next().is_some())?;
         Some((sound, vibration, format!("{FOLDER}/{SURFACE}{index:02}.unv")))
     })
 }
@@ -79,10 +79,10 @@ fn datasets(sound: &RadiatedSound, vibration: &SurfaceVibration) -> Vec<UnvDatas
     ];
     let mut all = vec![UnvDataset::Header(Header { lines: header.into_iter().map(line).collect() })];
     all.extend(triangle_datasets(&vibration.vertices, &vibration.triangles));
-    let mut lines: Vec<_> = vibration.lines.iter().collect();
+    let mut lines: Vec<usize> = vibration.lines().collect();
     let frequency = |line: usize| sound.frequency(line, sound.own.speed);
-    lines.sort_by(|one, other| frequency(one.0).total_cmp(&frequency(other.0)));
-    for (step, (index, velocities)) in lines.into_iter().enumerate() {
+    lines.sort_by(|one, other| frequency(*one).total_cmp(&frequency(*other)));
+    for (step, index) in lines.into_iter().enumerate() {
         let names = |quantity: &str| -> Vec<String> {
             let names = [
                 quantity,
@@ -100,8 +100,8 @@ fn datasets(sound: &RadiatedSound, vibration: &SurfaceVibration) -> Vec<UnvDatas
             characteristic,
             quantity,
         };
-        let (step, frequency) = (step as i64 + 1, frequency(*index));
-        let values = velocities.iter().enumerate();
+        let (step, frequency) = (step as i64 + 1, frequency(index));
+        let values = vibration.velocities(index).into_iter().enumerate();
         let values = values.map(|(node, own)| LocatedValues { label: node as i64 + 1, values: own.to_vec() });
         all.push(UnvDataset::NodalData(NodalData {
             names: names("Velocity, m/s"),
@@ -111,7 +111,7 @@ fn datasets(sound: &RadiatedSound, vibration: &SurfaceVibration) -> Vec<UnvDatas
             reals: vec![frequency],
             values: values.collect(),
         }));
-        let values = pressures(sound, vibration, *index);
+        let values = pressures(sound, vibration, index);
         if !values.is_empty() {
             all.push(UnvDataset::AnalysisData(Box::new(AnalysisData {
                 label: step,

@@ -17,6 +17,7 @@ use std::sync::Arc;
 const SAME: f64 = 1e-6;
 
 /// Displacements of nodes of a body.
+#[derive(Debug)]
 pub(crate) struct BodyShapes {
     body: ConnectionId,
     mass: MassReduction,
@@ -24,6 +25,14 @@ pub(crate) struct BodyShapes {
     pub shapes: MotionShapes,
     /// Index of each node among those of the shapes.
     pub places: BTreeMap<usize, usize>,
+}
+
+impl PartialEq for BodyShapes {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { body, mass, shapes, places } = self;
+        (*body, *mass, places) == (other.body, other.mass, &other.places)
+            && shapes.displacements == other.shapes.displacements
+    }
 }
 
 impl BodyShapes {

@@ -17,7 +17,6 @@ use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec3::Vector;
 use calyx_structure::outer_surface::CellKind;
-use faer::c64;
 use std::collections::BTreeSet;
 
 /// Mean area of the triangles of a coarsened surface over the square of the longest edge. Measured:
@@ -131,9 +130,9 @@ impl Surface {
         self.original.mesh.vertices().iter().map(|&vertex| self.placement.ground(vertex)).collect()
     }
 
-    /// Returns a vector of the body in ground coordinates.
-    pub fn ground_vector(&self, own: [c64; 3]) -> [c64; 3] {
-        self.placement.ground_vector(own)
+    /// Returns the axes of the body in ground coordinates.
+    pub fn axes(&self) -> [Vector; 3] {
+        self.placement.state.axes
     }
 
     /// Returns the vertices in ground coordinates, m.
