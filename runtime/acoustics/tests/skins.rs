@@ -177,3 +177,21 @@ fn projected_velocities_keep_flow_and_sound() {
     let same = Projection::new(&fine.mesh, &fine.mesh).normal_velocities(&on_fine);
     assert!(same.iter().zip(&on_fine).all(|(one, other)| (one - other).abs() < 1e-15));
 }
+
+/// Every part of a fine sphere adds its flow to the triangle of the coarse one below it: a smooth
+/// velocity becomes that of the centroids. Each part at a distant triangle would show.
+#[test]
+fn parts_of_a_surface_are_projected_to_the_nearest_triangles() {
+    let [fine, coarse] = [sphere(4, 1.0), sphere(2, 1.0)];
+    let wave = |mesh: &SurfaceMesh, triangle: usize| {
+        let [x, y, z] = mesh.centroid(triangle);
+        x + 2.0 * y - z
+    };
+    let on_fine: Vec<f64> = (0..fine.triangles().len()).map(|triangle| wave(&fine, triangle)).collect();
+    let found = Projection::new(&fine, &coarse).normal_velocities(&on_fine);
+    for (triangle, found) in found.into_iter().enumerate() {
+        let scale = fine.area() / coarse.area();
+        let difference = found / scale - wave(&coarse, triangle);
+        assert!(difference.abs() < 0.1, "{triangle}: {difference}");
+    }
+}
