@@ -1,5 +1,5 @@
-//! Surface that is as coarse as the sound permits: with elements that resolve the waves in the fluid
-//! and those of the walls, and that keep curved shapes.
+//! Surface that is as coarse as the sound permits: with elements that resolve the waves in the
+//! fluid and those of the walls, and that keep curved shapes.
 
 use crate::coarsening::coarsened;
 use crate::error::AcousticError;

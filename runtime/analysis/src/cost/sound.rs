@@ -8,10 +8,10 @@ use calyx_acoustics::SoundMethod;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::ids::BodyId;
 
-/// Times of the integrals of a pair of triangles, of those of a triangle with the near ones, and of a
-/// triangle with a point in the fluid, in logarithms. Measured: 4.5 s of two threads for a sphere of
-/// 5,120 triangles, 0.44 s for a housing of 1,104 triangles, and 0.27 s more for 1,806 points, on a
-/// machine with 3.3 nanoseconds per logarithm.
+/// Times of the integrals of a pair of triangles, of those of a triangle with the near ones, and of
+/// a triangle with a point in the fluid, in logarithms. Measured: 4.5 s of two threads for a sphere
+/// of 5,120 triangles, 0.44 s for a housing of 1,104 triangles, and 0.27 s more for 1,806 points, on
+/// a machine with 3.3 nanoseconds per logarithm.
 const LOGARITHMS_PER_PAIR: f64 = 58.0;
 const LOGARITHMS_PER_TRIANGLE: f64 = 1.27e5;
 const LOGARITHMS_PER_POINT: f64 = 65.0;

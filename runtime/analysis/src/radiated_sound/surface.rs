@@ -84,8 +84,8 @@ impl Surface {
         Ok(Surface { skin, original, projection, closed, left_out, panels, placement })
     }
 
-    /// Returns the skin of the mesh, coarsened for a wavelength in the fluid, m, and for these normal
-    /// velocities.
+    /// Returns the skin of the mesh, coarsened for a wavelength in the fluid, m, and for these
+    /// normal velocities.
     ///
     /// # Errors
     /// Those of [`CoarseSurface::new`].
@@ -220,8 +220,8 @@ impl Surface {
 
 /// Size of the sound of a body, for the display of a plan.
 pub struct SurfaceSize {
-    /// Estimated number of triangles: the mean edge is shorter than a sixth of the wavelength, unless
-    /// the mesh is coarser.
+    /// Estimated number of triangles: the mean edge is shorter than a sixth of the wavelength,
+    /// unless the mesh is coarser.
     pub triangles: usize,
     /// Area, m².
     pub area: f64,
