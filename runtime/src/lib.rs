@@ -94,6 +94,7 @@
 //! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
 //! | [`rolling`] | rolling bearings with rigid rings |
 //! | [`radiated_sound`], [`acoustics`] | sound of elastic bodies in a forced response, and of any vibrating surface |
+//! | [`deck_mesh`] | meshes of NASTRAN decks, for the sound of results on them |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |
 //! | [`error`] | errors of the engine: code, message, remedy |
 //! | [`vec3`] | vectors in three dimensions |
@@ -124,9 +125,9 @@ mod former_names;
 
 pub use calyx_acoustics as acoustics;
 pub use calyx_analysis::{
-    analyses, analysis, component_loads, cost, dynamic_options, dynamics, estimate, forced_response, method,
-    observables, options, radiated_sound, results, rows, scene, sensitivity, settings_override, signal,
-    summary, tolerance, validate,
+    analyses, analysis, component_loads, cost, deck_mesh, dynamic_options, dynamics, estimate,
+    forced_response, method, observables, options, radiated_sound, results, rows, scene, sensitivity,
+    settings_override, signal, summary, tolerance, validate,
 };
 pub use calyx_contact as contact;
 pub use calyx_elastic as elastic;

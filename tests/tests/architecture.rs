@@ -44,6 +44,7 @@ const ALLOWED: &[(&str, &str, &[&str])] = &[
         &[
             "calyx-acoustics",
             "calyx-contact",
+            "calyx-elastic",
             "calyx-fe",
             "calyx-model",
             "calyx-numerics",

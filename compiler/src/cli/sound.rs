@@ -1,4 +1,6 @@
-//! `calyx sound`: sound of the vibration in a universal file.
+//! `calyx sound`: sound of the vibration in a universal file, or in results on a NASTRAN deck.
+
+mod input;
 
 use crate::messages::{MODEL_ERROR, MessageFormat, USAGE, beside};
 use calyx::rt::console::{eprint, print, println};
@@ -9,12 +11,13 @@ use calyx_abi::description::UnitDescription;
 use calyx_abi::quantity;
 use calyx_abi::visible::visible;
 use calyx_lang::units::Unit;
-use calyx_runtime::acoustics::surface_sound::{SoundOptions, SurfaceSound, Vibration, surface_sound};
-use calyx_runtime::acoustics::{Fluid, RigidPlane, SoundMethod, unv};
+use calyx_runtime::acoustics::surface_sound::{SoundOptions, SurfaceSound, surface_sound};
+use calyx_runtime::acoustics::{Fluid, RigidPlane, SoundMethod};
 use calyx_runtime::error::EngineError;
 use clap::{Args, ValueEnum};
+use input::{File, Refused};
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -25,15 +28,22 @@ Examples:
   calyx sound shell.unv --close-openings --method rayleigh --out sound
   calyx sound pump.unv --fluid water --plane \"0, -80 mm, 0 / 0, 1, 0\"
   calyx run gearbox.cx --unv && calyx sound gearbox.cx.run/unv/sound_surface-00.unv
+  calyx sound housing.bdf --results housing.op2 --length-unit mm
+  calyx sound housing.bdf --results modes.pch --close-openings
 
-The file has a surface of triangles and quadrilaterals, or solid elements, whose skin is the surface
+A universal file has a surface of triangles and quadrilaterals, or solid elements, whose skin is the surface
 (datasets 2411 and 2412), and the motion of its nodes:
   frequency response (analysis type 5)  sound at each frequency, from displacements, velocities or
                                         accelerations, real or complex (dataset 55 or 2414)
   normal modes (analysis type 2)        radiation efficiency of each mode
   functions (dataset 58)                spectra or frequency responses by node and direction
-Amplitudes are peak values. Units are those of dataset 164, or SI without it. Results in it per unit
-force are sound per unit force.
+Units are those of dataset 164, or SI without it.
+
+A NASTRAN deck has the mesh: shells, or solid elements. Its results are an OP2 file (PARAM,POST,-1) or
+a punch file (DISP(PUNCH)=ALL) with displacements, velocities or accelerations of a frequency response,
+or normal modes, in the displacement coordinate systems of the deck or in basic coordinates.
+
+Amplitudes are peak values. Results per unit force are sound per unit force.
 
 Exit status: 0 if the results were written, 1 if the file or its sound has errors or after an
 interruption, 2 for wrong usage of the command.";
@@ -63,8 +73,14 @@ enum FluidName {
 
 #[derive(Args)]
 pub struct Sound {
-    /// The universal file (.unv or .uff)
+    /// The universal file (.unv or .uff), or the NASTRAN deck (.bdf or .dat) of `--results`
     file: PathBuf,
+    /// Results on a NASTRAN deck: an OP2 file (.op2) or a punch file (.pch)
+    #[arg(long, value_name = "FILE")]
+    results: Option<PathBuf>,
+    /// Unit of length of the NASTRAN deck, such as mm or inch [default: m]
+    #[arg(long, value_name = "UNIT", value_parser = length_unit, requires = "results")]
+    length_unit: Option<f64>,
     /// Method from velocities to sound
     #[arg(long, value_enum, default_value_t, value_name = "METHOD")]
     method: Method,
@@ -127,23 +143,34 @@ impl Sound {
                 return ExitCode::from(USAGE);
             }
         };
-        let content = match std::fs::read(&self.file) {
+        let read = |path: &Path, help: &str| {
+            std::fs::read(path).map_err(|error| {
+                format.failure(&format!("cannot read {}: {error}", path.display()), help);
+                ExitCode::from(USAGE)
+            })
+        };
+        let help = match self.results {
+            Some(_) => "give the path of a NASTRAN deck, like housing.bdf",
+            None => "give the path of a universal file, like housing.unv",
+        };
+        let content = match read(&self.file, help) {
             Ok(content) => content,
-            Err(error) => {
-                let message = format!("cannot read {}: {error}", self.file.display());
-                format.failure(&message, "give the path of a universal file, like housing.unv");
-                return ExitCode::from(USAGE);
-            }
+            Err(code) => return code,
+        };
+        let help = "give the path of an OP2 or a punch file, like housing.op2";
+        let results = match self.results.as_deref().map(|path| read(path, help)).transpose() {
+            Ok(results) => results,
+            Err(code) => return code,
         };
         let directory = self.out.clone().unwrap_or_else(|| beside(&self.file, ".sound"));
         let locked = match RunDirectory::lock(&directory, Kind::Sound, self.force) {
             Ok(locked) => locked,
             Err(error) => return format.directory(&error),
         };
-        let sound = match self.solve(&content, &options) {
+        let sound = match self.solve(&content, results.as_deref(), &options) {
             Ok(sound) => sound,
-            Err(error) => {
-                self.refuse(&error);
+            Err(refused) => {
+                refuse(&refused);
                 return ExitCode::from(MODEL_ERROR);
             }
         };
@@ -175,31 +202,31 @@ impl Sound {
         ExitCode::SUCCESS
     }
 
-    /// Prints an error of the file or its sound.
-    fn refuse(&self, error: &EngineError) {
-        let EngineError { code, message, help, .. } = error;
-        let mut text = format!("error[{code}]: {}: {message}\n", self.file.display());
-        if !help.is_empty() {
-            text += &format!("  help: {help}\n");
-        }
-        eprint!("{}", visible(&text));
-    }
-
-    fn solve(&self, content: &[u8], options: &SoundOptions) -> Result<SurfaceSound, EngineError> {
+    fn solve(
+        &self,
+        content: &[u8],
+        results: Option<&[u8]>,
+        options: &SoundOptions,
+    ) -> Result<SurfaceSound, Refused> {
         let progress = Arc::new(Progress::new(self.progress, self.quiet, true));
         progress.stage("reading");
-        let read = unv::read(content).map_err(|error| {
-            EngineError::new("E0784", format!("line {}: {}", error.line, error.message), error.help)
-        });
-        let found = read.and_then(|file| {
-            let vibration = Vibration::of_unv(&file)?;
+        let file = File { path: &self.file, content };
+        let read = match (self.results.as_deref(), results) {
+            (Some(path), Some(content)) => {
+                input::of_deck(file, File { path, content }, self.length_unit.unwrap_or(1.0))
+            }
+            _ => input::of_universal_file(file),
+        };
+        let found = read.and_then(|vibration| {
             progress.stage("frequencies");
             let threads = self.threads.map_or(0, NonZeroUsize::get);
             let engine = Engine::new(EngineConfig { threads, ..EngineConfig::default() });
             let shown = |done: usize, count: usize| progress.step(done.saturating_sub(1), count);
-            engine.work(interrupt::flag(), |interrupt| {
+            let solved = engine.work(interrupt::flag(), |interrupt| {
                 surface_sound(&vibration, options, interrupt, &mut |done, count| shown(done, count))
-            })?
+            });
+            let refused = |error| Refused { file: self.file.display().to_string(), error };
+            solved.and_then(|solved| solved).map_err(refused)
         });
         progress.finish();
         found
@@ -222,6 +249,24 @@ impl Sound {
             points: self.at.iter().map(point).collect::<Result<_, _>>()?,
             close_openings: self.close_openings,
         })
+    }
+}
+
+/// Prints an error of a file or its sound.
+fn refuse(Refused { file, error }: &Refused) {
+    let EngineError { code, message, help, .. } = error;
+    let mut text = format!("error[{code}]: {file}: {message}\n");
+    if !help.is_empty() {
+        text += &format!("  help: {help}\n");
+    }
+    eprint!("{}", visible(&text));
+}
+
+/// Parses a unit of length. Returns it in m.
+fn length_unit(text: &str) -> Result<f64, String> {
+    match length(&format!("1 {text}"))? {
+        (value, true) if value > 0.0 => Ok(value),
+        _ => Err(format!("`{text}` is no unit of length")),
     }
 }
 

@@ -18,6 +18,7 @@ pub mod levels;
 pub mod mesh;
 pub mod method;
 pub mod model;
+pub mod nastran_results;
 pub mod openings;
 pub mod patterns;
 pub mod plane;

@@ -7,6 +7,7 @@ pub mod analysis;
 pub mod component_loads;
 mod component_recorder;
 pub mod cost;
+pub mod deck_mesh;
 pub mod dynamic_options;
 pub mod dynamics;
 pub mod estimate;

@@ -3,7 +3,7 @@
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::Vector;
 use faer::c64;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::f64::consts::TAU;
 
 /// Quantities of results: velocity, displacement and acceleration, the preferred one first.
@@ -44,7 +44,12 @@ pub(super) struct Skipped(BTreeMap<String, usize>);
 impl Skipped {
     /// Counts a reason.
     pub fn add(&mut self, reason: impl Into<String>) {
-        *self.0.entry(reason.into()).or_default() += 1;
+        self.add_many(reason, 1);
+    }
+
+    /// Counts a reason several times.
+    pub fn add_many(&mut self, reason: impl Into<String>, count: usize) {
+        *self.0.entry(reason.into()).or_default() += count;
     }
 
     /// Returns all reasons; `None` without any.
@@ -66,6 +71,23 @@ pub(super) struct Nodes<'f> {
     pub index: &'f HashMap<i64, usize>,
     /// Factor by which lengths of the file are divided to be in m.
     pub factor: f64,
+    /// Noun for the file of the nodes in messages.
+    pub owner: &'static str,
+    /// Remedy for results of nodes that the file lacks.
+    pub help: &'static str,
+}
+
+/// Clears the name of the load case if there is only one.
+pub(super) fn name_single_load(cases: &mut [VibrationCase]) {
+    let is_response = |case: &&VibrationCase| matches!(case.kind, CaseKind::Response(_));
+    let loads: BTreeSet<CaseKind> = cases.iter().filter(is_response).map(|case| case.kind.clone()).collect();
+    for case in cases {
+        if let CaseKind::Response(load) = &mut case.kind
+            && loads.len() == 1
+        {
+            load.clear();
+        }
+    }
 }
 
 /// Returns the factor that makes a displacement, velocity or acceleration a velocity.

@@ -1,18 +1,19 @@
 //! Mesh of a vibrating body and the motion of its nodes, from a universal file.
 
-use super::cases::{CaseKind, Nodes, QUANTITIES, Skipped, VibrationCase, refused, to_velocity};
+use super::cases::{CaseKind, Nodes, QUANTITIES, Skipped, VibrationCase, name_single_load, refused};
 use super::functions::function_cases;
+use super::motions::{NodalMotion, motion_cases};
 use crate::mesh::Face;
 use crate::skin::Solid;
 use crate::unv::{Element, Entity, LocatedValues, ResultKind, UnvDataset, UnvFile};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::vec3::Vector;
-use faer::c64;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 
 /// Analysis types of results.
 const MODES: i64 = 2;
 const RESPONSE: i64 = 5;
+
 /// Mesh of a body and the motion of its nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vibration {
@@ -48,7 +49,13 @@ impl Vibration {
         let elements = Elements::of(file, &positions, &mut skipped)?;
         let index: HashMap<i64, usize> =
             elements.labels.iter().enumerate().map(|(index, label)| (*label, index)).collect();
-        let read = Nodes { positions: &positions, index: &index, factor };
+        let read = Nodes {
+            positions: &positions,
+            index: &index,
+            factor,
+            owner: "file",
+            help: "export the nodes (dataset 2411) of all results",
+        };
         let mut cases = result_cases(file, &read, &mut skipped)?;
         match cases.is_empty() {
             true => cases = function_cases(file, &read, &mut skipped)?,
@@ -75,16 +82,7 @@ impl Vibration {
         notes.extend(skipped.text().map(|text| format!("skipped: {text}")));
         notes.extend(coordinate_systems(file, &index));
         let nodes = elements.labels.iter().map(|label| positions[label].map(|x| x / factor)).collect();
-        let is_response = |case: &&VibrationCase| matches!(case.kind, CaseKind::Response(_));
-        let loads: BTreeSet<CaseKind> =
-            cases.iter().filter(is_response).map(|case| case.kind.clone()).collect();
-        for case in &mut cases {
-            if let CaseKind::Response(load) = &mut case.kind
-                && loads.len() == 1
-            {
-                load.clear();
-            }
-        }
+        name_single_load(&mut cases);
         let Elements { labels, solids, shells } = elements;
         Ok(Vibration { labels, nodes, solids, shells, cases, notes })
     }
@@ -239,7 +237,6 @@ fn checked(
 
 /// Results of a dataset 55 or 2414.
 struct Results<'f> {
-    at: usize,
     kind: ResultKind,
     load: String,
     mode: i64,
@@ -253,64 +250,32 @@ fn result_cases(
     nodes: &Nodes<'_>,
     skipped: &mut Skipped,
 ) -> Result<Vec<VibrationCase>, EngineError> {
-    // Bits of positive numbers have the order of the numbers.
-    let mut found: BTreeMap<(CaseKind, u64), Results<'_>> = BTreeMap::new();
+    let mut motions = Vec::new();
     for (at, dataset) in file.datasets.iter().enumerate() {
-        let Some(results) = results(at, dataset, skipped) else { continue };
+        let Some(results) = results(dataset, skipped) else { continue };
         let place = file.place(at);
         let Some(frequency) = frequency(&results, &place, skipped)? else { continue };
         let kind = match results.kind.analysis {
             MODES => CaseKind::Mode(results.mode),
-            _ => CaseKind::Response(results.load.clone()),
+            _ => CaseKind::Response(results.load),
         };
-        let rank =
-            |results: &Results<'_>| QUANTITIES.iter().position(|quantity| *quantity == results.kind.quantity);
-        match found.get(&(kind.clone(), frequency.to_bits())) {
-            Some(other) if rank(other) <= rank(&results) => {
-                skipped.add("further motion of the same case and frequency");
-            }
-            other => {
-                other.iter().for_each(|_| skipped.add("further motion of the same case and frequency"));
-                found.insert((kind, frequency.to_bits()), results);
-            }
-        }
+        let translations = |own: &LocatedValues| (own.label, [own.values[0], own.values[1], own.values[2]]);
+        motions.push(NodalMotion {
+            place,
+            kind,
+            frequency,
+            quantity: results.kind.quantity,
+            values: Box::new(move || results.values.iter().map(translations).collect()),
+        });
     }
-    let mut cases = Vec::new();
-    for ((kind, bits), results) in found {
-        let (frequency, place) = (f64::from_bits(bits), file.place(results.at));
-        let to_velocity = to_velocity(results.kind.quantity, frequency) / nodes.factor;
-        let mut velocities = vec![[c64::new(f64::NAN, 0.0); 3]; nodes.index.len()];
-        let mut known: BTreeSet<i64> = BTreeSet::new();
-        for LocatedValues { label, values } in results.values {
-            let at_node = |message: String, help: &str| refused(format!("{place}: {message}"), help);
-            if !nodes.positions.contains_key(label) {
-                let message = format!("the results have the node {label}, which is not in the file");
-                return Err(at_node(message, "export the nodes (dataset 2411) of all results"));
-            }
-            if !known.insert(*label) {
-                let message = format!("the results have the node {label} twice");
-                return Err(at_node(message, "leave one of its values out"));
-            }
-            let own = [0, 1, 2].map(|k: usize| values[k] * to_velocity);
-            if !own.iter().all(|value| value.re.is_finite() && value.im.is_finite()) {
-                let message = format!("the velocity of the node {label} is not finite");
-                return Err(at_node(message, "correct the values"));
-            }
-            if let Some(&node) = nodes.index.get(label) {
-                velocities[node] = own;
-            }
-        }
-        cases.push(VibrationCase { kind, frequency, place, velocities });
-    }
-    Ok(cases)
+    motion_cases(motions, nodes, skipped)
 }
 
 /// Returns the motion of a dataset; `None` for others, which are skipped with a reason.
-fn results<'f>(at: usize, dataset: &'f UnvDataset, skipped: &mut Skipped) -> Option<Results<'f>> {
+fn results<'f>(dataset: &'f UnvDataset, skipped: &mut Skipped) -> Option<Results<'f>> {
     let integer = |all: &[i64], at: usize| all.get(at).copied().unwrap_or(0);
     let results = match dataset {
         UnvDataset::NodalData(data) => Results {
-            at,
             kind: data.kind,
             load: integer(&data.integers, 0).to_string(),
             mode: integer(&data.integers, 1),
@@ -322,7 +287,6 @@ fn results<'f>(at: usize, dataset: &'f UnvDataset, skipped: &mut Skipped) -> Opt
             return None;
         }
         UnvDataset::AnalysisData(data) => Results {
-            at,
             kind: data.kind,
             load: match (integer(&data.integers, 2), integer(&data.integers, 4)) {
                 (0, load) => load.to_string(),

@@ -16,5 +16,6 @@ pub use dataset::{
 };
 pub use reader::read;
 pub use record::UnvError;
+pub(crate) use record::real;
 pub use surface::{mesh_datasets, pressure_dataset, surface_mesh, triangle_datasets};
 pub use writer::write;

@@ -174,7 +174,7 @@ impl<'t> Records<'t> {
 }
 
 /// Parses a Fortran number: the exponent may have the letter D, or only a sign.
-pub(super) fn real(text: &str) -> Option<f64> {
+pub(crate) fn real(text: &str) -> Option<f64> {
     if text.is_empty() {
         return None;
     }

@@ -2,7 +2,7 @@
 //!
 //! | Format | Function |
 //! |---|---|
-//! | NASTRAN bulk data | [`read_nastran`] |
+//! | NASTRAN bulk data | [`read_nastran`]; [`read_nastran_mesh`] for its mesh only |
 //! | Abaqus and CalculiX input files | [`read_abaqus`] |
 //! | Gmsh meshes, version 4.1 | [`read_gmsh`] |
 //! | condensed matrices: DMIG, CSV, NPZ | [`read_condensed`] |
@@ -20,6 +20,7 @@ mod error;
 mod geometry;
 mod gmsh;
 mod mass;
+mod mesh;
 mod nastran;
 mod origin;
 mod section;
@@ -31,7 +32,8 @@ pub use condensed::{CondensedMatrices, CondensedNode, CondensedOptions, read_con
 pub use error::{ImportError, Unreadable};
 pub use gmsh::{GmshOptions, GmshPart, read_gmsh};
 pub use mass::{MassProperties, element_mass_properties, mass_properties};
-pub use nastran::{NastranOptions, read_nastran};
+pub use mesh::{NastranMesh, NastranMeshElement, NastranMeshShape};
+pub use nastran::{NastranOptions, read_nastran, read_nastran_mesh};
 pub use source::OpenFile;
 pub use units::Units;
 

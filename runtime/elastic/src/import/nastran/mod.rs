@@ -15,6 +15,7 @@ mod elements;
 mod fields;
 mod known;
 mod loads;
+mod mesh;
 mod pbeam;
 mod properties;
 mod systems;
@@ -25,7 +26,7 @@ use super::builder::Builder;
 use super::error::ImportError;
 use super::origin::Problem;
 use super::source::{OpenFile, Place, Sources};
-use super::{Import, Units};
+use super::{Import, NastranMesh, Units};
 use constraints::Selected;
 use known::{HARMLESS, LOADS, READ, SCALING_PARAMETERS, remedy};
 use properties::Properties;
@@ -59,6 +60,19 @@ pub fn read_nastran(
     }
     let (builder, mass_factor) = build(&deck, options).map_err(|problem| problem.located(&files))?;
     builder.finish(&files, &options.units, mass_factor)
+}
+
+/// Reads the mesh of NASTRAN bulk data, for results on it: grid points with their displacement
+/// coordinate systems, and the corners of shell and solid elements. The deck may have any cards.
+/// Elements of fluids are left out.
+///
+/// Lengths stay in the unit of the deck.
+///
+/// # Errors
+/// A grid point, coordinate system or element is not valid, or the deck has pyramids or
+/// superelements.
+pub fn read_nastran_mesh(path: &str, open: &mut OpenFile) -> Result<NastranMesh, ImportError> {
+    mesh::read(path, open)
 }
 
 /// Cards of a file of matrices, for condensed bodies.

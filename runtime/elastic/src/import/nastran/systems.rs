@@ -123,11 +123,22 @@ pub(super) struct Geometry {
     positions: HashMap<u64, Vector>,
     /// Permanent single-point constraints of grid points.
     pub fixed: Vec<(u64, Components, Place)>,
+    /// Accepts grid points of fluids and of superelements, which a structure does not have.
+    accepts_all_points: bool,
 }
 
 impl Geometry {
     pub fn read(cards: &[Card]) -> Result<Self> {
-        let mut geometry = Self::default();
+        Self::default().with(cards)
+    }
+
+    /// Reads the geometry of a deck that may have grid points of fluids and of superelements.
+    pub fn of_mesh(cards: &[Card]) -> Result<Self> {
+        Self { accepts_all_points: true, ..Self::default() }.with(cards)
+    }
+
+    fn with(mut self, cards: &[Card]) -> Result<Self> {
+        let geometry = &mut self;
         let defaults = cards.iter().filter(|card| card.name == "GRDSET").collect::<Vec<_>>();
         if let [_, second, ..] = defaults[..] {
             return Err(second.problem("the deck has a second GRDSET", "keep one GRDSET"));
@@ -146,7 +157,7 @@ impl Geometry {
         for (place, id) in ids {
             geometry.resolve(id, "", place, &mut Vec::new())?;
         }
-        Ok(geometry)
+        Ok(self)
     }
 
     fn grid(&mut self, card: &Card, defaults: Option<&Card>) -> Result<()> {
@@ -163,9 +174,13 @@ impl Geometry {
             _ => card,
         };
         let system = source(2).system(2, "CP")?;
-        let displacement_system = source(6).system(6, "CD")?;
+        // Grid points of fluids have the displacement system -1.
+        let is_fluid = self.accepts_all_points && source(6).text(6) == "-1";
+        let displacement_system = if is_fluid { 0 } else { source(6).system(6, "CD")? };
         let fixed = source(7).optional_components(7, "PS")?;
-        card.unsupported([8], "SEID")?;
+        if !self.accepts_all_points {
+            card.unsupported([8], "SEID")?;
+        }
         if fixed.contains(&true) {
             self.fixed.push((id, fixed, card.place));
         }
