@@ -1,6 +1,9 @@
 //! Tests of the `calyx` command from the user's side. The pages in `cli/` specify its messages;
 //! this file tests its output files. A second run condenses nothing.
 
+#[expect(dead_code, reason = "the tests of the readers use all of it")]
+#[path = "../../runtime/acoustics/tests/op2_writer.rs"]
+mod op2_writer;
 pub mod pages;
 
 use pages::hold;
@@ -432,6 +435,63 @@ fn a_second_run_condenses_nothing() {
     assert_eq!(run("third", &["--no-cache"]), (built.clone(), expected.clone()));
     assert_eq!(run("fourth", &["--cache", "off"]), (built, expected));
     assert!(!folder.path().join("off").exists());
+}
+
+/// OP2 files have the sound of the same motion in a punch file; alone they have no mesh, and
+/// truncated ones an error with the place.
+#[test]
+fn sound_of_op2_files() {
+    use op2_writer::{Form, Layout, Op2, Quantity, Written, by_frequency, punch};
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let write =
+        |name: &str, content: &[u8]| std::fs::write(folder.path().join(name), content).expect("written");
+    let corner = |label: i64, axis: u32| f64::from(u8::from((label - 1) >> axis & 1 == 1));
+    let mut deck = String::from("BEGIN BULK\n");
+    for label in 1..=8 {
+        let [x, y, z] = [0, 1, 2].map(|axis| 0.1 * corner(label, axis));
+        deck += &format!("GRID,{label},,{x:.2},{y:.2},{z:.2}\n");
+    }
+    deck += "CHEXA,1,1,1,2,4,3,5,6\n,8,7\nENDDATA\n";
+    let values = (1..=8).map(|label| (label, [0, 1, 2].map(|axis| [corner(label, axis), 0.0])));
+    let written = Written {
+        subcase: 1,
+        mode: None,
+        frequency: 500.0,
+        quantity: Quantity::Velocity,
+        form: Form::Polar,
+        values: values.collect(),
+    };
+    let all = [written];
+    let mut op2 = Op2::new(Layout { is_big_endian: true, ..Layout::LITTLE });
+    op2.block("OUGV1", 0, &by_frequency(&all));
+    op2.key(0);
+    write("cube.bdf", deck.as_bytes());
+    write("cube.op2", &op2.bytes);
+    write("cut.op2", &op2.bytes[..1000]);
+    write("cube.pch", punch(&all, false).as_bytes());
+    let sound = |arguments: &[&str]| -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_calyx"));
+        command.arg("sound").args(arguments).args(["--method", "rayleigh", "--force", "--out", "sound"]);
+        command.current_dir(folder.path()).output().expect("the command ends")
+    };
+    let [of_op2, of_punch] =
+        ["cube.op2", "cube.pch"].map(|results| sound(&["cube.bdf", "--results", results]));
+    let said = String::from_utf8_lossy(&of_op2.stderr);
+    assert_eq!(of_op2.status.code(), Some(0), "{said}");
+    assert!(said.contains("skipped: values of scalar points"), "{said}");
+    assert_eq!(of_op2.stdout, of_punch.stdout);
+    assert!(String::from_utf8_lossy(&of_op2.stdout).contains("500"));
+    for (arguments, part) in [
+        (&["cube.op2"][..], "error[E0784]: cube.op2: the file has results of NASTRAN without their mesh"),
+        (
+            &["cube.bdf", "--results", "cut.op2"],
+            "error[E0784]: cut.op2: table OUGV1, byte 1000: the file ends",
+        ),
+    ] {
+        let output = sound(arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(1) && said.contains(part), "{said}");
+    }
 }
 
 /// The first Ctrl-C ends the run like any other error of the model, and so does the signal of a

@@ -3,6 +3,8 @@
 mod fields;
 mod levels;
 mod meshes;
+mod nastran_results;
+mod op2_writer;
 mod plane_sources;
 mod resources;
 mod shapes;

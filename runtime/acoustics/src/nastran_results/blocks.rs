@@ -126,7 +126,8 @@ impl<'f> Blocks<'f> {
         }
         while let Some(count) = key.filter(|key| *key != 0) {
             if count > 0 {
-                blocks.data(count, false)?;
+                // Some programs write a date that is shorter than its key announces.
+                blocks.data(count, true)?;
             }
             key = blocks.key()?;
         }
@@ -147,7 +148,7 @@ impl<'f> Blocks<'f> {
     fn truncated<T>(&self) -> Result<T> {
         error(
             self.place(self.content.len()),
-            "the file ends within a table",
+            "the file ends before its last table does",
             "check that the analysis finished, and copy the whole file",
         )
     }
@@ -196,12 +197,13 @@ impl<'f> Blocks<'f> {
         }
     }
 
-    /// Returns the record that a key announces. Those of matrices are longer than their keys.
-    fn data(&mut self, count: i64, is_matrix: bool) -> Result<&'f [u8]> {
+    /// Returns the record that a key announces. It may have `any` size if it is skipped, as those
+    /// of matrices, which are longer than their keys announce.
+    fn data(&mut self, count: i64, any: bool) -> Result<&'f [u8]> {
         let at = self.at;
         let Some(bytes) = self.record()? else { return self.truncated() };
         let is_valid = i64::try_from(bytes.len()).ok() == count.checked_mul(self.order.size as i64);
-        match is_valid || is_matrix {
+        match is_valid || any {
             true => Ok(bytes),
             false => self.damaged(
                 at,
@@ -213,11 +215,14 @@ impl<'f> Blocks<'f> {
     /// Returns the name of the next data block; `None` at the end of the file.
     pub fn next_block(&mut self) -> Result<Option<BlockName>> {
         self.block.clear();
+        // A zero ends the file. Without it, further tables are missing.
+        let mut has_end = false;
         loop {
             let at = self.at;
             match self.key()? {
-                None => return Ok(None),
-                Some(0) => {}
+                None if has_end => return Ok(None),
+                None => return self.truncated(),
+                Some(0) => has_end = true,
                 Some(2) => {
                     let bytes = self.data(2, false)?;
                     let name: String = bytes
@@ -226,6 +231,13 @@ impl<'f> Blocks<'f> {
                         .map(|byte| char::from(*byte))
                         .collect();
                     self.block.clone_from(&name);
+                    // Newer programs add their version to the name.
+                    self.next = self.key()?;
+                    while let Some(count) = self.next.filter(|key| *key > 0) {
+                        self.next = None;
+                        self.data(count, false)?;
+                        self.next = self.key()?;
+                    }
                     return Ok(Some(BlockName { name, at }));
                 }
                 Some(key) => {

@@ -36,11 +36,13 @@ pub fn read_op2(content: &[u8]) -> Result<NastranResults> {
             let Some(axes) = axes else { continue };
             match record.number {
                 ..=2 => {}
+                // The last record of a table is empty.
+                _ if record.words.len() == 0 => {}
                 number if number % 2 == 1 => {
                     head = Head::of(&record.words, (&block, axes), &mut collector)?;
                     is_skipped = head.is_none();
                 }
-                _ if is_skipped || record.words.len() == 0 => {}
+                _ if is_skipped => {}
                 _ => match &head {
                     Some(head) => head.read(&record.words, &mut collector)?,
                     None => {

@@ -5,5 +5,6 @@ mod decks;
 pub mod files;
 mod formats;
 mod hostile;
+mod mesh_of_decks;
 mod mutations;
 mod summary;

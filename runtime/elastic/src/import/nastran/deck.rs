@@ -52,6 +52,8 @@ pub(super) struct DeckReader<'s, 'o> {
     current: Option<usize>,
     /// Paths of the files that are being read.
     open: Vec<String>,
+    /// True after a line of an equation (DEQATN), whose lines have no fields.
+    in_equation: bool,
 }
 
 /// Reads a deck with all files that it includes.
@@ -64,6 +66,7 @@ pub(super) fn read(path: &str, sources: &mut Sources) -> Result<Deck, ImportErro
         named: HashMap::new(),
         current: None,
         open: Vec::new(),
+        in_equation: false,
     };
     reader.file(path, None)?;
     let mut deck = reader.deck;
@@ -180,6 +183,16 @@ impl DeckReader<'_, '_> {
     }
 
     fn bulk(&mut self, line: &str, place: Place) -> Result<(), ImportError> {
+        let continues = line.starts_with([' ', '\t', '+', '*', ',']);
+        if keyword(line) == "DEQATN" {
+            self.in_equation = true;
+            let line = Line { name: "DEQATN".into(), ..Line::default() };
+            return self.start(line, place);
+        }
+        self.in_equation &= continues;
+        if self.in_equation {
+            return Ok(());
+        }
         let columns = "check the columns of the line: 8 columns a field, or 16 after `*`, or commas";
         let split = split(line).map_err(|message| self.sources.error(place, message, columns))?;
         let Some(line) = split else {

@@ -4,7 +4,7 @@
 //! and free-field format, continuations, real numbers.
 
 /// Physical line of bulk data.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
 pub(super) struct Line {
     /// Name of the card in upper case; for a continuation, its name without `+` and `*`.
     pub name: String,

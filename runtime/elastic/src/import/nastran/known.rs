@@ -11,11 +11,11 @@ pub(super) const READ: &[&str] = &[
 /// Cards of analyses, of output and of optimization: they do not change the body.
 pub(super) const HARMLESS: &[&str] = &[
     "ASET", "ASET1", "BNDFIX", "BNDFIX1", "BNDFREE", "BNDFREE1", "BSET", "BSET1", "CSET", "CSET1", "DAREA",
-    "DCONADD", "DCONSTR", "DESVAR", "DLOAD", "DMIG", "DOPTPRM", "DRESP1", "DRESP2", "DTI", "DVPREL1", "EIGB",
-    "EIGC", "EIGR", "EIGRL", "FREQ", "FREQ1", "FREQ2", "FREQ3", "FREQ4", "FREQ5", "MDLPRM", "NLPARM",
-    "NLPCI", "OMIT", "OMIT1", "PLOTEL", "PLOTEL3", "PLOTEL4", "QSET", "QSET1", "RLOAD1", "RLOAD2", "SET3",
-    "SPOINT", "SUPORT", "SUPORT1", "TABDMP1", "TABLED1", "TABLED2", "TABLED3", "TLOAD1", "TLOAD2", "TSTEP",
-    "TSTEPNL", "USET", "USET1",
+    "DCONADD", "DCONSTR", "DEQATN", "DESVAR", "DLOAD", "DMIG", "DOPTPRM", "DRESP1", "DRESP2", "DTI",
+    "DVPREL1", "EIGB", "EIGC", "EIGR", "EIGRL", "FREQ", "FREQ1", "FREQ2", "FREQ3", "FREQ4", "FREQ5",
+    "MDLPRM", "NLPARM", "NLPCI", "OMIT", "OMIT1", "PLOTEL", "PLOTEL3", "PLOTEL4", "QSET", "QSET1", "RLOAD1",
+    "RLOAD2", "SET3", "SPOINT", "SUPORT", "SUPORT1", "TABDMP1", "TABLED1", "TABLED2", "TABLED3", "TLOAD1",
+    "TLOAD2", "TSTEP", "TSTEPNL", "USET", "USET1",
 ];
 
 /// Loads that the reader does not convert: rejected if case control selects their set. Field 1 is
