@@ -87,6 +87,12 @@ pub(super) fn of_deck(deck: File<'_>, results: File<'_>, length: f64) -> Result<
         let message = format!("line {}: {}", error.line, error.message);
         Refused { file: error.file, error: EngineError::new("E0784", message, error.help) }
     })?;
+    if mesh.shells.is_empty() && mesh.solids.is_empty() {
+        return Err(deck.refused(
+            "the deck has no surface: neither triangles, quadrilaterals nor solid elements",
+            "give the deck of the body, with all files that it includes",
+        ));
+    }
     let name = results.path.display().to_string();
     match Vibration::of_nastran(&mesh, &motions) {
         Ok(mut vibration) => {

@@ -101,6 +101,8 @@ pub(super) struct Blocks<'f> {
     block: String,
     /// Key that was read ahead.
     next: Option<i64>,
+    /// True after the zero that ends most files, which follows that of the last data block.
+    has_end: bool,
 }
 
 impl<'f> Blocks<'f> {
@@ -117,7 +119,7 @@ impl<'f> Blocks<'f> {
             );
         };
         let order = Order { size: size as usize, is_big_endian };
-        let mut blocks = Self { content, at: 0, order, block: String::new(), next: None };
+        let mut blocks = Self { content, at: 0, order, block: String::new(), next: None, has_end: false };
         // Files of PARAM,POST,-2 have no label, and begin with the name of a data block.
         let mut key = blocks.key()?;
         if key == Some(2) {
@@ -148,7 +150,7 @@ impl<'f> Blocks<'f> {
     fn truncated<T>(&self) -> Result<T> {
         error(
             self.place(self.content.len()),
-            "the file ends before its last table does",
+            "the file ends within a table",
             "check that the analysis finished, and copy the whole file",
         )
     }
@@ -215,14 +217,12 @@ impl<'f> Blocks<'f> {
     /// Returns the name of the next data block; `None` at the end of the file.
     pub fn next_block(&mut self) -> Result<Option<BlockName>> {
         self.block.clear();
-        // A zero ends the file. Without it, further tables are missing.
-        let mut has_end = false;
+        self.has_end = false;
         loop {
             let at = self.at;
             match self.key()? {
-                None if has_end => return Ok(None),
-                None => return self.truncated(),
-                Some(0) => has_end = true,
+                None => return Ok(None),
+                Some(0) => self.has_end = true,
                 Some(2) => {
                     let bytes = self.data(2, false)?;
                     let name: String = bytes
@@ -246,6 +246,11 @@ impl<'f> Blocks<'f> {
                 }
             }
         }
+    }
+
+    /// Returns whether the file has its end mark: without it, the last tables may be missing.
+    pub fn has_end(&self) -> bool {
+        self.has_end
     }
 
     /// Returns the next logical record of the data block; `None` at its end.

@@ -60,6 +60,7 @@ pub fn read_op2(content: &[u8]) -> Result<NastranResults> {
         }
         collector.end_section();
     }
+    collector.set_complete(blocks.has_end());
     Ok(collector.finish())
 }
 

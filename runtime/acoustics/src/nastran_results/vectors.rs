@@ -53,12 +53,21 @@ pub struct GridVectors {
 }
 
 /// Motions of grid points that a file of results has.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct NastranResults {
     /// Vectors in the order of the file.
     pub vectors: Vec<GridVectors>,
     /// Reasons why parts of the file were skipped, with how often.
     pub skipped: BTreeMap<String, usize>,
+    /// False if an OP2 file lacks its end mark: some programs do not write it, or the last tables
+    /// are missing.
+    pub is_complete: bool,
+}
+
+impl Default for NastranResults {
+    fn default() -> Self {
+        Self { vectors: Vec::new(), skipped: BTreeMap::new(), is_complete: true }
+    }
 }
 
 /// Reason why a file of results is rejected, with its location and a remedy.
@@ -150,6 +159,10 @@ impl Collector {
             });
             all[at].values.push((label, *value));
         }
+    }
+
+    pub fn set_complete(&mut self, is_complete: bool) {
+        self.results.is_complete = is_complete;
     }
 
     pub fn finish(self) -> NastranResults {

@@ -15,6 +15,10 @@ use std::collections::{BTreeSet, HashMap};
 /// it has no audible sound.
 const RIGID: f64 = 0.1;
 
+/// Largest label of a grid point in a deck. Programs give larger ones to points that they generate
+/// for connectors.
+const LARGEST_LABEL: i64 = 100_000_000;
+
 /// Grid point of a deck.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GridPoint {
@@ -72,6 +76,7 @@ impl Vibration {
         };
         let mut skipped = Skipped::default();
         results.skipped.iter().for_each(|(reason, count)| skipped.add_many(reason.as_str(), *count));
+        let is_generated = |label: i64| label > LARGEST_LABEL && !by_label.contains_key(&label);
         let mut motions = Vec::new();
         for vectors in &results.vectors {
             if let Some(reason) = still(vectors)? {
@@ -90,8 +95,16 @@ impl Vibration {
                     Motion::Velocity => 11,
                     Motion::Acceleration => 12,
                 },
-                values: Box::new(|| in_basic_axes(vectors, &by_label)),
+                values: Box::new(|| {
+                    let mut values = in_basic_axes(vectors, &by_label);
+                    values.retain(|(label, _)| !is_generated(*label));
+                    values
+                }),
             });
+            let generated = vectors.values.iter().filter(|(label, _)| is_generated(*label)).count();
+            if generated > 0 {
+                skipped.add_many("values of generated grid points", generated);
+            }
         }
         let mut cases = motion_cases(motions, &nodes, &mut skipped)?;
         if cases.is_empty() {
@@ -107,6 +120,9 @@ impl Vibration {
         }];
         notes.extend(mesh.notes.iter().cloned());
         notes.extend(skipped.text().map(|text| format!("skipped: {text}")));
+        if !results.is_complete {
+            notes.push("the results have no end mark: the last tables may be missing".into());
+        }
         name_single_load(&mut cases);
         Ok(Vibration {
             labels: points.iter().map(|point| point.label).collect(),

@@ -1,5 +1,5 @@
-//! Meshes of decks for results: grid points with their axes, corners of elements, and cards that the
-//! reader of bodies rejects.
+//! Meshes of decks for results: grid points with their axes, corners of elements, and cards that
+//! the reader of bodies rejects.
 
 use super::files::{Files, open_in};
 use calyx_elastic::import::{ImportError, NastranMesh, NastranMeshShape, read_nastran_mesh};
@@ -32,6 +32,8 @@ CTETRA,5,7,1,2,3,20
 CTETRA,6,8,1,2,3,20
 CBUSH,7,9,1,2
 CBUSH,8,9,3,2
+CBAR    10      2       1       2       0.      0.      1.              +X     1
++X     1
 INCLUDE 'more.bdf'
 ENDDATA
 ";
@@ -73,7 +75,7 @@ fn decks_have_a_mesh() {
     );
     let skipped: Vec<(&str, usize)> =
         mesh.skipped.iter().map(|other| (other.name.as_str(), other.count)).collect();
-    assert_eq!(skipped, [("fluid element", 1), ("CBUSH", 2)]);
+    assert_eq!(skipped, [("fluid element", 1), ("CBUSH", 2), ("CBAR", 1)]);
     assert_eq!(mesh.files, ["main.bdf", "more.bdf"]);
 }
 
@@ -90,5 +92,5 @@ fn wrong_meshes_are_rejected() {
     rejected("CTRIAR,4,1,1,2,3", "CTRIAR,4,1,1,2", 22, "is blank");
     rejected("CBUSH,7,9,1,2", "CPYRAM,7,8,1,2,3,4,20", 25, "is a pyramid");
     rejected("GRID,2,5", "GRID,2,6", 9, "coordinate system 6, which is not defined");
-    rejected("'more.bdf'", "'lost.bdf'", 27, "cannot be read");
+    rejected("'more.bdf'", "'lost.bdf'", 29, "cannot be read");
 }

@@ -37,7 +37,8 @@ fn first_field(field: &str) -> Result<(String, bool, bool), String> {
     let continues = field.is_empty() || field.starts_with(['+', '*']);
     let large = if continues { field.starts_with('*') } else { field.ends_with('*') };
     let name = field.trim_matches(['+', '*']).trim().to_owned();
-    if name.contains(char::is_whitespace) || (!continues && name.is_empty()) {
+    // Names of continuations may contain blanks.
+    if !continues && (name.is_empty() || name.contains(char::is_whitespace)) {
         return Err(format!("the first field `{field}` is not the name of a card"));
     }
     if field == "=" || field.starts_with("=(") || field.starts_with('/') {
