@@ -92,7 +92,7 @@ impl Surface<'_> {
                     let (low, high) = (first.min(second), first.max(second));
                     return Err(AcousticError::mesh(
                         format!("vertices {low} and {high}"),
-                        "they are at the same position",
+                        "both are at the same position",
                         "merge coincident vertices",
                     ));
                 }

@@ -30,6 +30,11 @@ pub enum ShellProblem {
         /// Nodes of an edge.
         edge: [usize; 2],
     },
+    /// Two closed parts intersect.
+    Intersection {
+        /// Node of one part inside of the other one.
+        node: usize,
+    },
     /// The surface is degenerate.
     Mesh(AcousticError),
 }
@@ -232,9 +237,27 @@ fn outside(points: &[Vector], faces: Vec<Face>) -> Result<Vec<Face>, ShellProble
     let mut parts = all.into_iter();
     let Some(mut kept) = parts.next() else { return Ok(Vec::new()) };
     let origins: Vec<Vec<usize>> = (0..points.len()).map(|point| vec![point]).collect();
-    let largest = numbered(points, &kept, &origins, None)?.mesh;
-    let is_outside = |part: &Vec<Face>| largest.enclosure(points[part[0].vertices()[0]]) < 0.5;
-    kept.extend(parts.filter(is_outside).flatten());
+    let mut meshes = vec![numbered(points, &kept, &origins, None)?.mesh];
+    for part in parts {
+        let used: BTreeSet<usize> = part.iter().flat_map(Face::vertices).copied().collect();
+        let is_in_largest = |&&node: &&usize| meshes[0].enclosure(points[node]) >= 0.5;
+        let inside = used.iter().filter(is_in_largest).count();
+        if inside == used.len() {
+            continue;
+        }
+        let own = numbered(points, &part, &origins, None)?.mesh;
+        let common = |other: &SurfaceMesh| {
+            let of_part = used.iter().find(|node| other.enclosure(points[**node]) >= 0.5).copied();
+            let position = |at: &Vector| points.iter().position(|point| point == at);
+            let at_vertex = || other.vertices().iter().find(|at| own.enclosure(**at) >= 0.5);
+            of_part.or_else(|| at_vertex().and_then(position))
+        };
+        if let Some(node) = meshes.iter().find_map(common) {
+            return Err(ShellProblem::Intersection { node });
+        }
+        meshes.push(own);
+        kept.extend(part);
+    }
     Ok(kept)
 }
 

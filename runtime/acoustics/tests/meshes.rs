@@ -91,7 +91,7 @@ fn damaged_meshes_are_rejected() {
             vertices.push(vertices[a]);
             faces[5] = Face::Triangle([42, b, c]);
         },
-        [&format!("vertices {a} and 42"), "they are at the same position", "merge coincident vertices"],
+        [&format!("vertices {a} and 42"), "both are at the same position", "merge coincident vertices"],
     );
     case(
         &|_, faces| faces.push(Face::Triangle([a, b, a])),

@@ -9,7 +9,7 @@ use calyx_acoustics::unv::{
     Abscissae, Element, Function, FunctionAxis, FunctionEnd, LocatedValues, NodalData, Node, Ordinates,
     ResultKind, Units, UnvDataset, UnvFile, mesh_datasets, read, write,
 };
-use calyx_acoustics::{RigidPlane, SoundMethod, SurfaceMesh};
+use calyx_acoustics::{Face, RigidPlane, SoundMethod, SurfaceMesh};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::Vector;
@@ -459,4 +459,53 @@ fn wrong_files_are_rejected() {
     let behind = SoundOptions { plane, ..SoundOptions::default() };
     let error = sound(&good(), &behind).expect_err("behind");
     assert_eq!(error.code, "E0784", "{}", error.message);
+}
+
+/// Two spheres: closed parts may be apart, or one may enclose the other; parts that intersect are
+/// rejected at a node, and so are lengths in mm without a unit, before anything is solved.
+#[test]
+fn intersections_and_long_elements_are_rejected() {
+    let one = sphere(1, RADIUS);
+    let two = |radius: f64, x: f64| -> UnvFile {
+        let other = sphere(1, radius);
+        let count = one.vertices().len();
+        let moved = other.vertices().iter().map(|at| [at[0] + x, at[1], at[2]]);
+        let vertices: Vec<Vector> = one.vertices().iter().copied().chain(moved).collect();
+        let triangle = |corners: &[usize; 3]| Face::Triangle(corners.map(|corner| corner + count));
+        let faces: Vec<Face> = one
+            .triangles()
+            .iter()
+            .map(|corners| Face::Triangle(*corners))
+            .chain(other.triangles().iter().map(triangle))
+            .collect();
+        let mesh = SurfaceMesh::new(vertices, &faces, None).expect("closed parts");
+        file(&mesh, [results(&mesh, [5, SPEED], frequency(0.5), |_| [c64::new(1e-3, 0.0); 3])])
+    };
+    let options = SoundOptions { method: SoundMethod::Rayleigh, ..SoundOptions::default() };
+    assert_eq!(sound(&two(RADIUS, 0.3), &options).expect("apart").surface.triangles, 160);
+    assert_eq!(sound(&two(0.5 * RADIUS, 0.0), &options).expect("inside").surface.triangles, 80);
+    for (radius, x) in [(RADIUS, 0.1), (RADIUS, 0.19), (0.5 * RADIUS, 0.1)] {
+        let error = sound(&two(radius, x), &options).expect_err("they intersect");
+        assert_eq!(error.code, "E0785");
+        assert!(error.message.contains("intersect, as seen at the node"), "{}", error.message);
+    }
+    let in_mm = sphere(1, 1e3 * RADIUS);
+    let content = file(&in_mm, [results(&in_mm, [5, SPEED], frequency(0.5), radial)]);
+    let error = sound(&content, &options).expect_err("longer than the wavelength");
+    assert_eq!(error.code, "E0784");
+    assert!(error.help.contains("dataset 164"), "{}", error.help);
+}
+
+#[test]
+fn local_coordinate_systems_have_a_warning() {
+    let mesh = sphere(1, RADIUS);
+    let mut content = file(&mesh, [results(&mesh, [5, SPEED], frequency(0.5), radial)]);
+    let options = SoundOptions { method: SoundMethod::EquivalentPower, ..SoundOptions::default() };
+    assert!(sound(&content, &options).expect("global").warnings.is_empty());
+    for dataset in &mut content.datasets {
+        let UnvDataset::Nodes(nodes) = dataset else { continue };
+        nodes.iter_mut().for_each(|node| node.attributes[1] = 3);
+    }
+    let warnings = sound(&content, &options).expect("solved").warnings;
+    assert!(warnings[0].contains("displacement coordinate systems 3"), "{warnings:?}");
 }

@@ -199,7 +199,7 @@ fn hostile_files_are_rejected_or_read() {
     let cases: [(&[u8], usize, &str); 10] = [
         (b"text", 1, "text between datasets; `-1` is expected"),
         (b"    -1\n", 1, "the file ends where the number of a dataset is expected"),
-        (b"    -1\n  2411\n", 1, "dataset 2411 has no end"),
+        (b"    -1\n  2411\n", 1, "the file ends within the dataset 2411"),
         (b"    -1\n  node\n    -1\n", 2, "`node` is not the number of a dataset"),
         (b"    -1\n   58b     1\n    -1\n", 2, "the dataset 58 is binary"),
         (b"    -1\n\0  58\n", 2, "the file is not text: it contains a zero byte"),

@@ -358,7 +358,10 @@ pub(crate) fn forced_response(
     let [lowest, highest] = request.speeds;
     let speed = |k: usize| lowest + (highest - lowest) * (k as f64 / (request.count - 1).max(1) as f64);
     let speeds: Vec<f64> = (0..request.count).map(speed).collect();
-    let (points, sounds) = prepared.solve(system, speeds, (sound, task), resources)?;
+    let solved = prepared.solve(system, speeds, (sound, task), resources);
+    // A factorization that is interrupted counts as failed.
+    resources.interrupt.check()?;
+    let (points, sounds) = solved?;
     let natural_frequencies = natural_frequencies(&prepared.vibrations[0]);
     Ok(ForcedResponse {
         body: scene.bodies[pair.bodies[0].0].name.clone(),

@@ -67,10 +67,16 @@ fn line(text: &str) -> String {
 }
 
 fn datasets(sound: &RadiatedSound, vibration: &SurfaceVibration) -> Vec<UnvDataset> {
+    let plane = if sound.plane.is_some() { ", rigid plane" } else { "" };
+    let description = format!(
+        "Surface velocities, ground axes; sound: {}, {:.5} kg/m3{plane}",
+        sound.method.name(),
+        sound.fluid.density
+    );
     // Files of the same model are equal, so they have no date.
     let header = [
         &sound.body,
-        "Surface velocities of a forced response, ground coordinates",
+        &description,
         "Calyx",
         "01-Jan-00  00:00:00           0         0         0",
         "01-Jan-00  00:00:00",

@@ -131,6 +131,7 @@ impl Vibration {
             shells,
             cases,
             notes,
+            warnings: Vec::new(),
         })
     }
 }

@@ -75,6 +75,7 @@ pub fn surface_sound(
     let closed = ClosedSurface::new(vibration, options.close_openings, options.plane)?;
     let mesh = &closed.skin.mesh;
     check_points(mesh, options)?;
+    check_frequencies(mesh, vibration, options)?;
     let count = vibration.cases.len();
     let bytes = 16 * mesh.triangles().len() * count;
     let _room = interrupt.reserve_memory(bytes as u64)?;
@@ -132,6 +133,29 @@ impl SoundOptions {
             "choose the method \"boundary_elements\", or leave this request out",
         ))
     }
+}
+
+/// Checks that the mean element of a mesh is shorter than the least wavelength. Otherwise the sound
+/// would have no meaning, and the oscillating integrals would take long.
+fn check_frequencies(
+    mesh: &SurfaceMesh,
+    vibration: &Vibration,
+    options: &SoundOptions,
+) -> Result<(), EngineError> {
+    let highest = vibration.cases.iter().map(|case| case.frequency).fold(0.0, f64::max);
+    let wavelength = options.fluid.speed_of_sound / highest;
+    // Edge of equilateral triangles of the mean area.
+    let edge = (mesh.area() / mesh.triangles().len() as f64 * 4.0 / 3f64.sqrt()).sqrt();
+    if options.method == SoundMethod::EquivalentPower || edge <= wavelength {
+        return Ok(());
+    }
+    let [x, y, z] = edges_of_box(mesh.vertices());
+    Err(refused(
+        format!(
+            "the mean element, with edges of {edge:.3} m, is longer than the wavelength of {wavelength:.3} m at {highest} Hz; the surface is in a box of {x:.3} x {y:.3} x {z:.3} m"
+        ),
+        "if the box is too large, state the unit of length (dataset 164, or `--length-unit` for a deck); else refine the mesh, or leave out high frequencies",
+    ))
 }
 
 /// Checks that the points are in the fluid, before anything is solved.
@@ -276,7 +300,7 @@ impl Solver<'_> {
         if cases.iter().any(|case| matches!(case.kind, CaseKind::Mode(_))) && !points.is_empty() {
             notes.push("modes have no sound pressure at points, because their amplitude is arbitrary".into());
         }
-        let mut warnings = Vec::new();
+        let mut warnings = vibration.warnings.clone();
         if let Some((elements, frequency)) = self.coarse.filter(|(elements, _)| *elements < COARSE) {
             warnings.push(format!(
                 "the surface has {elements:.1} elements in a wavelength at {frequency:.0} Hz, and six are needed for errors of some percent: refine its mesh, or leave out high frequencies"
@@ -289,7 +313,7 @@ impl Solver<'_> {
         let difference = largest(&cases);
         if difference > NOTABLE {
             warnings.push(format!(
-                "the sound powers on the surface and in the far field differ by up to {:.0} %, because its elements are coarse for the waves of the walls: refine its mesh",
+                "the sound powers on the surface and in the far field differ by up to {:.0} %, because its elements are coarse for the waves of the walls, or because the motions of the walls nearly cancel each other: refine its mesh",
                 1e2 * difference
             ));
         }

@@ -45,7 +45,7 @@ fn degenerate(error: AcousticError) -> EngineError {
         ),
         AcousticError::Mesh { message, .. } => open(
             format!("the surface encloses no body: {message}"),
-            "correct the mesh: its skin must be closed, without elements that touch in a node or an edge only",
+            "correct the mesh: its skin must be closed, without coincident nodes that are not merged, and without elements that touch in a node or an edge only",
         ),
         other => engine_error(other),
     }
@@ -103,6 +103,15 @@ impl ClosedSurface {
                 ),
                 "correct the mesh: its elements must enclose a volume",
             ),
+            ShellProblem::Intersection { node } => {
+                let place = vibration.labels.get(node).map_or(String::new(), |label| {
+                    format!(", as seen at the node {label} at {}", shown(vibration.nodes[node]))
+                });
+                open(
+                    format!("two closed parts of the surface intersect{place}"),
+                    "join the parts in the mesh, or leave one of them out of the file",
+                )
+            }
             ShellProblem::Mesh(error) => degenerate(error),
         })?;
         let mut notes: Vec<String> = rims

@@ -29,6 +29,8 @@ pub struct Vibration {
     pub cases: Vec<VibrationCase>,
     /// How the file was read, in sentences.
     pub notes: Vec<String>,
+    /// What of the file may be misunderstood, in sentences.
+    pub warnings: Vec<String>,
 }
 
 impl Vibration {
@@ -80,11 +82,11 @@ impl Vibration {
             false => "the file has no units (dataset 164): lengths and motions are taken as m".into(),
         }];
         notes.extend(skipped.text().map(|text| format!("skipped: {text}")));
-        notes.extend(coordinate_systems(file, &index));
+        let warnings = coordinate_systems(file, &index).into_iter().collect();
         let nodes = elements.labels.iter().map(|label| positions[label].map(|x| x / factor)).collect();
         name_single_load(&mut cases);
         let Elements { labels, solids, shells } = elements;
-        Ok(Vibration { labels, nodes, solids, shells, cases, notes })
+        Ok(Vibration { labels, nodes, solids, shells, cases, notes, warnings })
     }
 }
 
@@ -106,7 +108,7 @@ fn positions(file: &UnvFile) -> Result<HashMap<i64, Vector>, EngineError> {
     Ok(positions)
 }
 
-/// Returns a note if the motions of nodes may be in coordinate systems of their own.
+/// Returns a warning if the motions of nodes may be in coordinate systems of their own.
 fn coordinate_systems(file: &UnvFile, index: &HashMap<i64, usize>) -> Option<String> {
     let mut all: BTreeSet<i64> = BTreeSet::new();
     for dataset in &file.datasets {
@@ -114,10 +116,12 @@ fn coordinate_systems(file: &UnvFile, index: &HashMap<i64, usize>) -> Option<Str
         let own = nodes.iter().filter(|node| index.contains_key(&node.label));
         all.extend(own.map(|node| node.attributes[1]));
     }
-    (all.len() > 1).then(|| {
+    // Programs without local systems write 0 or 1 for all nodes.
+    let is_local = all.len() > 1 || all.iter().any(|system| !(0..=1).contains(system));
+    is_local.then(|| {
         let all: Vec<String> = all.iter().map(i64::to_string).collect();
         format!(
-            "nodes have the displacement coordinate systems {}; all motions are taken in global coordinates",
+            "nodes have the displacement coordinate systems {}; all motions are taken along global axes. Export results along global axes if they are not",
             all.join(", ")
         )
     })

@@ -42,8 +42,12 @@ pub fn read(content: &[u8]) -> Result<UnvFile> {
         };
         let number = number(name.trim(), at + 2)?;
         let length = lines[at + 2..].iter().position(|line| is_delimiter(line)).ok_or_else(|| {
-            let message = format!("dataset {number} has no end");
-            UnvError::new(start + 1, message, "add a line `-1`, or export the file again")
+            let message = format!("the file ends within the dataset {number}");
+            UnvError::new(
+                start + 1,
+                message,
+                "export the file again, or check that the whole file was copied",
+            )
         })?;
         let mut records = Records::new(number, &lines[at + 2..at + 2 + length], at + 2);
         match dataset(&mut records)? {

@@ -403,6 +403,10 @@ fn closed_shells(
             format!("it has no outside, as seen at the edge of the nodes {} and {}", label(a), label(b)),
             "correct the mesh: its shells must enclose a volume",
         )),
+        Err(ShellProblem::Intersection { node }) => Err(open(
+            format!("two closed parts intersect, as seen at the node {}", label(node)),
+            "join the parts in the mesh, or leave one of them out",
+        )),
         Err(ShellProblem::Mesh(error)) => Err(degenerate(error)),
     }
 }
