@@ -152,7 +152,7 @@ fn check_frequencies(
     let [x, y, z] = edges_of_box(mesh.vertices());
     Err(refused(
         format!(
-            "the mean element, with edges of {edge:.3} m, is longer than the wavelength of {wavelength:.3} m at {highest} Hz; the surface is in a box of {x:.3} x {y:.3} x {z:.3} m"
+            "the mean element, with edges of {edge:.3} m, is longer than the wavelength of {wavelength:.3} m at {highest:.1} Hz; the surface is in a box of {x:.3} x {y:.3} x {z:.3} m"
         ),
         "if the box is too large, state the unit of length (dataset 164, or `--length-unit` for a deck); else refine the mesh, or leave out high frequencies",
     ))
