@@ -31,17 +31,18 @@ Examples:
   calyx sound housing.bdf --results housing.op2 --length-unit mm
   calyx sound housing.bdf --results modes.pch --close-openings
 
-A universal file has a surface of triangles and quadrilaterals, or solid elements, whose skin is the surface
-(datasets 2411 and 2412), and the motion of its nodes:
+A universal file has a surface of triangles and quadrilaterals, or solid elements, whose skin is the
+surface (datasets 2411 and 2412), and the motion of its nodes:
   frequency response (analysis type 5)  sound at each frequency, from displacements, velocities or
                                         accelerations, real or complex (dataset 55 or 2414)
   normal modes (analysis type 2)        radiation efficiency of each mode
   functions (dataset 58)                spectra or frequency responses by node and direction
 Units are those of dataset 164, or SI without it.
 
-A NASTRAN deck has the mesh: shells, or solid elements. Its results are an OP2 file (PARAM,POST,-1) or
-a punch file (DISP(PUNCH)=ALL) with displacements, velocities or accelerations of a frequency response,
-or normal modes, in the displacement coordinate systems of the deck or in basic coordinates.
+A NASTRAN deck has the mesh: shells, or solid elements. Its results are an OP2 file (PARAM,POST,-1)
+or a punch file (DISP(PUNCH)=ALL) with displacements, velocities or accelerations of a frequency
+response, or normal modes, along the displacement coordinate systems of the deck or along the axes
+of the basic system.
 
 Amplitudes are peak values. Results per unit force are sound per unit force.
 

@@ -290,6 +290,19 @@ pub(crate) fn forced_response(
     task: &SoundTask<'_>,
     resources: &Resources,
 ) -> Result<ForcedResponse, EngineError> {
+    let found = solved(system, scene, request, task, resources);
+    // Vibrations that an interruption ends are missing, as those of a singular system are.
+    resources.interrupt.check()?;
+    found
+}
+
+fn solved(
+    system: &System<'_>,
+    scene: &Mechanism,
+    request: &ForcedResponseRequest,
+    task: &SoundTask<'_>,
+    resources: &Resources,
+) -> Result<ForcedResponse, EngineError> {
     let sound = match task.requests.is_empty() {
         true => None,
         false => Some(SoundModels::new(system, task, highest_frequency(scene, request), resources)?),
@@ -358,10 +371,7 @@ pub(crate) fn forced_response(
     let [lowest, highest] = request.speeds;
     let speed = |k: usize| lowest + (highest - lowest) * (k as f64 / (request.count - 1).max(1) as f64);
     let speeds: Vec<f64> = (0..request.count).map(speed).collect();
-    let solved = prepared.solve(system, speeds, (sound, task), resources);
-    // A factorization that is interrupted counts as failed.
-    resources.interrupt.check()?;
-    let (points, sounds) = solved?;
+    let (points, sounds) = prepared.solve(system, speeds, (sound, task), resources)?;
     let natural_frequencies = natural_frequencies(&prepared.vibrations[0]);
     Ok(ForcedResponse {
         body: scene.bodies[pair.bodies[0].0].name.clone(),

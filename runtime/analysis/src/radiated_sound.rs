@@ -27,6 +27,7 @@ pub use fields::{FieldRequest, FieldShape};
 pub(crate) use motion::{SurfaceMotion, Vibrating};
 pub(crate) use request::position_of;
 pub use request::{JoinedRequests, SoundRequest};
+pub(crate) use results::SKIN_LINES;
 pub use results::{PanelSummary, RadiatedSound, Skin, SoundField, SoundPoint, SurfaceSummary, Weighting};
 pub use solver::SkinField;
 pub use surface::SurfaceSize;

@@ -29,7 +29,7 @@ pub struct Vibration {
     pub cases: Vec<VibrationCase>,
     /// How the file was read, in sentences.
     pub notes: Vec<String>,
-    /// What of the file may be misunderstood, in sentences.
+    /// Warnings about values of the file whose meaning is not certain.
     pub warnings: Vec<String>,
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Cost, EFFICIENCY, Rates};
 use crate::forced_response::highest_frequency;
-use crate::radiated_sound::{JoinedRequests, SoundRequest, SurfaceSize};
+use crate::radiated_sound::{JoinedRequests, SKIN_LINES, SoundRequest, SurfaceSize};
 use crate::scene::Scene;
 use calyx_acoustics::SoundMethod;
 use calyx_model::fidelity::Fidelity;
@@ -10,16 +10,14 @@ use calyx_model::ids::BodyId;
 
 /// Times of the integrals of a pair of triangles, of those of a triangle with the near ones, and of
 /// a triangle with a point in the fluid, in logarithms. Measured: 4.5 s of two threads for a sphere
-/// of 5,120 triangles, 0.44 s for a housing of 1,104 triangles, and 0.27 s more for 1,806 points, on
-/// a machine with 3.3 nanoseconds per logarithm.
+/// of 5,120 triangles, 0.44 s for a housing of 1,104 triangles, and 0.27 s more for 1,806 points,
+/// on a machine with 3.3 nanoseconds per logarithm.
 const LOGARITHMS_PER_PAIR: f64 = 58.0;
 const LOGARITHMS_PER_TRIANGLE: f64 = 1.27e5;
 const LOGARITHMS_PER_POINT: f64 = 65.0;
 /// Time of a pair of triangles in the Rayleigh integral, in logarithms. Measured: 0.13 s of two
 /// threads for the same housing.
 const LOGARITHMS_PER_RAYLEIGH_PAIR: f64 = 52.0;
-/// Number of spectral lines whose sound on the surface is solved once more.
-const SKIN_LINES: usize = 3;
 /// Assumed number of component modes with pseudo-modes.
 const MODES: f64 = 60.0;
 /// Number of frequencies per wavelength across the body, and those at low frequencies. The number
@@ -75,6 +73,7 @@ impl SoundSize {
         };
         let solved = match self.method {
             SoundMethod::EquivalentPower => count,
+            // The sound on the surface of the loudest lines is solved once more.
             _ => count + SKIN_LINES as f64,
         };
         let time = solved * (logarithms / rates.logarithms + products / rates.products);

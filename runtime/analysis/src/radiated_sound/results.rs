@@ -30,7 +30,7 @@ const HEAVY: f64 = 0.1;
 
 /// Largest number of lines whose sound on the surface is stored, and the part of the power of the
 /// loudest one above which it is.
-const SKIN_LINES: usize = 3;
+pub(crate) const SKIN_LINES: usize = 3;
 const LOUD: f64 = 0.1;
 
 /// Weighting of frequencies.
