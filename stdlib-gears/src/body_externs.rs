@@ -37,9 +37,10 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_rigid_body(
         context, name: String, frame: SymbolicTransform, free: Vec<String>, force: [f64; 3], moment: [f64; 3],
-        mass: f64, inertia: f64, host_load: Option<String>,
+        mass: f64, inertia: f64, diametral_inertia: Option<f64>, host_load: Option<String>,
     ) -> Handle {
-        let added = lumped(mass, inertia)?;
+        lumped(mass, inertia)?;
+        let added = Inertia::axial(mass, inertia, diametral_inertia.unwrap_or(0.5 * inertia));
         let frame = BodyPlacement { name, frame, free, load: Wrench { force, moment }, added, host_load };
         frame.add(context, Arc::new(RigidBody), None)
     }

@@ -351,19 +351,27 @@ impl ModelHost {
             bearings.filter(|bearing| bearing.to == Support::Ground).any(|bearing| bearing.body == *body)
         };
         let has_feet = elastic.attached.iter().any(|body| fixed(body) || on_ground(body));
+        let is_grounded = self.is_grounded(&elastic.attached);
         // A body without feet moves as a whole, in all degrees of freedom of its attachments.
-        let message = match has_feet {
+        let message = match has_feet || is_grounded {
             true => error.message.clone(),
             false => format!(
                 "the elastic body \"{}\" has no feet: none of its attachments is fixed or mounted on ground",
                 elastic.name
             ),
         };
+        let own = if is_grounded { "the supports of its file do not resist this motion; " } else { "" };
         let help = format!(
-            "support the elastic body \"{}\" in this direction: attach its feet with `fixed = TRUE`, or mount them on ground by bearings with stiffness in all directions at several points",
+            "{own}support the elastic body \"{}\" in this direction: attach its feet with `fixed = TRUE`, or mount them on ground by bearings with stiffness in all directions at several points",
             elastic.name
         );
         EngineError { message, help, argument: None, ..error }
+    }
+
+    /// Returns whether the elastic body of these attachments has supports of its own.
+    fn is_grounded(&self, attached: &[BodyId]) -> bool {
+        let mut connections = attached.iter().flat_map(|&body| self.scene.connections_of(body));
+        connections.any(|connection| connection.body.as_ref().is_some_and(|body| body.0.is_grounded()))
     }
 
     /// Records the instance of a component that is being built, and the call of the library.

@@ -309,6 +309,29 @@ analyze(\"dynamic\", over = gears.time_ranges([gears.time_range(10 ms, step = 10
     }
 }
 
+/// A rigid body that tilts on a spring has the moment of inertia of a thin disc about its diameter
+/// unless another one is given.
+#[test]
+fn rigid_bodies_tilt_with_their_diametral_inertia() {
+    for (inertia, about_diameter) in
+        [("inertia = 0.8 kg*m^2", 0.4), ("inertia = 0.8 kg*m^2, diametral_inertia = 0.1 kg*m^2", 0.1)]
+    {
+        let model = format!(
+            "import gears;
+units SI;
+var body = gears.rigid_body(
+    \"body\", free = [\"theta_x\"], mass = 1 kg, {inertia}, frame := Translate(0 m * e3));
+gears.bearing(\"A\", body, tilting_stiffness = 1e4 N*m/rad, at = 0 m * e3);
+output frequency := gears.natural_frequency(1);
+analyze(\"quasi_static\", over = gears.times(0 s, 0 s, 1), fidelity = \"analytic\", error_estimates = \"none\");
+"
+        );
+        let expected = (1e4f64 / about_diameter).sqrt() / std::f64::consts::TAU;
+        let found = rows(&model)[0][0];
+        assert!((found / expected - 1.0).abs() < 1e-12, "{inertia}: {found} {expected}");
+    }
+}
+
 /// Bodies without mass cannot move in time.
 #[test]
 fn models_without_equations_of_motion_are_rejected() {

@@ -56,7 +56,7 @@ pub fn parts_with_elements(model: &ElasticModel) -> Vec<Vec<usize>> {
 }
 
 /// Returns the nodes that a constraint connects.
-pub(crate) fn nodes_of(constraint: &Constraint) -> Box<dyn Iterator<Item = usize> + '_> {
+pub fn nodes_of(constraint: &Constraint) -> Box<dyn Iterator<Item = usize> + '_> {
     match constraint {
         Constraint::Rigid { reference, dependents, .. } => {
             Box::new(dependents.iter().map(|entry| entry.0).chain([*reference]))

@@ -129,7 +129,9 @@ impl ElasticConnection {
     pub fn rigid(&self, bodies: &[Body], multiple: f64) -> Result<ElasticConnection, EngineError> {
         let Some(SharedElasticBody(body)) = &self.body else { return Ok(self.clone()) };
         let positions = ConnectionState::at(bodies, self, 0.0)?.positions();
-        let stiffness = rigid_links(&positions, multiple * body.typical_stiffness(), body.typical_size());
+        let resisted = body.is_grounded().then(|| body.resisted_motions()).flatten();
+        let (stiffness, size) = (multiple * body.typical_stiffness(), body.typical_size());
+        let stiffness = rigid_links(&positions, stiffness, size, resisted.as_deref());
         Ok(ElasticConnection { stiffness, ..self.clone() })
     }
 

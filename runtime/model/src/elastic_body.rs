@@ -16,6 +16,7 @@ mod given_matrices;
 mod radiating;
 mod recovery;
 mod rigid_links;
+mod supports;
 
 pub(crate) use condensation::by_row;
 pub use condensation::{MotionShapes, condense_model};
@@ -25,6 +26,7 @@ pub use given_matrices::MatrixBody;
 pub use radiating::{BodyMesh, Opening, Panel};
 pub use recovery::{CellShape, DeformedElasticBody, Recovery};
 pub use rigid_links::rigid_links;
+pub use supports::SupportRow;
 
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -126,6 +128,12 @@ pub trait ElasticBody: Any + Send + Sync {
     /// the others, at the origin of the body's coordinates.
     fn is_grounded(&self) -> bool {
         false
+    }
+
+    /// Returns an orthonormal basis of the rigid-body motions that the supports of a grounded body
+    /// resist, with rotations times [`ElasticBody::typical_size`]; `None` if they resist all six.
+    fn resisted_motions(&self) -> Option<Vec<SupportRow>> {
+        None
     }
 
     /// Returns a key of everything that the matrices depend on. Bodies with equal keys share their

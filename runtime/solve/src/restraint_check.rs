@@ -30,6 +30,7 @@ use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{cross, dot, minus};
 use std::f64::consts::PI;
+use unresisted::Teeth;
 
 /// Other parts of a rotation about the own axis, relative to it, that count as rounding.
 const SPIN_ROUNDING: f64 = 1e-9;
@@ -70,9 +71,12 @@ pub fn check(scene: &Mechanism, plan: &Plan, time: f64, interrupt: &Interrupt) -
         dofs.iter().zip(free).any(|(dof, part)| (2..5).contains(&dof.component) && *part != 0.0)
     };
     if plan.three_dimensional && unloaded.free.iter().any(out_of_plane) {
-        let motion = unresisted::motion(scene, plan, &dofs, (&springs.arms, &unloaded.free), &load, time)?;
-        return motion
-            .map_or(Ok(()), |motion| Err(explain(scene, &dofs, &unresisted::error(motion, &dofs, &load))));
+        let teeth = Teeth { scene, plan, dofs: &dofs, stops: &springs.arms, time };
+        if let Some(motion) = teeth.unresisted_motion(&unloaded.free, &load)? {
+            return Err(explain(scene, &dofs, &unresisted::error(motion, &dofs, &load)));
+        }
+        let driven = if unloaded.balanced { None } else { teeth.driven(&unloaded, &load, interrupt)? };
+        return driven.map_or(Ok(()), |error| Err(explain(scene, &dofs, &error)));
     }
     if unloaded.balanced
         && springs.gaps.is_empty()

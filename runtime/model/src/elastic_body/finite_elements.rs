@@ -1,6 +1,7 @@
 //! Elastic body as finite elements with attachments.
 
 use super::condensation::{condense_model, shapes_of_model};
+use super::supports::{SupportRow, on_ground, resisted, support_rows};
 use super::{
     AttachmentExtent, BodyMesh, CellShape, ElasticBody, ElasticBodySize, MassReduction, MotionShapes,
     Opening, Panel, Recovery,
@@ -326,7 +327,12 @@ impl ElasticBody for FiniteElementBody {
     }
 
     fn is_grounded(&self) -> bool {
-        self.fixed_nodes().next().is_some() || self.model.elements.iter().any(on_ground)
+        self.fixed_nodes().next().is_some()
+            || self.model.elements.iter().any(|element| on_ground(element).is_some())
+    }
+
+    fn resisted_motions(&self) -> Option<Vec<SupportRow>> {
+        resisted(&support_rows(&self.model), self.typical_size())
     }
 
     fn key(&self) -> Option<Key> {
@@ -336,9 +342,9 @@ impl ElasticBody for FiniteElementBody {
 
     fn check(&self) -> Result<(), EngineError> {
         let mut held = vec![false; self.model.nodes.len()];
-        let springs = self.model.elements.iter().filter(|element| on_ground(element));
+        let springs = self.model.elements.iter().filter_map(on_ground);
         let attached = self.attachments.iter().flat_map(|attachment| attachment.nodes.iter().copied());
-        let nodes = attached.chain(self.fixed_nodes()).chain(springs.map(|element| element.nodes[0]));
+        let nodes = attached.chain(self.fixed_nodes()).chain(springs.map(|(node, _)| node));
         nodes.for_each(|node| held[node] = true);
         let parts = parts_with_elements(&self.model).into_iter();
         let loose = parts.into_iter().find(|nodes| !nodes.iter().any(|&node| held[node]));
@@ -483,10 +489,6 @@ fn check_near(attachment: &Attachment, (label, at): (u64, Vector), size: f64) ->
 }
 
 /// Returns whether an element is a spring on ground.
-fn on_ground(element: &Element) -> bool {
-    matches!(element.kind, ElementKind::Spring { .. }) && element.nodes.len() == 1
-}
-
 fn written(key: KeyWriter, attachment: &BodyAttachment) -> KeyWriter {
     let key = key.numbers(&attachment.position).count(attachment.nodes.len() as u64);
     let key = attachment.nodes.iter().fold(key, |key, &node| key.count(node as u64));

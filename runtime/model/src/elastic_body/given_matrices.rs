@@ -3,6 +3,7 @@
 use super::condensation::{by_row, on_attachments, relative_motions};
 use super::finite_elements::extent;
 use super::rigid_links::carried;
+use super::supports::{SupportRow, resisted};
 use super::{ElasticBody, ElasticBodySize, MassReduction};
 use crate::interior_modes::InteriorModes;
 use calyx_elastic::import::CondensedMatrices;
@@ -26,7 +27,8 @@ const BASIC: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 pub struct MatrixBody {
     matrices: Arc<CondensedMatrices>,
     content: Key,
-    grounded: bool,
+    /// Motions that the supports of the body resist; none for a body without supports.
+    supports: Vec<SupportRow>,
     /// Index and position of the attached nodes.
     attachments: Vec<(usize, Vector)>,
 }
@@ -35,8 +37,8 @@ impl MatrixBody {
     /// Creates a body without attachments. Matrices with equal `content` keys must be equal. If a
     /// common rigid-body motion of all nodes causes forces, the body is supported on ground.
     pub fn new(matrices: Arc<CondensedMatrices>, content: Key) -> MatrixBody {
-        let grounded = resists_rigid_motion(&matrices);
-        MatrixBody { matrices, content, grounded, attachments: Vec::new() }
+        let supports = support_rows(&matrices);
+        MatrixBody { matrices, content, supports, attachments: Vec::new() }
     }
 
     /// Returns the matrices.
@@ -109,7 +111,11 @@ impl ElasticBody for MatrixBody {
     }
 
     fn is_grounded(&self) -> bool {
-        self.grounded
+        !self.supports.is_empty()
+    }
+
+    fn resisted_motions(&self) -> Option<Vec<SupportRow>> {
+        resisted(&self.supports, self.typical_size())
     }
 
     fn key(&self) -> Option<Key> {
@@ -161,18 +167,18 @@ impl ElasticBody for MatrixBody {
                         "check its mass matrix, or leave `highest_frequency` at 0",
                     )
                 })?;
-                let motions = relative_motions(&placed, self.grounded);
+                let motions = relative_motions(&placed, self.is_grounded());
                 modes.coupling = by_row(&(motions.transpose() * found.coupling));
                 modes.eigenvalues = found.eigenvalues;
             }
             let own = block(mass, &attached, &attached);
             reduced = Some(own + between.transpose() * &moved + moved.transpose() * inertia);
         }
-        let rows = 6 * (placed.len() + usize::from(self.grounded));
+        let rows = 6 * (placed.len() + usize::from(self.is_grounded()));
         Ok(AttachmentMatrices {
-            stiffness: on_attachments(&own, &placed, self.grounded),
+            stiffness: on_attachments(&own, &placed, self.is_grounded()),
             mass: match reduced {
-                Some(mass) => on_attachments(&mass, &placed, self.grounded),
+                Some(mass) => on_attachments(&mass, &placed, self.is_grounded()),
                 None if reduction.has_mass() => vec![0.0; rows * rows],
                 None => Vec::new(),
             },
@@ -206,22 +212,29 @@ impl ElasticBody for MatrixBody {
     }
 }
 
-/// Returns whether a rigid-body motion of all nodes causes forces. A body with nodes of unknown
-/// position counts as free.
-fn resists_rigid_motion(matrices: &CondensedMatrices) -> bool {
+/// Returns the forces on the components, relative to the root of their own stiffness, by rigid-body
+/// motions of all nodes: one row per component with a force. A body with nodes of unknown position
+/// counts as free.
+fn support_rows(matrices: &CondensedMatrices) -> Vec<SupportRow> {
     let positions: Option<Vec<Vector>> = matrices.nodes.iter().map(|node| node.position).collect();
-    let Some(positions) = positions else { return false };
+    let Some(positions) = positions else { return Vec::new() };
     let carried: Vec<_> = positions.into_iter().map(carried).collect();
     let count = matrices.components.len();
-    (0..6).any(|motion| {
-        let moved: Vec<f64> =
-            matrices.components.iter().map(|(node, component)| carried[*node][*component][motion]).collect();
-        // Entries of components that do not couple are rounding errors, relative to the diagonal.
-        let own = |k: usize| matrices.stiffness[(k, k)].max(0.0).sqrt();
-        let scale: f64 = (0..count).map(|column| own(column) * moved[column].abs()).sum();
-        (0..count).any(|row| {
-            let terms = (0..count).map(|column| matrices.stiffness[(row, column)] * moved[column]);
-            terms.sum::<f64>().abs() > SUPPORTED * own(row) * scale
-        })
-    })
+    let moved = |column: usize, motion: usize| {
+        let (node, component) = matrices.components[column];
+        carried[node][component][motion]
+    };
+    let own = |k: usize| matrices.stiffness[(k, k)].max(0.0).sqrt();
+    // Entries of components that do not couple are rounding errors, relative to the diagonal.
+    let scale: [f64; 6] = std::array::from_fn(|motion| {
+        (0..count).map(|column| own(column) * moved(column, motion).abs()).sum()
+    });
+    let force = |row: usize, motion: usize| {
+        let terms = (0..count).map(|column| matrices.stiffness[(row, column)] * moved(column, motion));
+        let force = terms.sum::<f64>();
+        if force.abs() > SUPPORTED * own(row) * scale[motion] { force / own(row) } else { 0.0 }
+    };
+    let stiff = (0..count).filter(|&row| own(row) > 0.0);
+    let rows = stiff.map(|row| std::array::from_fn(|motion| force(row, motion)));
+    rows.filter(|row: &SupportRow| row.iter().any(|&force| force != 0.0)).collect()
 }

@@ -2,15 +2,17 @@
 
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::Support;
-use calyx_model::dof::Dof;
+use calyx_model::dof::{DOF_NAMES, Dof};
 use calyx_model::elastic_body::SharedElasticBody;
 use calyx_model::fidelity::Fidelity;
 use calyx_model::frames::solid_pose;
 use calyx_model::ids::BodyId;
 use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::angular_velocity;
+use calyx_model::rigid::RigidBody;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::vec3::{cross, length};
+use std::any::Any;
 
 /// Checks that a fidelity level has forces, so that bodies vibrate.
 ///
@@ -60,11 +62,12 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
     for dof in dofs {
         let body = &scene.bodies[dof.body];
         let inertia = inertias.get(dof.body).copied().unwrap_or_default();
-        let (resists, what) = match dof.component {
-            0..3 => (inertia.mass, "mass"),
+        let (resists, what, argument) = match dof.component {
+            0..3 => (inertia.mass, "mass", "mass"),
+            5 => (inertia.about[2][2], "moment of inertia about its axis", "inertia"),
             component => {
-                let about = component.saturating_sub(3).min(2);
-                (inertia.about[about][about], "moment of inertia")
+                let about = component.saturating_sub(3).min(1);
+                (inertia.about[about][about], "moment of inertia about a diameter", "diametral_inertia")
             }
         };
         let restrained = resists.is_finite() && resists > 0.0;
@@ -79,10 +82,15 @@ pub fn check_inertia(scene: &Mechanism, dofs: &[Dof], inertias: &[Inertia]) -> R
                 let help = "state the density of the material of the shaft";
                 return Err(EngineError::new("E0762", message, help).about(Subject::Body(dof.body)));
             }
+            let is_plain = (body.prototype.as_ref() as &dyn Any).is::<RigidBody>();
+            let remedy = match is_plain {
+                true => format!("give it a positive `{argument}`"),
+                false => "state the density of its material".to_owned(),
+            };
             return Err(EngineError::new(
                 "E0762",
                 format!("body \"{}\" is free to move and has no {what}", body.name),
-                "give it a `mass` and an `inertia`, or constrain it",
+                format!("{remedy}, or remove \"{}\" from `free`", DOF_NAMES[dof.component]),
             )
             .blame("free")
             .about(Subject::Body(dof.body)));

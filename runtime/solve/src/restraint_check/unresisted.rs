@@ -9,6 +9,7 @@
 //! by far.
 
 use calyx_contact::problem::{ContactError, FreeMotion};
+use calyx_contact::unloaded_equilibrium::UnloadedEquilibrium;
 use calyx_model::dof::Dof;
 use calyx_model::frames::{axes, solid_pose};
 use calyx_model::mechanism::Mechanism;
@@ -16,6 +17,7 @@ use calyx_model::motion::axle;
 use calyx_model::pairs::SurfacePair;
 use calyx_model::plan::Plan;
 use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{cross, dot, minus, plus, scaled, unit};
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
@@ -25,27 +27,91 @@ const RADIUS: f64 = 0.1;
 /// Work of contact forces on a free motion, relative to the largest, that counts as rounding.
 const NO_WORK: f64 = 1e-8;
 
-/// Returns a motion of the DOFs, a combination of those that strain no spring, that neither stops
-/// (`stops`: derivatives of their gaps by the DOFs, row-major) nor teeth can resist. Of several
-/// such motions it is the one that the load drives most, if it drives any. Meshes on general axes
-/// and surfaces that are not gear flanks may resist any motion.
-///
-/// # Errors
-/// A frame is NaN.
-pub(super) fn motion(
-    scene: &Mechanism,
-    plan: &Plan,
-    dofs: &[Dof],
-    (stops, free): (&[f64], &[Vec<f64>]),
-    load: &[f64],
-    time: f64,
-) -> Result<Option<Vec<f64>>, EngineError> {
-    let mut rows = stops.to_vec();
-    let taking_part = |pair: &&SurfacePair| pair.bodies.iter().all(|body| !plan.bodies[body.0].left_out);
-    for pair in scene.pairs.iter().filter(taking_part) {
-        let Some(of_pair) = resisted(scene, pair, dofs, time)? else { return Ok(None) };
-        rows.extend(of_pair.into_iter().flatten());
+/// What resists the motions that strain no spring: teeth and stops.
+#[derive(Clone, Copy)]
+pub(super) struct Teeth<'a> {
+    pub scene: &'a Mechanism,
+    pub plan: &'a Plan,
+    pub dofs: &'a [Dof],
+    /// Derivatives of the gaps of stops by the DOFs, row-major.
+    pub stops: &'a [f64],
+    /// Time, s.
+    pub time: f64,
+}
+
+impl Teeth<'_> {
+    /// Returns a motion, a combination of those that strain no spring (`free`), that neither stops
+    /// nor teeth can resist. Of several such motions it is the one that the load drives most, if it
+    /// drives any. Meshes on general axes and surfaces that are not gear flanks may resist any
+    /// motion.
+    ///
+    /// # Errors
+    /// A frame is NaN.
+    pub fn unresisted_motion(
+        &self,
+        free: &[Vec<f64>],
+        load: &[f64],
+    ) -> Result<Option<Vec<f64>>, EngineError> {
+        let mut rows = self.stops.to_vec();
+        for pair in self.pairs() {
+            let Some(of_pair) = resisted(self.scene, pair, self.dofs, self.time)? else { return Ok(None) };
+            rows.extend(of_pair.into_iter().flatten());
+        }
+        Ok(idle_motion(self.dofs, &rows, free, load))
     }
+
+    /// Returns the error if the load drives a motion that strains no spring in a sense that neither
+    /// stops nor teeth resist. The force of a mesh is between the ends of the face, so forces at
+    /// both ends represent all distributions.
+    ///
+    /// # Errors
+    /// A frame is NaN. Those of the interrupt.
+    pub fn driven(
+        &self,
+        unloaded: &UnloadedEquilibrium,
+        load: &[f64],
+        interrupt: &Interrupt,
+    ) -> Result<Option<ContactError>, EngineError> {
+        let m = self.dofs.len();
+        let mut arms = self.stops.to_vec();
+        for pair in self.pairs() {
+            let rows = resisted(self.scene, pair, self.dofs, self.time)?;
+            let Some([force, couple]) = rows else { return Ok(None) };
+            for end in self.face_ends(pair)? {
+                arms.extend(force.iter().zip(&couple).map(|(force, couple)| force + end / RADIUS * couple));
+            }
+        }
+        let closed = vec![0.0; arms.len() / m.max(1)];
+        let without_motion = UnloadedEquilibrium { motion: vec![0.0; m], ..unloaded.clone() };
+        match without_motion.rigid_limit(&closed, &arms, load, interrupt) {
+            Err(ContactError::Interrupted(error)) => Err(error),
+            Err(error @ ContactError::Infeasible(_)) => Ok(Some(error)),
+            _ => Ok(None),
+        }
+    }
+
+    /// Returns the modelled surface pairs.
+    fn pairs(&self) -> impl Iterator<Item = &SurfacePair> {
+        let modelled =
+            |pair: &&SurfacePair| pair.bodies.iter().all(|body| !self.plan.bodies[body.0].left_out);
+        self.scene.pairs.iter().filter(modelled)
+    }
+
+    /// Returns the axial positions of the ends of both faces together, from the origin of the first
+    /// body, m.
+    fn face_ends(&self, pair: &SurfacePair) -> Result<[f64; 2], EngineError> {
+        let [first, second] = pair.bodies.map(|body| body.0);
+        let pose = |body: usize| solid_pose(self.scene, body, self.time);
+        let axis = axes(self.scene, first, self.time)[2];
+        let between = dot(axis, minus(pose(second)?.origin, pose(first)?.origin));
+        let half = |body: usize| 0.5 * self.scene.bodies[body].prototype.face_width();
+        Ok([(-half(first)).min(between - half(second)), half(first).max(between + half(second))])
+    }
+}
+
+/// Returns a combination of free motions on which no row does work, see
+/// [`Teeth::unresisted_motion`].
+fn idle_motion(dofs: &[Dof], rows: &[f64], free: &[Vec<f64>], load: &[f64]) -> Option<Vec<f64>> {
     let (m, count) = (dofs.len(), free.len());
     let size = |k: usize| if dofs[k].component < 3 { 1.0 } else { RADIUS };
     let scale: Vec<f64> = free
@@ -58,7 +124,7 @@ pub(super) fn motion(
         scale[motion] * row.iter().zip(&free[motion]).map(|(arm, part)| arm * part).sum::<f64>()
     });
     let decomposition = work.svd(false, true);
-    let Some(directions) = decomposition.v_t else { return Ok(None) };
+    let directions = decomposition.v_t?;
     let largest = decomposition.singular_values.iter().copied().fold(0.0, f64::max);
     let idle: Vec<Vec<f64>> = (0..count)
         .filter(|&direction| decomposition.singular_values[direction] <= NO_WORK * largest)
@@ -69,13 +135,13 @@ pub(super) fn motion(
             (0..m).map(part).collect()
         })
         .collect();
-    let Some(first) = idle.first() else { return Ok(None) };
+    let first = idle.first()?;
     // The basis of several motions is arbitrary. The sum of all of them, each times the work of the
     // load on it, is not: the load does no work on any motion at a right angle to it.
     let works: Vec<f64> = idle.iter().map(|motion| work_of(load, motion)).collect();
     let driven: Vec<f64> =
         (0..m).map(|k| idle.iter().zip(&works).map(|(motion, work)| work * motion[k]).sum()).collect();
-    Ok(Some(if is_driven(dofs, load, &driven) { driven } else { first.clone() }))
+    Some(if is_driven(dofs, load, &driven) { driven } else { first.clone() })
 }
 
 /// Returns the work of the load on a motion.
