@@ -217,7 +217,7 @@ impl<'a> Operation<'a> {
         [inner_speed, outer_speed]: [f64; 2],
         cause: &'static str,
     ) -> Self {
-        let motion = Motion { inner_speed, outer_speed, azimuth, ..Motion::REST };
+        let motion = Motion { inner_speed, outer_speed, azimuth, gyroscopic: true, ..Motion::REST };
         Self { ring, motion, cause, linearized_at: None }
     }
 

@@ -61,6 +61,7 @@ fn balls_at_speed_are_in_equilibrium() {
     let (speed, g) = (1500.0, geometry.ball_diameter / geometry.pitch_diameter);
     for (cage, gyroscopic) in [
         (CageSpeed::Nominal, false),
+        (CageSpeed::Nominal, true),
         (CageSpeed::InnerRaceControl, false),
         (CageSpeed::InnerRaceControl, true),
         (CageSpeed::OuterRaceControl, true),
@@ -94,6 +95,7 @@ fn balls_at_speed_are_in_equilibrium() {
             let friction = 2.0 * moment / diameter;
             let radial = inner.load * ai.cos() - outer.load * ao.cos() - friction * ao.sin() + centrifugal;
             let axial = inner.load * ai.sin() - outer.load * ao.sin() + friction * ao.cos();
+            close(ball.friction, friction, outer.load, 1e-12, "friction");
             close(radial, 0.0, outer.load, 1e-12, "radial balance");
             close(axial, 0.0, outer.load, 1e-12, "axial balance");
             check_approaches(geometry, std::f64::consts::TAU * index as f64 / 14.0, [inner, outer]);

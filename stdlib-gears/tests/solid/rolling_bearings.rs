@@ -68,9 +68,11 @@ fn solved<T>(
 #[test]
 fn displacement_is_that_of_the_bearings_under_the_contact_forces() {
     let still = arrangements().into_iter().map(|rows| (rows, MOTION));
-    let moving = Motion { inner_speed: 300.0, ..MOTION };
-    let moving = arrangements().into_iter().map(|rows| (rows, moving));
-    for (index, (rows, motion)) in still.chain(moving).enumerate() {
+    let at_speed = |inner_speed: f64| {
+        let moving = Motion { inner_speed, gyroscopic: true, ..MOTION };
+        arrangements().into_iter().map(move |rows| (rows, moving))
+    };
+    for (index, (rows, motion)) in still.chain(at_speed(300.0)).chain(at_speed(3000.0)).enumerate() {
         solved(Fidelity::Analytic, &moving_scene(&rows, 100.0, motion), |system, step| {
             let placed = [0, 1].map(|k| {
                 let azimuth = step.time * rows[k].cage_speed(&motion);

@@ -4,8 +4,13 @@
 use super::BearingMatrix;
 use super::nonlinear_state::NonlinearState;
 use calyx_numerics::error::EngineError;
+use calyx_rolling::ball::BallState;
 use calyx_rolling::rating::{bearing_capacity, static_safety};
 use calyx_rolling::{Displacement, ElementState, Motion, RollingBearing, RollingError, Start};
+
+/// Coefficient of friction at the outer race beyond which balls do not withstand their gyroscopic
+/// moment: that of boundary lubrication.
+const GYROSCOPIC_FRICTION: f64 = 0.1;
 
 /// Rolling elements of a bearing with rigid rings.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,6 +125,16 @@ impl RollingElements {
                      `gears.bearing_static_safety` is below 1"
                 }
             });
+        }
+        let slides = |ball: &BallState| {
+            let load: f64 = ball.outer.iter().map(|contact| contact.load).sum();
+            ball.friction > GYROSCOPIC_FRICTION * load
+        };
+        if states.iter().filter_map(ElementState::ball).any(slides) {
+            found.push(
+                "has balls whose gyroscopic moment exceeds the friction at the outer race at a coefficient of friction of 0.1: they \
+                 would rotate about the contact; increase the preload or reduce the speed",
+            );
         }
         if self.bearing.is_loaded_on_opposite_flanks(&states) {
             found.push(

@@ -36,6 +36,8 @@ pub struct BallState {
     pub outer: Vec<BallContact>,
     /// Radial and axial displacement of the ball's centre from the pitch circle, m.
     pub center: [f64; 2],
+    /// Friction at the outer race that balances the gyroscopic moment, N.
+    pub friction: f64,
 }
 
 /// Forces at a position of the ball.
@@ -140,15 +142,18 @@ impl BallRow {
     /// Computes loads, contact angles and pressures of a ball.
     pub(crate) fn state(&self, ring: &Local, motion: &Motion) -> BallState {
         let centers = self.centers(ring);
-        let (ball, forces) = if self.is_series(motion) {
+        let (ball, forces, axial_inertia) = if self.is_series(motion) {
             let (inner, outer) = (centers[0], centers[1]);
             let force = self.series_force([inner[0] - outer[0], inner[1] - outer[1]]);
-            (self.start(&centers, [0.0; 2]), [force; 4])
+            (self.start(&centers, [0.0; 2]), [force; 4], 0.0)
         } else {
             let (ball, balance, _) = self.settle(&centers, motion);
-            (ball, balance.grooves)
+            (ball, balance.grooves, balance.inertia[1])
         };
-        let mut state = BallState { center: ball, ..BallState::default() };
+        // Centrifugal force has no axial component.
+        let cosine = forces[self.grooves.len() / 2].direction[0];
+        let friction = if axial_inertia == 0.0 { 0.0 } else { (axial_inertia / cosine).abs() };
+        let mut state = BallState { center: ball, friction, ..BallState::default() };
         for (groove, force) in self.grooves.iter().zip(&forces) {
             let ellipse = self.contact(groove, force.direction[0]).ellipse(force.load);
             let contact = BallContact {
