@@ -1,10 +1,12 @@
 //! Time to evaluate load and stiffness of a pair of tapered roller bearings, as a ratio to the time
-//! of the powers δ^{10/9} that one pass over all laminae takes, in the same run.
+//! of the powers δ^{10/9} that one pass over all laminae takes, in the same run. The pair with
+//! elastic contacts is compared with that with laminae.
 //!
 //! `cargo bench -p calyx-rolling`
 
 use calyx_rolling::{
-    Arrangement, Material, Motion, Profile, Rib, RollerGeometry, RollerKind, RollerRow, RollingBearing, Start,
+    Arrangement, ContactModel, ElasticContact, Material, Motion, Profile, Rib, RollerGeometry, RollerKind,
+    RollerRow, RollingBearing, Start,
 };
 use std::hint::black_box;
 use std::time::Instant;
@@ -12,6 +14,9 @@ use std::time::Instant;
 /// Bound of the ratio for an equilibrium of the pair under a load, with some ten evaluations of
 /// some eight passes over the laminae each.
 const BOUND: f64 = 200.0;
+
+/// Bound of the ratio of an equilibrium with elastic contacts to one with laminae.
+const ELASTIC_BOUND: f64 = 100.0;
 
 fn main() {
     let row = RollerRow::new(RollerGeometry {
@@ -26,6 +31,9 @@ fn main() {
         rollers: Material::STEEL,
     });
     let rollers = row.expect("valid");
+    let elastic =
+        rollers.clone().with_contact(ContactModel::Elastic(ElasticContact::default())).expect("valid");
+    let elastic = RollingBearing::pair(elastic, Arrangement::BackToBack, 80e-3, 3e-6).expect("valid");
     let pair = RollingBearing::pair(rollers, Arrangement::BackToBack, 80e-3, 3e-6).expect("valid");
     let load = [3000.0, -1000.0, 2000.0, 20.0, -15.0];
     let time = |call: &mut dyn FnMut()| {
@@ -60,4 +68,18 @@ fn main() {
     );
     let ratio = equilibrium / powers;
     assert!(ratio < BOUND, "the ratio {ratio:.1} of the equilibrium exceeds its bound {BOUND}");
+    let mut evaluations = 0;
+    let with_elastic = time(&mut || {
+        let solution = elastic.displacement(black_box(&load), &Motion::REST).expect("solved");
+        evaluations = solution.evaluations;
+    });
+    let ratio = with_elastic / equilibrium;
+    println!(
+        "elastic contacts       {:8.1} µs, {ratio:.1} times the equilibrium, {evaluations} evaluations",
+        with_elastic * 1e6
+    );
+    assert!(
+        ratio < ELASTIC_BOUND,
+        "the ratio {ratio:.1} of elastic contacts exceeds its bound {ELASTIC_BOUND}"
+    );
 }

@@ -3,7 +3,7 @@
 use crate::ball::{BallKind, BallRow, BallState, Motion};
 use crate::element::{Local, Response};
 use crate::error::{RollingError, finite};
-use crate::roller::{RollerKind, RollerRow, RollerState};
+use crate::roller::{RollerKind, RollerRow, RollerStart, RollerState};
 use libm::{cos, sin};
 use std::f64::consts::TAU;
 
@@ -90,7 +90,7 @@ pub struct Evaluation {
 /// Positions of the elements at a displacement, from which the next evaluation starts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Start {
-    rollers: Vec<Option<[f64; 3]>>,
+    rollers: Vec<RollerStart>,
 }
 
 /// State of a rolling element.
@@ -110,7 +110,7 @@ pub enum Contacts {
     /// Contacts of a ball.
     Ball(BallState),
     /// Contacts of a roller.
-    Roller(RollerState),
+    Roller(Box<RollerState>),
 }
 
 impl Row {
@@ -309,7 +309,7 @@ impl RollingBearing {
         start: &mut Start,
     ) -> Result<Evaluation, RollingError> {
         check(displacement, motion)?;
-        start.rollers.resize(self.elements, None);
+        start.rollers.resize_with(self.elements, RollerStart::default);
         let mut evaluation = Evaluation::default();
         let mut element = 0;
         for row in &self.rows {
@@ -349,7 +349,7 @@ impl RollingBearing {
                 let contacts = match &row.elements {
                     Elements::Balls(balls) => Contacts::Ball(balls.state(&ring, motion)),
                     Elements::Rollers(rollers) => {
-                        Contacts::Roller(rollers.state(&ring, rollers.centrifugal_force(motion)))
+                        Contacts::Roller(Box::new(rollers.state(&ring, rollers.centrifugal_force(motion))))
                     }
                 };
                 states.push(ElementState { row: index, azimuth, contacts });

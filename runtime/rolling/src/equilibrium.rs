@@ -95,7 +95,8 @@ impl RollingBearing {
                 }
                 next
             };
-            let (fraction, trial) = line_search(&point, &step, |fraction| evaluate(&at(fraction)))?;
+            let (fraction, trial) =
+                line_search(&point, &step, STALLED * scale, |fraction| evaluate(&at(fraction)))?;
             let next = at(fraction);
             if trial.size >= 0.5 * point.size && point.size <= STALLED * scale {
                 break;
@@ -148,11 +149,12 @@ impl RollingBearing {
     }
 }
 
-/// Finds a fraction of a step at which the residual's component along the step is small, and the
-/// forces there.
+/// Finds a fraction of a step at which the residual's component along the step is small, or at which
+/// the residual is at most `small`, and the forces there.
 fn line_search(
     point: &Point,
     step: &[f64; 5],
+    small: f64,
     mut evaluate: impl FnMut(f64) -> Result<Point, RollingError>,
 ) -> Result<(f64, Point), RollingError> {
     let along = |point: &Point| dot(&point.residual, step);
@@ -162,7 +164,8 @@ fn line_search(
     let mut trial = evaluate(fraction)?;
     for _ in 0..60 {
         let value = along(&trial);
-        if trial.size < 0.5 * point.size || value.abs() <= 0.3 * first.abs() {
+        // Rounding may hide the sign of a small residual.
+        if trial.size < 0.5 * point.size || trial.size <= small || value.abs() <= 0.3 * first.abs() {
             break;
         }
         if value > 0.0 {

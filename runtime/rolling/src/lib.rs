@@ -67,7 +67,7 @@ pub use bearing::{
 pub use equilibrium::{Conditions, Equilibrium};
 pub use error::RollingError;
 pub use material::Material;
-pub use roller::{Profile, Rib, RollerGeometry, RollerKind, RollerRow};
+pub use roller::{ContactModel, ElasticContact, Profile, Rib, RollerGeometry, RollerKind, RollerRow};
 
 /// Fingerprint of this crate's source.
 pub const SOURCE: &str = env!("CALYX_SOURCE");

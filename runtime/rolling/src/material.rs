@@ -20,7 +20,7 @@ impl Material {
     pub const SILICON_NITRIDE: Self = Self { youngs_modulus: 310e9, poissons_ratio: 0.27, density: 3200.0 };
 
     /// Returns the plane strain modulus E / (1 - ν²), Pa.
-    fn plane_strain_modulus(&self) -> f64 {
+    pub(crate) fn plane_strain_modulus(&self) -> f64 {
         self.youngs_modulus / (1.0 - self.poissons_ratio * self.poissons_ratio)
     }
 

@@ -1,10 +1,13 @@
 //! Tests of rolling bearings, one module per subject.
 
 mod balls;
+mod elastic_rollers;
 mod equilibrium;
+mod half_space;
 mod hertz;
 mod inputs;
 mod ratings;
 mod reference;
 mod rollers;
 mod sample;
+mod strips;

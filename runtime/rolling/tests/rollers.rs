@@ -12,7 +12,7 @@ fn states(bearing: &RollingBearing, at: &Displacement, motion: &Motion) -> Vec<R
     let states = bearing.elements(at, motion).expect("finite").into_iter();
     states
         .map(|state| match state.contacts {
-            Contacts::Roller(roller) => roller,
+            Contacts::Roller(roller) => *roller,
             Contacts::Ball(_) => panic!("rollers"),
         })
         .collect()

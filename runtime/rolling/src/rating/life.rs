@@ -223,7 +223,7 @@ fn roller_failures(row: &RollerRow, states: &[&RollerState], rating: f64, direct
             let riser = stress_riser(lamina, laminae);
             let load = |state: &&RollerState| {
                 let contact: &LineContact = [&state.inner, &state.outer][side];
-                riser * length * contact.loads[lamina]
+                riser * length * contact.laminae[lamina]
             };
             let sum: f64 = states.iter().map(|state| pow(load(state), exponents[side])).sum();
             let mean = pow(sum / count, 1.0 / exponents[side]);

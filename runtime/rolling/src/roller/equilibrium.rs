@@ -1,81 +1,42 @@
 //! Equilibrium of one roller between the raceways.
 
-use super::geometry::RollerRow;
+use super::geometry::Lamina;
+use super::row::RollerRow;
+use super::state::{Energy, Memory, RollerStart, RollerState, Tangent};
+use super::strips::StripLoads;
 use crate::element::{Local, Response};
 use crate::hertz::line::{EXPONENT, ninth_root, pressure};
 use crate::linear::{dot, solve};
 
 /// Largest number of steps of a roller's equilibrium.
 const STEPS: usize = 80;
+/// Largest number of steps of a roller and its strips together.
+const JOINT_STEPS: usize = 14;
 /// Residual relative to the sum of the forces on a roller.
 const TOLERANCE: f64 = 1e-13;
 
-/// One contact line of a roller.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct LineContact {
-    /// Contact load, N.
-    pub load: f64,
-    /// Moment of the load about the middle of the contact line, N m.
-    pub moment: f64,
-    /// Positions of the laminae from the middle of the contact line, m; away from the apex of
-    /// tapered rollers, and towards -z for cylindrical ones.
-    pub positions: Vec<f64>,
-    /// Loads per length of the laminae, N/m.
-    pub loads: Vec<f64>,
-    /// Pressures of the laminae, Pa.
-    pub pressures: Vec<f64>,
-    /// Largest pressure of the laminae, Pa.
-    pub pressure: f64,
-    /// Position of the largest pressure, m.
-    pub pressure_position: f64,
-}
-
-/// State of one roller.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct RollerState {
-    /// Contact with the inner raceway.
-    pub inner: LineContact,
-    /// Contact with the outer raceway.
-    pub outer: LineContact,
-    /// Load of the rib, N.
-    pub rib: f64,
-    /// Displacement of the roller: radial, m; axial, m; rotation from radial to axial, rad.
-    pub displacement: [f64; 3],
-}
-
-/// Potential energy of a roller with its derivatives with respect to the displacement of the
-/// roller.
-struct Energy {
-    energy: f64,
-    gradient: [f64; 3],
-    hessian: [[f64; 3]; 3],
-    /// Sum of the magnitudes of all forces, N.
-    scale: f64,
-}
-
 impl RollerRow {
-    /// Computes the response of a roller with a centrifugal force, N. `start` has the displacement
-    /// of the roller at a near displacement of the ring, if any, and receives the one found.
-    pub(crate) fn response(&self, ring: &Local, force: f64, start: &mut Option<[f64; 3]>) -> Response {
+    /// Computes the response of a roller with a centrifugal force, N. `start` has the state of the
+    /// roller at a near displacement of the ring, if any, and receives the one found.
+    pub(crate) fn response(&self, ring: &Local, force: f64, start: &mut RollerStart) -> Response {
         let approaches = self.approaches(ring);
-        let (roller, converged) = self.settle(&approaches, force, *start);
-        *start = Some(roller);
-        let mut response = Response { unconverged: !converged, ..Response::default() };
-        let mut coupling = [[0.0; 3]; 3];
-        let mut stiffness = [[0.0; 3]; 3];
-        self.for_each_contact(&approaches, &roller, |ring, approach, load, slope, _| {
-            let is_inner = ring != &[0.0; 3];
-            for i in 0..3 {
-                response.force[i] += load * ring[i];
-                for j in 0..3 {
-                    stiffness[i][j] += slope * approach[i] * approach[j];
-                    if is_inner {
-                        response.stiffness[i][j] += slope * ring[i] * ring[j];
-                        coupling[i][j] += slope * approach[i] * ring[j];
-                    }
-                }
-            }
-        });
+        let mut memory = Memory { strips: std::mem::take(&mut start.strips), ..Memory::default() };
+        let mut first = start.displacement;
+        let mut laminae = None;
+        if self.elastic.is_some() {
+            // Elastic contacts change as laminae do.
+            let (between, loaded) = self.between_laminae(ring, force);
+            laminae = loaded.then_some(between);
+            first = Some(match (first, laminae, start.laminae) {
+                (Some(roller), Some(now), Some(before)) => [0, 1, 2].map(|k| roller[k] + now[k] - before[k]),
+                _ => between,
+            });
+        }
+        let (roller, converged) = self.settle(&approaches, force, first, &mut memory);
+        let Tangent { force, ring, roller: mut stiffness, coupling } =
+            self.tangent(&approaches, &roller, &mut memory);
+        *start = RollerStart { displacement: Some(roller), strips: memory.strips, laminae };
+        let mut response = Response { force, stiffness: ring, unconverged: !converged };
         if coupling == [[0.0; 3]; 3] {
             return response;
         }
@@ -96,41 +57,138 @@ impl RollerRow {
         response
     }
 
+    /// Computes forces and derivatives of all contacts at an equilibrium.
+    fn tangent(&self, approaches: &[f64], roller: &[f64; 3], memory: &mut Memory) -> Tangent {
+        let mut tangent = Tangent::default();
+        let add = |ring: &[f64; 3], approach: &[f64; 3], load, slope, _| {
+            let is_inner = ring != &[0.0; 3];
+            for i in 0..3 {
+                tangent.force[i] += load * ring[i];
+                for j in 0..3 {
+                    tangent.roller[i][j] += slope * approach[i] * approach[j];
+                    if is_inner {
+                        tangent.ring[i][j] += slope * ring[i] * ring[j];
+                        tangent.coupling[i][j] += slope * approach[i] * ring[j];
+                    }
+                }
+            }
+        };
+        match &self.elastic {
+            None => self.for_each_contact(approaches, roller, add),
+            Some(elastic) => {
+                self.rib_load(approaches, roller, add);
+                elastic.add_tangent(memory, &mut tangent);
+            }
+        }
+        tangent
+    }
+
     /// Computes the loads and pressures of a roller.
     pub(crate) fn state(&self, ring: &Local, force: f64) -> RollerState {
         let approaches = self.approaches(ring);
-        let (roller, _) = self.settle(&approaches, force, None);
+        let mut memory = Memory::default();
+        let first = self.elastic.is_some().then(|| self.between_laminae(ring, force).0);
+        let (roller, _) = self.settle(&approaches, force, first, &mut memory);
         let mut state = RollerState { displacement: roller, ..RollerState::default() };
+        match &self.elastic {
+            None => self.lamina_contacts(&approaches, &mut state),
+            Some(elastic) => {
+                elastic.contacts(&memory.strips, &mut state);
+                for (index, contact) in [&mut state.inner, &mut state.outer].into_iter().enumerate() {
+                    contact.laminae = self.laminae_under(index, contact.load, contact.moment);
+                }
+            }
+        }
+        self.rib_load(&approaches, &roller, |_, _, load, _, _| state.rib = load);
+        state
+    }
+
+    /// Finds the loads and pressures of the laminae.
+    fn lamina_contacts(&self, approaches: &[f64], state: &mut RollerState) {
         let per_length = self.geometry.laminae as f64 / self.geometry.length;
         let halves = self.laminae.split_at(self.geometry.laminae);
         let starts = approaches.split_at(self.geometry.laminae);
+        let roller = state.displacement;
         for (contact, laminae, approaches) in
             [(&mut state.inner, halves.0, starts.0), (&mut state.outer, halves.1, starts.1)]
         {
             for (lamina, approach) in laminae.iter().zip(approaches) {
                 let (load, _) = self.lamina_load(approach + dot(&lamina.roller, &roller));
-                let (per_length, position) = (load * per_length, lamina.position);
-                contact.load += load;
-                contact.moment += load * position;
-                contact.positions.push(position);
-                contact.loads.push(per_length);
-                let pressure = pressure(per_length, lamina.radius, self.modulus);
-                contact.pressures.push(pressure);
-                if pressure > contact.pressure {
-                    (contact.pressure, contact.pressure_position) = (pressure, position);
+                let per_length = load * per_length;
+                contact.add(
+                    lamina.position,
+                    load,
+                    per_length,
+                    pressure(per_length, lamina.radius, self.modulus),
+                );
+            }
+            contact.laminae.clone_from(&contact.loads);
+        }
+    }
+
+    /// Returns the loads per length of the laminae of ISO/TS 16281, N/m, that have this load and
+    /// moment together: those of an approach and a tilt at which their potential energy less the
+    /// work of load and moment is least.
+    fn laminae_under(&self, contact: usize, load: f64, moment: f64) -> Vec<f64> {
+        let count = self.geometry.laminae;
+        let laminae = &self.laminae[contact * count..(contact + 1) * count];
+        let arm = 0.5 * self.geometry.length;
+        let per_length = count as f64 / self.geometry.length;
+        let least = laminae.iter().map(|lamina| lamina.relief).fold(f64::INFINITY, f64::min);
+        let approach =
+            |at: &[f64; 2], lamina: &Lamina| at[0] + at[1] * lamina.position / arm - (lamina.relief - least);
+        let energy = |at: &[f64; 2]| {
+            let mut value = -load * at[0] - moment / arm * at[1];
+            let mut gradient = [-load, -moment / arm];
+            let mut hessian = [[0.0; 2]; 2];
+            for lamina in laminae {
+                let approach = approach(at, lamina);
+                let (load, slope) = self.lamina_load(approach);
+                let arms = [1.0, lamina.position / arm];
+                value += load * approach / (1.0 + EXPONENT);
+                for i in 0..2 {
+                    gradient[i] += load * arms[i];
+                    for j in 0..2 {
+                        hessian[i][j] += slope * arms[i] * arms[j];
+                    }
                 }
             }
+            (value, gradient, hessian)
+        };
+        let mut at = [libm::pow(load / (self.coefficient * count as f64), 1.0 / EXPONENT), 0.0];
+        let mut current = energy(&at);
+        for _ in 0..STEPS {
+            let (value, gradient, hessian) = current;
+            if dot(&gradient, &gradient).sqrt() <= TOLERANCE * load {
+                break;
+            }
+            let mut step = gradient.map(|x| [-x]);
+            if !solve(hessian, &mut step) {
+                break;
+            }
+            let slope = gradient[0] * step[0][0] + gradient[1] * step[1][0];
+            let mut fraction = 1.0;
+            loop {
+                let next = [0, 1].map(|k| at[k] + fraction * step[k][0]);
+                let trial = energy(&next);
+                if trial.0 <= value + 1e-4 * fraction * slope || fraction < 1e-10 {
+                    (at, current) = (next, trial);
+                    break;
+                }
+                fraction *= 0.5;
+            }
         }
-        if let Some(rib) = &self.rib {
-            let approach = approaches[approaches.len() - 1] + dot(&rib.roller, &roller);
-            state.rib = rib.stiffness * approach.max(0.0) * approach.max(0.0).sqrt();
-        }
-        state
+        laminae.iter().map(|lamina| per_length * self.lamina_load(approach(&at, lamina)).0).collect()
+    }
+
+    /// Returns the laminae or strips of the inner contact, then those of the outer contact.
+    pub(super) fn sections(&self) -> &[Lamina] {
+        self.elastic.as_ref().map_or(&self.laminae, |elastic| &elastic.sections)
     }
 
     /// Returns the approach of each contact at zero displacement of the roller.
     fn approaches(&self, ring: &Local) -> Vec<f64> {
-        let laminae = self.laminae.iter().map(|lamina| dot(&lamina.ring, ring) - lamina.relief);
+        let laminae = self.sections().iter().map(|lamina| dot(&lamina.ring, ring) - lamina.relief);
         laminae.chain(self.rib.iter().map(|rib| dot(&rib.ring, ring))).collect()
     }
 
@@ -160,34 +218,52 @@ impl RollerRow {
                 call(&lamina.ring, &lamina.roller, load, slope, 9.0 / 19.0 * load * approach);
             }
         }
-        if let Some(rib) = &self.rib {
-            let approach = approaches[approaches.len() - 1] + dot(&rib.roller, roller);
-            if approach > 0.0 {
-                let slope = 1.5 * rib.stiffness * approach.sqrt();
-                let load = slope * approach / 1.5;
-                call(&rib.ring, &rib.roller, load, slope, 0.4 * load * approach);
-            }
+        self.rib_load(approaches, roller, call);
+    }
+
+    /// Calls a function for the rib as [`RollerRow::for_each_contact`] does.
+    fn rib_load(
+        &self,
+        approaches: &[f64],
+        roller: &[f64; 3],
+        mut call: impl FnMut(&[f64; 3], &[f64; 3], f64, f64, f64),
+    ) {
+        let Some(rib) = &self.rib else { return };
+        let approach = approaches[approaches.len() - 1] + dot(&rib.roller, roller);
+        if approach > 0.0 {
+            let slope = 1.5 * rib.stiffness * approach.sqrt();
+            let load = slope * approach / 1.5;
+            call(&rib.ring, &rib.roller, load, slope, 0.4 * load * approach);
         }
     }
 
-    /// Computes the potential energy of a roller.
-    fn energy(&self, approaches: &[f64], roller: &[f64; 3], force: f64) -> Energy {
-        let mut result = Energy {
-            energy: -force * roller[0],
-            gradient: [-force, 0.0, 0.0],
-            hessian: [[0.0; 3]; 3],
-            scale: force.abs(),
-        };
-        self.for_each_contact(approaches, roller, |_, approach, load, slope, energy| {
-            result.energy += energy;
-            result.scale += load;
-            for i in 0..3 {
-                result.gradient[i] += load * approach[i];
-                for j in 0..=i {
-                    result.hessian[i][j] += slope * approach[i] * approach[j];
-                }
-            }
+    /// Returns the potential energy of the rib and of the centrifugal force, with a lower triangle
+    /// of the Hessian.
+    fn other_contacts(&self, approaches: &[f64], roller: &[f64; 3], force: f64) -> Energy {
+        let mut result = Energy::of_force(force, roller);
+        self.rib_load(approaches, roller, |_, approach, load, slope, energy| {
+            result.add(approach, load, slope, energy);
         });
+        for i in 0..3 {
+            for j in i + 1..3 {
+                result.hessian[i][j] = result.hessian[j][i];
+            }
+        }
+        result
+    }
+
+    /// Computes the potential energy of a roller.
+    fn energy(&self, approaches: &[f64], roller: &[f64; 3], force: f64, memory: &mut Memory) -> Energy {
+        let mut result = Energy::of_force(force, roller);
+        match &self.elastic {
+            None => self.for_each_contact(approaches, roller, |_, approach, load, slope, energy| {
+                result.add(approach, load, slope, energy);
+            }),
+            Some(elastic) => {
+                result = self.other_contacts(approaches, roller, force);
+                elastic.add_energy(approaches, roller, memory, &mut result);
+            }
+        }
         for i in 0..3 {
             for j in i + 1..3 {
                 result.hessian[i][j] = result.hessian[j][i];
@@ -221,7 +297,7 @@ impl RollerRow {
     /// Returns the displacement of the roller that shares the approaches evenly among all contacts.
     fn start(&self, approaches: &[f64]) -> [f64; 3] {
         let mut sum = [0.0; 3];
-        for (lamina, approach) in self.laminae.iter().zip(approaches) {
+        for (lamina, approach) in self.sections().iter().zip(approaches) {
             for k in 0..3 {
                 sum[k] -= lamina.roller[k] * approach;
             }
@@ -238,21 +314,99 @@ impl RollerRow {
         [0, 1, 2].map(|k| dot(&self.start[k], &sum))
     }
 
+    /// Returns the magnitude of a force with a moment on a roller, N.
+    fn size(&self, gradient: &[f64; 3]) -> f64 {
+        let moment = gradient[2] / (0.5 * self.geometry.length);
+        (gradient[0] * gradient[0] + gradient[1] * gradient[1] + moment * moment).sqrt()
+    }
+
+    /// Returns a force without importance, N: an unloaded roller leaves its last contact
+    /// geometrically.
+    fn negligible(&self) -> f64 {
+        let approach = 1e-9 * self.geometry.roller_diameter;
+        self.geometry.laminae as f64 * self.lamina_load(approach).0
+    }
+
+    /// Returns the displacement of the roller between laminae, and whether they carry load.
+    fn between_laminae(&self, ring: &Local, force: f64) -> ([f64; 3], bool) {
+        let plain = self.plain.as_deref().unwrap_or(self);
+        let approaches = plain.approaches(ring);
+        let roller = plain.settle(&approaches, force, None, &mut Memory::default()).0;
+        let mut loaded = false;
+        plain.for_each_contact(&approaches, &roller, |_, _, load, _, _| loaded |= load > 0.0);
+        (roller, loaded)
+    }
+
+    /// Newton's method for the displacement of a roller with elastic contact and the loads of its
+    /// strips together. It has no line search; where it does not converge in a few steps, the result
+    /// is `None`.
+    fn newton(
+        &self,
+        approaches: &[f64],
+        force: f64,
+        start: Option<[f64; 3]>,
+        memory: &mut Memory,
+    ) -> Option<[f64; 3]> {
+        let elastic = self.elastic.as_ref()?;
+        let negligible = self.negligible();
+        let mut roller = start?;
+        let mut least = f64::INFINITY;
+        for step in 0..JOINT_STEPS {
+            let mut result = self.other_contacts(approaches, &roller, force);
+            let violation = elastic.residual(approaches, &roller, memory, &mut result);
+            if self.free_axially {
+                result.gradient[1] = 0.0;
+            }
+            let residual = self.size(&result.gradient) / (result.scale + negligible);
+            let Some(violation) = violation else {
+                return (residual <= TOLERANCE).then_some(roller);
+            };
+            let error = violation.max(residual);
+            if error <= TOLERANCE || (least <= 1e-11 && error >= 0.5 * least && error <= 1e-11) {
+                return Some(roller);
+            }
+            if step > 3 && error > 4.0 * least {
+                return None;
+            }
+            least = least.min(error);
+            let change = elastic.step(memory, &mut result, |result| {
+                self.constrain(&mut result.hessian);
+                if self.free_axially {
+                    result.gradient[1] = 0.0;
+                }
+                let mut step = result.gradient.map(|x| [-x]);
+                solve(result.hessian, &mut step).then(|| step.map(|[x]| x))
+            })?;
+            let length =
+                change[0].abs().max(change[1].abs()).max(0.5 * self.geometry.length * change[2].abs());
+            if length > 0.01 * self.geometry.roller_diameter {
+                return None;
+            }
+            roller = [0, 1, 2].map(|k| roller[k] + change[k]);
+        }
+        None
+    }
+
     /// Minimizes the potential energy of a roller, which is convex, by Newton's method with a line
     /// search. Returns the displacement of the roller and whether its residual is small.
-    fn settle(&self, approaches: &[f64], force: f64, start: Option<[f64; 3]>) -> ([f64; 3], bool) {
+    fn settle(
+        &self,
+        approaches: &[f64],
+        force: f64,
+        start: Option<[f64; 3]>,
+        memory: &mut Memory,
+    ) -> ([f64; 3], bool) {
         let arm = 0.5 * self.geometry.length;
-        let size = |gradient: &[f64; 3]| {
-            let moment = gradient[2] / arm;
-            (gradient[0] * gradient[0] + gradient[1] * gradient[1] + moment * moment).sqrt()
-        };
-        // A force without importance: an unloaded roller leaves its last contact geometrically.
-        let approach = 1e-9 * self.geometry.roller_diameter;
-        let negligible = self.geometry.laminae as f64 * self.lamina_load(approach).0;
+        let size = |gradient: &[f64; 3]| self.size(gradient);
+        let negligible = self.negligible();
+        if let Some(roller) = self.newton(approaches, force, start, memory) {
+            return (roller, true);
+        }
+        memory.strips = StripLoads::default();
         let mut roller = self.start(approaches);
-        let mut current = self.energy(approaches, &roller, force);
+        let mut current = self.energy(approaches, &roller, force, memory);
         if let Some(start) = start {
-            let at_start = self.energy(approaches, &start, force);
+            let at_start = self.energy(approaches, &start, force, memory);
             if at_start.energy < current.energy {
                 (roller, current) = (start, at_start);
             }
@@ -277,7 +431,7 @@ impl RollerRow {
             let mut fraction = 1.0;
             let next = loop {
                 let next = [0, 1, 2].map(|k| roller[k] + fraction * step[k]);
-                let trial = self.energy(approaches, &next, force);
+                let trial = self.energy(approaches, &next, force, memory);
                 if trial.energy <= current.energy + 1e-4 * fraction * slope
                     || size(&trial.gradient) < 0.9 * residual
                 {

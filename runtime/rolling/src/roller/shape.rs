@@ -3,6 +3,7 @@
 use super::geometry::{Lamina, Rib, RibContact, RollerGeometry, RollerKind, check_angle};
 use crate::error::{RollingError, finite, positive};
 use crate::material::composite_modulus;
+use calyx_numerics::quadrature::gauss_legendre;
 use libm::{cos, sin, tan};
 
 /// Contacts of a roller and what depends on the form of the rollers.
@@ -12,6 +13,15 @@ pub(super) struct Shape {
     pub cage_ratio: f64,
     pub mass_diameter: f64,
     pub angles: [f64; 2],
+}
+
+/// Section of a contact line: a point, or an interval over which the relief is averaged.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Section {
+    /// Middle, m.
+    pub position: f64,
+    /// Length of the interval, m; zero for a point.
+    pub length: f64,
 }
 
 /// Surface element of a contact in the axial plane of the roller.
@@ -25,29 +35,39 @@ struct Spot {
 }
 
 impl RollerGeometry {
-    /// Derives the contacts of a roller.
-    pub(super) fn shape(&self) -> Result<Shape, RollingError> {
+    /// Derives the contacts of a roller at the sections of each contact line.
+    pub(super) fn shape(&self, sections: &[Section]) -> Result<Shape, RollingError> {
         match self.kind {
             RollerKind::Cylindrical { clearance } => {
                 finite("clearance", clearance)?;
-                Ok(self.cylindrical(clearance))
+                Ok(self.cylindrical(sections, clearance))
             }
-            RollerKind::Tapered { outer_angle, rib } => self.tapered(outer_angle, rib),
+            RollerKind::Tapered { outer_angle, rib } => self.tapered(sections, outer_angle, rib),
             RollerKind::Spherical { angle, outer_osculation, inner_osculation, clearance } => {
-                self.spherical(angle, [inner_osculation, outer_osculation], clearance)
+                self.spherical(sections, angle, [inner_osculation, outer_osculation], clearance)
             }
         }
     }
 
-    /// Collects the laminae of both contacts; `spot` gives the contact point at a position of the
+    /// Returns the middles of the laminae of a contact line.
+    pub(super) fn laminae_sections(&self) -> Vec<Section> {
+        let middle = |k| self.length * ((k as f64 + 0.5) / self.laminae as f64 - 0.5);
+        (0..self.laminae).map(|k| Section { position: middle(k), length: 0.0 }).collect()
+    }
+
+    /// Collects the sections of both contacts; `spot` gives the contact point at a position of the
     /// inner or outer contact.
-    fn laminae(&self, spot: impl Fn(f64, bool) -> Spot) -> Vec<Lamina> {
-        let count = self.laminae;
-        let mut laminae = Vec::with_capacity(2 * count);
+    fn contacts(&self, sections: &[Section], spot: impl Fn(f64, bool) -> Spot) -> Vec<Lamina> {
+        let mut laminae = Vec::with_capacity(2 * sections.len());
         for inner in [true, false] {
-            for k in 0..count {
-                let position = self.length * ((k as f64 + 0.5) / count as f64 - 0.5);
+            for &Section { position, length } in sections {
                 let Spot { point, normal, relief, radius } = spot(position, inner);
+                let relief = if length > 0.0 {
+                    let at = |(x, weight)| 0.5 * weight * spot(position + 0.5 * length * x, inner).relief;
+                    gauss_legendre(4).into_iter().map(at).sum()
+                } else {
+                    relief
+                };
                 let roller = self.roller_approach(point, normal);
                 let ring = if inner { ring_approach(point, normal) } else { [0.0; 3] };
                 let sign = if inner { -1.0 } else { 1.0 };
@@ -68,10 +88,10 @@ impl RollerGeometry {
         self.profile.relief(position, self.length, self.roller_diameter)
     }
 
-    fn cylindrical(&self, clearance: f64) -> Shape {
+    fn cylindrical(&self, sections: &[Section], clearance: f64) -> Shape {
         let radius = 0.5 * self.roller_diameter;
         let pitch = 0.5 * self.pitch_diameter;
-        let laminae = self.laminae(|position, inner| {
+        let laminae = self.contacts(sections, |position, inner| {
             let side = if inner { -1.0 } else { 1.0 };
             Spot {
                 point: [pitch + side * radius, -position],
@@ -92,7 +112,7 @@ impl RollerGeometry {
 
     /// Cones of both raceways and of the rollers with a common apex on the bearing axis, at
     /// distance l from the roller centre.
-    fn tapered(&self, outer_angle: f64, rib: Rib) -> Result<Shape, RollingError> {
+    fn tapered(&self, sections: &[Section], outer_angle: f64, rib: Rib) -> Result<Shape, RollingError> {
         check_angle(outer_angle, false)?;
         positive("radius of the roller end", rib.end_radius)?;
         let pitch = 0.5 * self.pitch_diameter;
@@ -119,7 +139,7 @@ impl RollerGeometry {
             .of("roller_length"));
         }
         let (apex_z, angles) = (apex * cos(axis), [axis - taper, outer_angle]);
-        let laminae = self.laminae(|position, inner| {
+        let laminae = self.contacts(sections, |position, inner| {
             let angle = angles[usize::from(!inner)];
             let along = slant + position;
             let race = along * tan(angle);
@@ -195,7 +215,13 @@ impl RollerGeometry {
         })
     }
 
-    fn spherical(&self, angle: f64, osculation: [f64; 2], clearance: f64) -> Result<Shape, RollingError> {
+    fn spherical(
+        &self,
+        sections: &[Section],
+        angle: f64,
+        osculation: [f64; 2],
+        clearance: f64,
+    ) -> Result<Shape, RollingError> {
         check_angle(angle, true)?;
         finite("clearance", clearance)?;
         for (ring, osculation) in ["inner", "outer"].into_iter().zip(osculation) {
@@ -222,7 +248,7 @@ impl RollerGeometry {
         let normal = [cos(angle), sin(angle)];
         let tangent = [sin(angle), -cos(angle)];
         let ring_radius = (pitch - radius * cos(angle)) / cos(angle);
-        let laminae = self.laminae(|position, inner| {
+        let laminae = self.contacts(sections, |position, inner| {
             // Both contact lines are arcs; the normal of the inner one points to the centre of the
             // arc.
             let (arc, bend, offset) = if inner { (race, -1.0, -radius) } else { (sphere, 1.0, radius) };

@@ -1,0 +1,76 @@
+//! Interaction of two strips of a contact line on a half-space.
+
+use libm::{log, sqrt};
+
+/// Shares and values of the distance of two points under semi-elliptic pressures of half-width 1.
+///
+/// The distribution of the distance |y - y'| has the mean logarithm ln(1/2) - 1/4 and the mean
+/// square 1/2; both are those of the three distances. Their modified Bessel functions K₀(k |y - y'|)
+/// have the mean of the distribution within 0.1 % for wave numbers k from 0 to 12.
+const DISTANCES: [(f64, f64); 3] =
+    [(0.161_448_01, 0.045_630_357_5), (0.515_307_92, 0.388_021_413_3), (0.323_244_07, 1.142_674_334_5)];
+
+/// Double integral of 1/√(x² + (y - y')²) over two intervals of x, averaged over semi-elliptic
+/// pressures across the contact line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Integral {
+    /// Distances of the ends of the intervals: two of positive and two of negative sign.
+    corners: [f64; 4],
+    /// Factor on the result.
+    weight: f64,
+    /// Overlap of the intervals times two.
+    overlap: f64,
+    /// The half-widths of the pressures are comparable with the distance.
+    close: bool,
+}
+
+impl Integral {
+    /// Two intervals of a line: `first` and `second` are their ends, and `close` states whether
+    /// half-widths are comparable with the distance. Intervals are disjoint or equal.
+    pub fn new(first: [f64; 2], second: [f64; 2], weight: f64, close: bool) -> Self {
+        let ([a, b], [c, d]) = (first, second);
+        let corners = [b - c, a - d, b - d, a - c].map(f64::abs);
+        let overlap = if first == second { 2.0 * (b - a) } else { 0.0 };
+        Self { corners, weight, overlap, close }
+    }
+
+    /// Returns the integral with its first and second derivative with respect to the mean square
+    /// of both half-widths.
+    #[inline]
+    pub fn evaluate(&self, square: f64) -> [f64; 3] {
+        if !self.close {
+            // The mean square of the distance is half of that of the half-width.
+            let [value, first, second] = self.at(0.5 * square);
+            return [value, 0.5 * first, 0.25 * second];
+        }
+        let mut sums = [0.0; 3];
+        for (share, distance) in DISTANCES {
+            let scale = distance * distance;
+            let terms = self.at(scale * square);
+            sums[0] += share * terms[0];
+            sums[1] += share * scale * terms[1];
+            sums[2] += share * scale * scale * terms[2];
+        }
+        sums
+    }
+
+    /// Returns the integral of 1/√(x² + s²) with its derivatives with respect to s²: the second
+    /// difference of |x| asinh(|x|/s) - √(x² + s²). Terms of ln s cancel without overlap.
+    #[inline]
+    fn at(&self, square: f64) -> [f64; 3] {
+        let mut sums = [0.0; 3];
+        for (corner, sign) in self.corners.iter().zip([1.0, 1.0, -1.0, -1.0]) {
+            let root = sqrt(corner * corner + square);
+            let inverse = 1.0 / (root + corner);
+            sums[0] += sign * (corner * log(root + corner) - root);
+            sums[1] -= sign * 0.5 * inverse;
+            sums[2] += sign * 0.25 * inverse * inverse / root;
+        }
+        if self.overlap > 0.0 {
+            sums[0] -= 0.5 * self.overlap * log(square);
+            sums[1] -= 0.5 * self.overlap / square;
+            sums[2] += 0.5 * self.overlap / (square * square);
+        }
+        sums.map(|sum| self.weight * sum)
+    }
+}

@@ -1,0 +1,163 @@
+//! Elastic contact of rollers: stiffness, symmetry, equilibrium of the elements, limits.
+
+use crate::sample::{check_stiffness, close, cylindrical, evaluate, spherical, tapered};
+use calyx_rolling::{
+    ContactModel, Displacement, ElasticContact, Motion, RollerGeometry, RollerRow, RollingBearing, Start,
+};
+
+const LOADED: Displacement = [22e-6, -6e-6, 25e-6, 3e-4, -2e-4];
+
+fn elastic(geometry: RollerGeometry) -> RollingBearing {
+    let row = RollerRow::new(geometry).expect("valid");
+    RollingBearing::single(row.with_contact(ContactModel::Elastic(ElasticContact::default())).expect("valid"))
+}
+
+#[test]
+fn stiffness_is_the_derivative_of_the_load() {
+    let speed = Motion { inner_speed: 800.0, ..Motion::REST };
+    for geometry in [cylindrical(), tapered(), spherical()] {
+        for motion in [Motion::REST, speed] {
+            check_stiffness(&elastic(geometry.clone()), &LOADED, &motion, 1e-5);
+        }
+    }
+}
+
+#[test]
+fn stiffness_is_symmetric() {
+    for geometry in [cylindrical(), tapered(), spherical()] {
+        let stiffness = evaluate(&elastic(geometry), &LOADED, &Motion::REST).stiffness;
+        for i in 0..5 {
+            for j in 0..i {
+                let scale = (stiffness[i][i] * stiffness[j][j]).sqrt().max(1.0);
+                close(stiffness[i][j], stiffness[j][i], scale, 1e-12, "symmetry");
+            }
+        }
+    }
+}
+
+#[test]
+fn hostile_displacements_have_finite_results() {
+    let mut random = 0x2545_f491_4f6c_dd1du64;
+    let mut next = || {
+        random ^= random << 13;
+        random ^= random >> 7;
+        random ^= random << 17;
+        (random >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+    };
+    for geometry in [cylindrical(), tapered(), spherical()] {
+        let bearing = elastic(geometry);
+        for exponent in -9..0 {
+            for _ in 0..6 {
+                let size = 10f64.powi(exponent);
+                let at = [0.0; 5].map(|_| size * next());
+                for speed in [0.0, 2000.0] {
+                    let motion = Motion { inner_speed: speed, ..Motion::REST };
+                    let evaluation = bearing.evaluate(&at, &motion, &mut Start::default()).expect("finite");
+                    let finite = evaluation.load.iter().chain(evaluation.stiffness.iter().flatten());
+                    assert!(finite.copied().all(f64::is_finite), "{at:?} {motion:?}");
+                    if exponent < -3 {
+                        assert_eq!(evaluation.unconverged, 0, "{at:?} {speed}");
+                    } else if evaluation.unconverged > 0 {
+                        println!("{exponent} {}", evaluation.unconverged);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The loads on each tapered roller balance, with the geometry of the cones written out again.
+#[test]
+fn elements_are_in_equilibrium() {
+    let bearing = elastic(tapered());
+    let motion = Motion { roller_force: Some(16.5), ..Motion::REST };
+    let [inner, axis, outer] = [10f64, 12.0, 14.0].map(f64::to_radians);
+    let sine = 3.2e-3f64 / 0.12;
+    let cosine = (1.0 - sine * sine).sqrt();
+    let mut loaded = 0;
+    for state in bearing.elements(&LOADED, &motion).expect("finite") {
+        let roller = state.roller().expect("rollers");
+        let (fi, fo, rib) = (roller.inner.load, roller.outer.load, roller.rib);
+        let normal = [-axis.sin() * cosine + axis.cos() * sine, axis.cos() * cosine + axis.sin() * sine];
+        let radial = fi * inner.cos() - fo * outer.cos() + rib * normal[0] + 16.5;
+        let axial = fi * inner.sin() - fo * outer.sin() + rib * normal[1];
+        close(radial, 0.0, fi + fo, 1e-12, "radial");
+        close(axial, 0.0, fi + fo, 1e-12, "axial");
+        let moment = roller.inner.moment - roller.outer.moment - rib * (0.12 - 6.5e-3) * sine;
+        close(moment, 0.0, (fi + fo) * 6.5e-3, 1e-11, "moment");
+        loaded += usize::from(fi > 100.0);
+    }
+    assert!(loaded > 3);
+}
+
+/// Element forces sum to the load of the ring, and the load turns with the displacement.
+#[test]
+fn rotated_bearing_has_rotated_loads() {
+    let bearing = elastic(tapered());
+    let load = evaluate(&bearing, &LOADED, &Motion::REST).load;
+    for turn in [0.3, 2.0, 5.5f64] {
+        let rotate = |v: [f64; 5]| {
+            let (s, c) = turn.sin_cos();
+            [c * v[0] - s * v[1], s * v[0] + c * v[1], v[2], c * v[3] - s * v[4], s * v[3] + c * v[4]]
+        };
+        let motion = Motion { azimuth: turn, ..Motion::REST };
+        let (turned, expected) = (evaluate(&bearing, &rotate(LOADED), &motion).load, rotate(load));
+        for k in 0..5 {
+            let unit = if k < 3 { 1.0 } else { 30e-3 };
+            close(turned[k] / unit, expected[k] / unit, load[2].abs(), 1e-10, "load");
+        }
+    }
+}
+
+#[test]
+fn displacement_balances_the_load() {
+    let bearing = elastic(tapered());
+    let load = [3000.0, -1000.0, 2500.0, 20.0, -15.0];
+    let found = bearing.displacement(&load, &Motion::REST).expect("solved");
+    for k in 0..5 {
+        let unit = if k < 3 { 1.0 } else { 30e-3 };
+        close(found.evaluation.load[k] / unit, load[k] / unit, found.evaluation.scale, 1e-12, "load");
+    }
+}
+
+/// A former state changes the number of steps and not the result.
+#[test]
+fn start_does_not_change_the_result() {
+    let bearing = elastic(tapered());
+    let cold = evaluate(&bearing, &LOADED, &Motion::REST);
+    let mut start = Start::default();
+    for scale in [-1.0, 4.0, 0.2, 1.0] {
+        let warm = bearing.evaluate(&LOADED.map(|x| scale * x), &Motion::REST, &mut start).expect("finite");
+        if scale == 1.0 {
+            for k in 0..5 {
+                close(warm.load[k], cold.load[k], cold.scale, 1e-10, "load");
+            }
+        }
+    }
+}
+
+/// The rating life has the laminae of the standard under the load and moment of each contact.
+#[test]
+fn laminae_of_the_rating_life_have_the_load_of_the_contact() {
+    let bearing = elastic(cylindrical());
+    for state in bearing.elements(&[40e-6, 0.0, 0.0, 0.0, 4e-4], &Motion::REST).expect("finite") {
+        let roller = state.roller().expect("rollers");
+        for contact in [&roller.inner, &roller.outer] {
+            let length = 10e-3 / contact.laminae.len() as f64;
+            let position = |k: usize| ((k as f64 + 0.5) / 41.0 - 0.5) * 10e-3;
+            let sum: f64 = contact.laminae.iter().map(|load| load * length).sum();
+            let moment: f64 =
+                contact.laminae.iter().enumerate().map(|(k, load)| load * length * position(k)).sum();
+            close(sum, contact.load, contact.load.max(1.0), 1e-10, "load");
+            close(moment, contact.moment, 5e-3 * contact.load.max(1.0), 1e-10, "moment");
+        }
+    }
+}
+
+#[test]
+fn number_of_strips_is_checked() {
+    let row = RollerRow::new(cylindrical()).expect("valid");
+    let settings = ElasticContact { strips: 3, ..ElasticContact::default() };
+    let error = row.with_contact(ContactModel::Elastic(settings)).expect_err("too few");
+    assert!(error.to_string().contains("3 strips"));
+}
