@@ -4,6 +4,7 @@ mod balls;
 mod elastic_rollers;
 mod equilibrium;
 mod half_space;
+mod half_space_reference;
 mod hertz;
 mod inputs;
 mod ratings;
