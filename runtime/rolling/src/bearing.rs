@@ -3,7 +3,7 @@
 use crate::ball::{BallKind, BallRow, BallState, Motion};
 use crate::element::{Local, Response};
 use crate::error::{RollingError, finite};
-use crate::roller::{RollerKind, RollerRow, RollerStart, RollerState};
+use crate::roller::{ContactModel, RollerKind, RollerRow, RollerStart, RollerState};
 use libm::{cos, sin};
 use std::f64::consts::TAU;
 
@@ -232,6 +232,26 @@ impl RollingBearing {
             ..Row::new(elements.clone())
         });
         Self::new(rows.to_vec())
+    }
+
+    /// Returns the bearing with another model of the contacts of its rollers. Balls have Hertz's
+    /// solution of half-spaces at each.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] if the model has an invalid number of strips.
+    pub fn with_contact(&self, model: ContactModel) -> Result<Self, RollingError> {
+        let mut bearing = self.clone();
+        for row in &mut bearing.rows {
+            if let Elements::Rollers(rollers) = &mut row.elements {
+                **rollers = rollers.as_ref().clone().with_contact(model)?;
+            }
+        }
+        Ok(bearing)
+    }
+
+    /// Returns whether any row has rollers.
+    pub fn has_rollers(&self) -> bool {
+        self.rows.iter().any(|row| matches!(row.elements, Elements::Rollers(_)))
     }
 
     /// Returns the rows.

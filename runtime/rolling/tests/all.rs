@@ -9,6 +9,7 @@ mod hertz;
 mod inputs;
 mod ratings;
 mod reference;
+mod roller_body;
 mod rollers;
 mod sample;
 mod strips;

@@ -18,8 +18,8 @@ pub struct ElasticContact {
     /// The roller ends at its end faces; if false, it is a half-space that extends beyond the
     /// contact line.
     pub free_ends: bool,
-    /// The roller's body between both raceways has a compliance of its own; if false, it is that of
-    /// half-spaces.
+    /// The roller's body between both raceways is that of a cylinder; if false, it is that of
+    /// half-spaces. Without free ends it has no effect.
     pub body: bool,
 }
 

@@ -1,5 +1,6 @@
 //! Contacts of rollers as elastic half-spaces, at the fidelity `contact`.
 
+use super::body::BodyCompliance;
 use super::contact_model::ElasticContact;
 use super::geometry::{Lamina, RollerGeometry};
 use super::shape::Section;
@@ -50,7 +51,15 @@ impl Elastic {
             images,
         };
         let (inner, outer) = sections.split_at(settings.strips);
-        let strips = Strips::new(&[line(inner), line(outer)], modulus, |_, _| 0.0);
+        let body = (settings.body && settings.free_ends).then(|| {
+            BodyCompliance::new(length, geometry.roller_diameter, geometry.rollers.plane_strain_modulus())
+        });
+        let deflection = |i: usize, j: usize| {
+            let opposite = (i < settings.strips) != (j < settings.strips);
+            body.as_ref()
+                .map_or(0.0, |body| body.deflection(opposite, sections[i].position, sections[j].position))
+        };
+        let strips = Strips::new(&[line(inner), line(outer)], modulus, deflection);
         Ok(Self { settings, sections, strips })
     }
 

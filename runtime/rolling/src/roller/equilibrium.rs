@@ -19,6 +19,7 @@ impl RollerRow {
     /// Computes the response of a roller with a centrifugal force, N. `start` has the state of the
     /// roller at a near displacement of the ring, if any, and receives the one found.
     pub(crate) fn response(&self, ring: &Local, force: f64, start: &mut RollerStart) -> Response {
+        let (ring_displacement, centrifugal) = (ring, force);
         let approaches = self.approaches(ring);
         let mut memory = Memory { strips: std::mem::take(&mut start.strips), ..Memory::default() };
         let mut first = start.displacement;
@@ -35,6 +36,13 @@ impl RollerRow {
         let (roller, converged) = self.settle(&approaches, force, first, &mut memory);
         let Tangent { force, ring, roller: mut stiffness, coupling } =
             self.tangent(&approaches, &roller, &mut memory);
+        let finite = roller.iter().chain(&force).chain(stiffness.iter().flatten()).all(|x| x.is_finite());
+        if let (Some(plain), false) = (&self.plain, finite) {
+            // Half-widths beyond all dimensions: laminae have loads at any approach.
+            *start = RollerStart::default();
+            let between = plain.response(ring_displacement, centrifugal, &mut RollerStart::default());
+            return Response { unconverged: true, ..between };
+        }
         *start = RollerStart { displacement: Some(roller), strips: memory.strips, laminae };
         let mut response = Response { force, stiffness: ring, unconverged: !converged };
         if coupling == [[0.0; 3]; 3] {
@@ -171,7 +179,8 @@ impl RollerRow {
             loop {
                 let next = [0, 1].map(|k| at[k] + fraction * step[k][0]);
                 let trial = energy(&next);
-                if trial.0 <= value + 1e-4 * fraction * slope || fraction < 1e-10 {
+                let decreases = dot(&trial.1, &trial.1) < 0.5 * dot(&gradient, &gradient);
+                if decreases || trial.0 <= value + 1e-4 * fraction * slope || fraction < 1e-10 {
                     (at, current) = (next, trial);
                     break;
                 }

@@ -1,5 +1,6 @@
 //! Roller bearings: cylindrical, needle, tapered and spherical.
 
+mod body;
 mod contact_model;
 mod elastic;
 mod equilibrium;

@@ -8,6 +8,7 @@ use crate::error::{RollingError, finite, positive};
 use crate::hertz::line;
 use crate::material::composite_modulus;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// A row of rollers between rigid rings, with checked dimensions.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,9 +29,9 @@ pub struct RollerRow {
     /// Contact angles of the inner and the outer raceway, rad.
     pub(crate) angles: [f64; 2],
     /// Strips of the contact lines in place of the laminae, at this contact model.
-    pub(crate) elastic: Option<Box<Elastic>>,
+    pub(crate) elastic: Option<Arc<Elastic>>,
     /// The row with laminae, if this one has elastic contacts.
-    pub(super) plain: Option<Box<RollerRow>>,
+    pub(super) plain: Option<Arc<RollerRow>>,
     /// Inverse of the sum of `roller rollerᵀ`, for the first position of a roller.
     pub(crate) start: [[f64; 3]; 3],
 }
@@ -91,12 +92,12 @@ impl RollerRow {
     pub fn with_contact(self, model: ContactModel) -> Result<Self, RollingError> {
         let mut row = self;
         if let Some(plain) = row.plain.take() {
-            row = *plain;
+            row = plain.as_ref().clone();
         }
         let ContactModel::Elastic(settings) = model else { return Ok(row) };
         let elastic = Elastic::new(&row.geometry, row.modulus, settings)?;
-        row.plain = Some(Box::new(row.clone()));
-        row.elastic = Some(Box::new(elastic));
+        row.plain = Some(Arc::new(row.clone()));
+        row.elastic = Some(Arc::new(elastic));
         row.start = row.start_matrix();
         Ok(row)
     }
