@@ -6,7 +6,7 @@ use calyx_runtime::bearing::{Bearing, Linearization, RANGE_TOLERANCE, Support};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rolling::rating::bearing_capacity;
 use calyx_runtime::rolling::{BallKind, Elements, RollerKind, RollingBearing};
-use calyx_runtime::scene::BodyId;
+use calyx_runtime::scene::{BodyId, Fidelity};
 
 /// A connection of bodies other than contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +44,16 @@ impl PlannedBearing {
                 left_out: planned.left_out,
                 reason: planned.reason,
                 rolling: match (bearing.rolling(), bearing.linearization) {
-                    (Some(elements), _) => Some(described(&elements.bearing, stated)),
+                    (Some(elements), _) => {
+                        let mut text = described(&elements.bearing, stated);
+                        if elements.bearing.has_rollers() && plan.fidelity != Fidelity::Rigid {
+                            text += match plan.fidelity.has_elastic_rollers() {
+                                true => "; elastic contacts of rollers",
+                                false => "; laminae of ISO/TS 16281",
+                            };
+                        }
+                        Some(text)
+                    }
                     (None, linearization) => linearization.map(linearized),
                 },
             })

@@ -103,6 +103,12 @@ impl Fidelity {
         }
     }
 
+    /// Returns whether rollers of bearings have elastic contacts with raceways; those of cheaper
+    /// levels have the laminae of ISO/TS 16281.
+    pub fn has_elastic_rollers(self) -> bool {
+        matches!(self, Fidelity::Plane | Fidelity::Solid(_))
+    }
+
     /// Returns the most that an observable may require at this level.
     pub fn supports(self) -> Needs {
         match self {

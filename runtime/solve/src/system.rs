@@ -5,7 +5,7 @@ use crate::derived::DerivedResults;
 use crate::modal::Modes;
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
-use calyx_model::bearing::{Springs, Tangent, springs};
+use calyx_model::bearing::{NonlinearLoad, Springs, Tangent, springs};
 use calyx_model::connection::{
     ElasticConnection, add_connection_mass, add_connection_stiffness, add_mode_coupling,
 };
@@ -56,6 +56,8 @@ pub struct System<'s> {
     pub interrupt: Interrupt,
     /// True for rigid bodies, which touch as the load vanishes.
     pub rigid: bool,
+    /// True if rollers of bearings have elastic contacts, false if they have laminae.
+    elastic_rollers: bool,
     /// Modes of bodies, in transient analyses or vibrations about an equilibrium; empty unless
     /// requested ([`System::with_modes`]).
     pub modes: Modes,
@@ -195,6 +197,7 @@ impl<'s> System<'s> {
             spline_teeth,
             interrupt,
             rigid: plan.fidelity == Fidelity::Rigid,
+            elastic_rollers: plan.fidelity.has_elastic_rollers(),
             modes,
             structure_counts,
             inertias: OnceLock::new(),
@@ -239,10 +242,22 @@ impl<'s> System<'s> {
             modes: self.modes.clone(),
             structure_counts: self.structure_counts,
             rigid: self.rigid,
+            elastic_rollers: self.elastic_rollers,
             inertias: OnceLock::new(),
             left_out: self.left_out.clone(),
             derived: DerivedResults::default(),
         }
+    }
+
+    /// Returns the nonlinear load of a bearing by its index in the scene, at the contact model of
+    /// this fidelity and at a time, s. `None` without one.
+    pub fn nonlinear_load(&self, bearing: usize, time: f64) -> Option<NonlinearLoad> {
+        let nonlinear = self.scene.bearings.get(bearing)?.nonlinear.as_ref()?;
+        // Elements that orbit share the contacts of those at time 0.
+        Some(match self.elastic_rollers {
+            true => nonlinear.with_elastic_rollers().at_time(time),
+            false => nonlinear.at_time(time),
+        })
     }
 
     /// Returns the inertias of all bodies about their axes of rotation.

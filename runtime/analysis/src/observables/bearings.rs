@@ -138,8 +138,9 @@ impl Observable for BearingStiffness {
         let own = &at.system.scene.bearings[self.bearing.0];
         observed(at, self.bearing, |load| {
             let linear = own.stiffness[self.row][self.column];
-            let Some(nonlinear) = &own.nonlinear else { return linear };
-            let nonlinear = nonlinear.at_time(at.step.time);
+            let Some(nonlinear) = at.system.nonlinear_load(self.bearing.0, at.step.time) else {
+                return linear;
+            };
             let state = nonlinear.state(None, five(&load.deflection));
             let tangent = |state| nonlinear.tangent(&state, 0.0).stiffness[self.row][self.column];
             state.map_or(f64::NAN, |state| linear + tangent(state))

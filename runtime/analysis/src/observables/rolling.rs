@@ -2,7 +2,7 @@
 //! reference rating life.
 
 use super::{Equilibrium, Observable, Quantity};
-use calyx_model::bearing::RollingElements;
+use calyx_model::bearing::{NonlinearLoad, RollingElements};
 use calyx_model::ids::BearingId;
 use calyx_model::observed::Observed;
 use calyx_rolling::rating::{Life, LifeConditions, rating_life, static_safety};
@@ -31,9 +31,8 @@ impl Equilibrium<'_> {
     /// Returns the states of the elements of a rolling bearing, row by row; `None` if the scene has
     /// no such rolling bearing, or its races have separated.
     pub fn rolling_elements(self, bearing: BearingId) -> Option<Vec<ElementState>> {
-        let elements = self.system.scene.bearings.get(bearing.0)?.rolling().cloned()?;
-        let moved = elements.at_time(self.step.time);
-        let elements = moved.as_ref().unwrap_or(&elements);
+        let load = self.system.nonlinear_load(bearing.0, self.step.time)?;
+        let NonlinearLoad::Rolling(elements) = load else { return None };
         elements.elements(&self.bearing(bearing)?.deflection).ok()
     }
 }

@@ -38,6 +38,14 @@ impl NonlinearLoad {
         }
     }
 
+    /// Returns the load with elastic contacts of rollers.
+    pub fn with_elastic_rollers(&self) -> Self {
+        match self {
+            NonlinearLoad::Rolling(elements) => NonlinearLoad::Rolling(elements.with_elastic_rollers()),
+            NonlinearLoad::Curves(_) => self.clone(),
+        }
+    }
+
     /// Returns a mean stiffness, which restrains the bearing in the directions that it supports.
     pub fn typical_stiffness(&self) -> BearingMatrix {
         match self {

@@ -6,7 +6,10 @@ use super::nonlinear_state::NonlinearState;
 use calyx_numerics::error::EngineError;
 use calyx_rolling::ball::BallState;
 use calyx_rolling::rating::{bearing_capacity, static_safety};
-use calyx_rolling::{Displacement, ElementState, Motion, RollingBearing, RollingError, Start};
+use calyx_rolling::{
+    ContactModel, Displacement, ElasticContact, ElementState, Motion, RollingBearing, RollingError, Start,
+};
+use std::sync::{Arc, OnceLock};
 
 /// Coefficient of friction at the outer race beyond which balls do not withstand their gyroscopic
 /// moment: that of boundary lubrication.
@@ -22,6 +25,24 @@ pub struct RollingElements {
     /// The inner ring is on the second race.
     is_inverted: bool,
     typical: BearingMatrix,
+    elastic: ElasticRollers,
+}
+
+/// The same elements with elastic contacts of rollers, computed on request. Copies have their own,
+/// because their motion may change.
+#[derive(Debug, Default)]
+struct ElasticRollers(OnceLock<Arc<RollingElements>>);
+
+impl Clone for ElasticRollers {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for ElasticRollers {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl RollingElements {
@@ -30,7 +51,13 @@ impl RollingElements {
     /// # Errors
     /// E0697: an input is not finite, or the bearing without deflection would indent its raceways.
     pub fn new(bearing: RollingBearing, motion: Motion) -> Result<Self, EngineError> {
-        let mut elements = Self { bearing, motion, is_inverted: false, typical: [[0.0; 6]; 6] };
+        let mut elements = Self {
+            bearing,
+            motion,
+            is_inverted: false,
+            typical: [[0.0; 6]; 6],
+            elastic: ElasticRollers::default(),
+        };
         elements.check_preload()?;
         // Tangents on all sides of the clearance together resist all motions that any one resists.
         // At high speed, centrifugal force opens a clearance at the inner ring beyond this reach.
@@ -50,6 +77,19 @@ impl RollingElements {
             }
         }
         Ok(elements)
+    }
+
+    /// Returns the elements with elastic contacts of rollers; balls have Hertz's solution anyway.
+    pub fn with_elastic_rollers(self: &Arc<Self>) -> Arc<Self> {
+        if !self.bearing.has_rollers() {
+            return self.clone();
+        }
+        let model = ContactModel::Elastic(ElasticContact::default());
+        let build = || match self.bearing.with_contact(model) {
+            Ok(bearing) => Arc::new(Self { bearing, ..self.as_ref().clone() }),
+            Err(_) => self.clone(),
+        };
+        self.elastic.0.get_or_init(build).clone()
     }
 
     /// Returns the mean stiffness on all sides of the clearance, which restrains the bearing in the

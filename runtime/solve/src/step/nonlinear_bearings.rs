@@ -175,11 +175,11 @@ fn members(system: &System<'_>, time: f64) -> Result<Vec<Member>, EngineError> {
     let mut members = Vec::new();
     for &bearing in &system.bearings {
         let own = &system.scene.bearings[bearing];
-        let Some(nonlinear) = &own.nonlinear else { continue };
+        let Some(nonlinear) = system.nonlinear_load(bearing, time) else { continue };
         let placed = BearingState::at(&system.scene.bodies, own, time)?;
         let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
         let (radius, width) = (nonlinear.radius(), system.width(own.body.0));
-        members.push(Member { bearing, nonlinear: nonlinear.at_time(time), arms, radius, width });
+        members.push(Member { bearing, nonlinear, arms, radius, width });
     }
     Ok(members)
 }
