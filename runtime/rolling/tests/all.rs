@@ -1,6 +1,7 @@
 //! Tests of rolling bearings, one module per subject.
 
 mod balls;
+mod cylinder;
 mod elastic_rollers;
 mod equilibrium;
 mod half_space;
