@@ -26,9 +26,9 @@ fn between_rigid_planes(ratio: f64, settings: ElasticContact) -> RollingBearing 
     RollingBearing::single(row.with_contact(ContactModel::Elastic(settings)).expect("valid"))
 }
 
-/// A plane disc between two loads w has the approach w/(πE') (2 ln(4R/b) - 1) of each contact to its
-/// centre (Johnson, Contact Mechanics, section 5.6), and without axial force along the roller
-/// 2 ν² w/(πE) more.
+/// A plane disc between two loads w has the approach w/(πE') (2 ln(4R/b) - 1) of each contact to
+/// its centre (Johnson, Contact Mechanics, section 5.6), and without axial force along the roller 2
+/// ν² w/(πE) more.
 #[test]
 fn long_roller_has_the_approach_of_a_disc() {
     let steel = Material::STEEL;

@@ -5,9 +5,9 @@ use libm::log2;
 /// Compliance of cylinders with free ends, one row for each ratio of length to diameter.
 ///
 /// After the ratio, a row has the lower triangles of the coefficients of even and of odd Legendre
-/// polynomials for a load on the same line, then those for a load on the opposite line. They are for
-/// Poisson's ratio 0.3; the theory manual states how they were computed, and tests compare them with
-/// the plane disc and with an independent computation.
+/// polynomials for a load on the same line, then those for a load on the opposite line. They are
+/// for Poisson's ratio 0.3; the theory manual states how they were computed, and tests compare them
+/// with the plane disc and with an independent computation.
 const TABLE: &str = include_str!("body.csv");
 /// Number of Legendre polynomials.
 const ORDERS: usize = 8;
@@ -28,8 +28,8 @@ pub(super) struct BodyCompliance {
 }
 
 impl BodyCompliance {
-    /// Compliance of a cylinder of this length and diameter, m, and plane strain modulus, Pa. Ratios
-    /// beyond the table are those of its ends.
+    /// Compliance of a cylinder of this length and diameter, m, and plane strain modulus, Pa.
+    /// Ratios beyond the table are those of its ends.
     pub fn new(length: f64, diameter: f64, plane_strain_modulus: f64) -> Self {
         let rows: Vec<Vec<f64>> = TABLE
             .lines()

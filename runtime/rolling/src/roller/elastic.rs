@@ -1,4 +1,4 @@
-//! Contacts of rollers as elastic half-spaces, at the fidelity `contact`.
+//! Contacts of rollers as elastic half-spaces, at fidelity levels with finite elements.
 
 use super::body::BodyCompliance;
 use super::contact_model::ElasticContact;

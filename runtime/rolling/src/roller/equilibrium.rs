@@ -347,8 +347,8 @@ impl RollerRow {
     }
 
     /// Newton's method for the displacement of a roller with elastic contact and the loads of its
-    /// strips together. It has no line search; where it does not converge in a few steps, the result
-    /// is `None`.
+    /// strips together. It has no line search; where it does not converge in a few steps, the
+    /// result is `None`.
     fn newton(
         &self,
         approaches: &[f64],

@@ -5,8 +5,8 @@ use libm::{log, sqrt};
 /// Shares and values of the distance of two points under semi-elliptic pressures of half-width 1.
 ///
 /// The distribution of the distance |y - y'| has the mean logarithm ln(1/2) - 1/4 and the mean
-/// square 1/2; both are those of the three distances. Their modified Bessel functions K₀(k |y - y'|)
-/// have the mean of the distribution within 0.1 % for wave numbers k from 0 to 12.
+/// square 1/2; both are those of the three distances. Their modified Bessel functions K₀(k |y -
+/// y'|) have the mean of the distribution within 0.1 % for wave numbers k from 0 to 12.
 const DISTANCES: [(f64, f64); 3] =
     [(0.161_448_01, 0.045_630_357_5), (0.515_307_92, 0.388_021_413_3), (0.323_244_07, 1.142_674_334_5)];
 

@@ -59,8 +59,8 @@ impl StripLoads {
     }
 }
 
-/// Part of the length of a contact line that is divided evenly; the rest has strips that are shorter
-/// towards the ends.
+/// Part of the length of a contact line that is divided evenly; the rest has strips that are
+/// shorter towards the ends.
 const EVEN: f64 = 0.1;
 
 /// Divides a contact line into strips that are shorter towards its ends. Their bounds are the means
