@@ -16,7 +16,7 @@ use std::time::Instant;
 const BOUND: f64 = 200.0;
 
 /// Bound of the ratio of an equilibrium with elastic contacts to one with laminae.
-const ELASTIC_BOUND: f64 = 100.0;
+const ELASTIC_BOUND: f64 = 60.0;
 
 fn main() {
     let row = RollerRow::new(RollerGeometry {

@@ -149,8 +149,8 @@ impl RollingBearing {
     }
 }
 
-/// Finds a fraction of a step at which the residual's component along the step is small, or at which
-/// the residual is at most `small`, and the forces there.
+/// Finds a fraction of a step at which the residual's component along the step is small, or at
+/// which the residual is at most `small`, and the forces there.
 fn line_search(
     point: &Point,
     step: &[f64; 5],

@@ -1,6 +1,8 @@
 //! Balls: stiffness against differences, equilibrium at speed, four-point contact.
 
-use crate::sample::{angular_contact, balls, check_stiffness, close, deep_groove, evaluate, four_point};
+use crate::sample::{
+    angular_contact, balls, check_hostile, check_stiffness, close, deep_groove, evaluate, four_point,
+};
 use calyx_rolling::ball::{BallContact, BallGeometry, BallState};
 use calyx_rolling::bearing::Contacts;
 use calyx_rolling::hertz::point::PointContact;
@@ -183,33 +185,12 @@ fn axial_load_leaves_two_contacts_of_a_four_point_bearing() {
 /// Hostile displacements of any direction and size have a finite result.
 #[test]
 fn hostile_displacements_have_finite_results() {
-    let mut random = 0x2545_f491_4f6c_dd1du64;
-    let mut next = || {
-        random ^= random << 13;
-        random ^= random >> 7;
-        random ^= random << 17;
-        (random >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
-    };
+    let motions = [
+        Motion::REST,
+        at_speed(2000.0, CageSpeed::Nominal, false),
+        at_speed(5000.0, CageSpeed::InnerRaceControl, true),
+    ];
     for geometry in [deep_groove(), angular_contact(), four_point()] {
-        let bearing = balls(geometry);
-        for exponent in -8..2 {
-            for _ in 0..20 {
-                let size = 10f64.powi(exponent);
-                let at = [0.0; 5].map(|_| size * next());
-                for motion in [
-                    Motion::REST,
-                    at_speed(2000.0, CageSpeed::Nominal, false),
-                    at_speed(5000.0, CageSpeed::InnerRaceControl, true),
-                ] {
-                    let mut start = calyx_rolling::Start::default();
-                    let evaluation = bearing.evaluate(&at, &motion, &mut start).expect("finite");
-                    let finite = evaluation.load.iter().chain(evaluation.stiffness.iter().flatten());
-                    assert!(finite.copied().all(f64::is_finite), "{at:?} {motion:?}");
-                    if exponent < -4 {
-                        assert_eq!(evaluation.unconverged, 0, "{at:?} {motion:?}");
-                    }
-                }
-            }
-        }
+        check_hostile(&balls(geometry), &motions, -8..2, -4);
     }
 }

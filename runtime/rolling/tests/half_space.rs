@@ -53,11 +53,10 @@ fn love(x: [f64; 2], y: [f64; 2]) -> f64 {
 }
 
 impl Reference<'_> {
-    /// Solves by conjugate gradients on active sets.
-    pub fn solve(&self) -> Field {
+    /// Deflections of cells by others, by the distance of their columns and by their rows.
+    fn table(&self) -> Vec<f64> {
         let [along, across] = self.cells;
         let (dx, dy) = (self.length / along as f64, self.half_width / across as f64);
-        let x = |i: usize| (i as f64 + 0.5) * dx - 0.5 * self.length;
         let y = |k: usize| (k as f64 + 0.5) * dy;
         // Deflection of cell (i, k) by cells (j, ±l), by the distances of columns.
         let kernel = |shift: f64, k: usize, l: usize| {
@@ -74,6 +73,16 @@ impl Reference<'_> {
                 }
             }
         }
+        table
+    }
+
+    /// Solves by conjugate gradients on active sets.
+    pub fn solve(&self) -> Field {
+        let [along, across] = self.cells;
+        let (dx, dy) = (self.length / along as f64, self.half_width / across as f64);
+        let x = |i: usize| (i as f64 + 0.5) * dx - 0.5 * self.length;
+        let y = |k: usize| (k as f64 + 0.5) * dy;
+        let table = self.table();
         let count = along * across;
         let interaction = |i: usize, j: usize, k: usize| {
             let at = |shift: usize| &table[(shift * across + k) * across..(shift * across + k + 1) * across];

@@ -5,6 +5,7 @@ use calyx_rolling::{
     BallKind, BallRow, Displacement, Evaluation, Material, Motion, Profile, Rib, RollerGeometry, RollerKind,
     RollerRow, RollingBearing, Start,
 };
+use std::ops::Range;
 
 pub fn deep_groove() -> BallGeometry {
     BallGeometry {
@@ -117,6 +118,42 @@ pub fn check_stiffness(bearing: &RollingBearing, at: &Displacement, motion: &Mot
             let expected = (4.0 * fine[row] - coarse[row]) / 3.0 / unit[row];
             let value = evaluation.stiffness[row][column] / unit[row] / unit[column];
             close(value, expected, largest, tolerance, &format!("stiffness {row} {column}"));
+        }
+    }
+}
+
+/// Compares the stiffness with its transpose.
+pub fn check_symmetry(bearing: &RollingBearing, at: &Displacement) {
+    let stiffness = evaluate(bearing, at, &Motion::REST).stiffness;
+    for i in 0..5 {
+        for j in 0..i {
+            let scale = (stiffness[i][i] * stiffness[j][j]).sqrt().max(1.0);
+            close(stiffness[i][j], stiffness[j][i], scale, 1e-12, "symmetry");
+        }
+    }
+}
+
+/// Checks that 20 displacements in random directions of each power of ten, m and rad, have finite
+/// results, and that elements converge below a power.
+pub fn check_hostile(bearing: &RollingBearing, motions: &[Motion], powers: Range<i32>, converged: i32) {
+    let mut random = 0x2545_f491_4f6c_dd1du64;
+    let mut next = || {
+        random ^= random << 13;
+        random ^= random >> 7;
+        random ^= random << 17;
+        (random >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+    };
+    for power in powers {
+        for _ in 0..20 {
+            let at = [0.0; 5].map(|_| 10f64.powi(power) * next());
+            for motion in motions {
+                let evaluation = bearing.evaluate(&at, motion, &mut Start::default()).expect("finite");
+                let finite = evaluation.load.iter().chain(evaluation.stiffness.iter().flatten());
+                assert!(finite.copied().all(f64::is_finite), "{at:?} {motion:?}");
+                if power < converged {
+                    assert_eq!(evaluation.unconverged, 0, "{at:?} {motion:?}");
+                }
+            }
         }
     }
 }

@@ -15,7 +15,7 @@ const LARGEST_PRESSURE: f64 = 4e9;
 /// [`LARGEST_PRESSURE`].
 const NEAR: f64 = 4.0;
 /// Distance within which the distribution of pressure across the line matters, likewise.
-const CLOSE: f64 = 1.5;
+const CLOSE: f64 = 1.0;
 
 /// Strip of a contact line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -205,6 +205,11 @@ impl Strips {
         }
         for pair in &self.near {
             let (i, j) = (pair.first, pair.second);
+            // Separated strips have no effect on each other.
+            let separated = |strip: usize| loads[strip] == 0.0 && approaches[strip] <= 0.0;
+            if separated(i) && loads[j] == 0.0 || separated(j) && loads[i] == 0.0 {
+                continue;
+            }
             let square = 0.5 * (at.squares[i] + at.squares[j]);
             let mut sums = [0.0; 3];
             for integral in &pair.integrals {

@@ -27,7 +27,7 @@ const RADIUS: f64 = 0.1;
 /// Work of contact forces on a free motion, relative to the largest, that counts as rounding.
 const NO_WORK: f64 = 1e-8;
 
-/// What resists the motions that strain no spring: teeth and stops.
+/// Teeth and stops, which may resist the motions that strain no spring.
 #[derive(Clone, Copy)]
 pub(super) struct Teeth<'a> {
     pub scene: &'a Mechanism,
