@@ -116,6 +116,20 @@ calyx_abi::externs! {
         self::region(context, AttachedPart::Region(region))
     }
 
+    Scene fn calyx_gears_bore_region(
+        context, body: Handle, center: [f64; 3], axis: [f64; 3], diameter: f64, length: f64,
+    ) -> Handle {
+        direction("axis", axis)?;
+        let (radius, half) = (0.5 * diameter, 0.5 * length);
+        let region = Region::Cylinder { origin: center, axis, radius, heights: [-half, half], tolerance: 0.01 * radius };
+        let index = elastic_body(context, body)?;
+        if let BodySource::Elements(elements) = &host(context)?.elastic_bodies[index].source {
+            let checked = region.check_surrounds_axis(elements.model());
+            checked.map_err(|error| refusal("E0991", "diameter", &error.message, &error.help))?;
+        }
+        self::region(context, AttachedPart::Region(region))
+    }
+
     Pure fn calyx_gears_plane_region(context, point: [f64; 3], normal: [f64; 3], tolerance: f64) -> Handle {
         direction("normal", normal)?;
         region(context, AttachedPart::Region(Region::Plane { origin: point, normal, tolerance }))

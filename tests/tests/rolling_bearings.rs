@@ -272,3 +272,49 @@ output {name}_stiffness_{axis} := gears.bearing_stiffness({name}, \"{axis}\", \"
     }
     close("transmission error", found["transmission_error"][1], rolling["transmission_error"][1], 0.01, 0.0);
 }
+
+/// Reactions, which observables evaluate on their own, balance a load on a rigid body at every
+/// level, with the contacts of rollers of this level. The body may tilt in three dimensions.
+#[test]
+fn reactions_balance_the_load_at_every_level() {
+    let kinds = [
+        "ball_bearing(n, body, at = z, count = 9, ball_diameter = 11.9 mm, pitch_diameter = 60 mm",
+        "cylindrical_roller_bearing(n, body, at = z, count = 14, roller_diameter = 10 mm, roller_length = 10 mm, pitch_diameter = 55 mm, clearance = 20 um",
+        "needle_bearing(n, body, at = z, count = 20, roller_diameter = 3 mm, roller_length = 15 mm, pitch_diameter = 43 mm",
+        "tapered_roller_bearing(n, body, at = z, count = 17, roller_diameter = 8 mm, roller_length = 12 mm, pitch_diameter = 52 mm, contact_angle = 15 deg, axial_preload = 3 um, thrust = thrust",
+    ];
+    for kind in kinds {
+        for fidelity in ["plane", "analytic", "medium"] {
+            let is_plane = fidelity == "plane";
+            if is_plane && kind.starts_with("tapered") {
+                continue;
+            }
+            let (free, axial) = if is_plane {
+                ("", "")
+            } else {
+                let axial = "gears.bearing(\"axial\", body, axial_stiffness = 5e7 N/m);";
+                (", \"u_z\", \"theta_x\", \"theta_y\"", axial)
+            };
+            let model = format!(
+                "import gears;
+units mm_N_s;
+var body = gears.rigid_body(\"body\", free = [\"u_x\", \"u_y\"{free}], force = 2000 N * e1 + 300 N * e2, frame := Rotate(100 rpm * Time, e3));
+{axial}
+function rolling(in n, in z, in thrust) {{ return gears.{kind}); }}
+var near = rolling(\"near\", -30 mm * e3, \"+z\");
+var far = rolling(\"far\", 70 mm * e3, \"-z\");
+output near_x := gears.bearing_force(near, \"x\");
+output near_y := gears.bearing_force(near, \"y\");
+output far_x := gears.bearing_force(far, \"x\");
+output far_y := gears.bearing_force(far, \"y\");
+analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = \"{fidelity}\", error_estimates = \"none\");
+"
+            );
+            let found = solved(&model);
+            let sum = |axis: &str| found[&format!("near_{axis}")][0] + found[&format!("far_{axis}")][0];
+            let what = format!("{kind} at {fidelity}");
+            close(&what, sum("x"), -2000.0, 1e-8, 2000.0);
+            close(&what, sum("y"), -300.0, 1e-8, 2000.0);
+        }
+    }
+}

@@ -6,7 +6,7 @@ use crate::error::ElementError;
 use crate::model::{Components, Constraint, ElasticModel, ElementKind, Node};
 use nalgebra::Vector3;
 use std::collections::HashSet;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Region of nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -172,6 +172,59 @@ impl Region {
         Ok(nodes)
     }
 
+    /// Checks that the nodes of a cylinder surround its axis, as those of a whole bore do. Other
+    /// regions have no axis.
+    ///
+    /// # Errors
+    /// The region contains no node, or its nodes leave a gap of more than [`WIDEST_GAP`]. The
+    /// message states radius and position of the node nearest to the cylinder.
+    pub fn check_surrounds_axis(&self, model: &ElasticModel) -> Result<(), ElementError> {
+        let Self::Cylinder { origin, axis, radius, heights, .. } = self else { return Ok(()) };
+        let axis = unit(*axis)?;
+        let [across, other] = perpendicular(&axis);
+        let arm = |node: &Node| Vector3::from(node.position) - Vector3::from(*origin);
+        let found = self.nodes(model).unwrap_or_default();
+        let mut angles: Vec<f64> = found
+            .iter()
+            .map(|&node| arm(&model.nodes[node]))
+            .map(|arm| other.dot(&arm).atan2(across.dot(&arm)))
+            .collect();
+        angles.sort_by(f64::total_cmp);
+        let around = angles.iter().copied().chain(angles.first().map(|first| first + TAU));
+        let gap = around.clone().skip(1).zip(around).map(|(next, angle)| next - angle).fold(0.0, f64::max);
+        if !found.is_empty() && gap <= WIDEST_GAP {
+            return Ok(());
+        }
+        let mm = |metres: f64| (metres * 1e6).round() / 1e3 + 0.0;
+        let what = match found.len() {
+            0 => "no node is on it".to_owned(),
+            count => format!(
+                "{count} nodes are on it and leave a gap of {} degrees",
+                (gap.to_degrees() * 10.0).round() / 10.0
+            ),
+        };
+        let spatial = model.nodes.iter().filter(|node| is_spatial(node));
+        let off = |node: &&Node| self.distance(node.position).unwrap_or(f64::INFINITY).max(0.0);
+        let outside = spatial.filter(|node| off(node) > 0.0);
+        let nearest = outside.min_by(|one, other| off(one).total_cmp(&off(other))).map(|node| {
+            let height = axis.dot(&arm(node));
+            format!(
+                "; the nearest other node, {}, is {} mm from the axis and {} mm from the middle along it",
+                node.label,
+                mm((arm(node) - axis * height).norm()),
+                mm(height - 0.5 * (heights[0] + heights[1]))
+            )
+        });
+        Err(ElementError::new(
+            format!(
+                "no bore of {} mm in diameter surrounds the axis there: {what}{}",
+                mm(2.0 * radius),
+                nearest.unwrap_or_default()
+            ),
+            "correct the diameter, the position or the length of the bore, or the frame of the body",
+        ))
+    }
+
     /// Returns the distance of a point from a region of geometry, beyond its tolerance, m: not
     /// positive within the region.
     fn distance(&self, position: [f64; 3]) -> Result<f64, ElementError> {
@@ -192,6 +245,16 @@ impl Region {
             Self::Set(_) | Self::Labels(_) | Self::Nodes(_) => f64::INFINITY,
         })
     }
+}
+
+/// Largest angle between neighbouring nodes of a whole bore, rad: a square bore has 90 degrees.
+const WIDEST_GAP: f64 = TAU / 3.0;
+
+/// Returns two unit vectors normal to an axis and to each other.
+fn perpendicular(axis: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let helper = if axis.x.abs() < 0.5 { Vector3::x() } else { Vector3::y() };
+    let across = axis.cross(&helper).normalize();
+    [across, axis.cross(&across)]
 }
 
 /// Returns the error for a region without nodes, with the nearest node and its distance (m).

@@ -46,6 +46,7 @@ fn impossible_rollers() {
     let row = RollerRow::new;
     rejected(row(RollerGeometry { count: 18, ..cylindrical() }), "do not fit", "at most 17");
     rejected(row(RollerGeometry { length: 0.0, ..cylindrical() }), "roller length", "positive");
+    rejected(row(RollerGeometry { length: 1e-4, ..cylindrical() }), "are discs", "at least 1.1000 mm");
     rejected(row(RollerGeometry { laminae: 1, ..cylindrical() }), "laminae", "at least 30");
     let kind = |kind| RollerGeometry { kind, ..cylindrical() };
     rejected(row(kind(RollerKind::Cylindrical { clearance: -0.3e-3 })), "would indent", "at most");

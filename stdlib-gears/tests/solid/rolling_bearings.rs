@@ -111,11 +111,12 @@ fn observed_stiffness_is_the_derivative_of_the_force() {
                 let deflection = at.bearing(bearing).expect("a bearing").deflection;
                 let scale = own.nonlinear.as_ref().expect("elements").typical_stiffness()[0][0];
                 let unit = |component: usize| if component < 3 { 1.0 } else { 30e-3 };
+                let load = system.nonlinear_load(number, step.time);
                 for column in 0..5 {
                     let pushed = |sense: f64| {
                         let mut moved = deflection;
                         moved[column] += sense * 1e-9 / unit(column);
-                        own.push(&moved, &[], step.time)
+                        own.push(&moved, &[], load.as_ref())
                     };
                     let (ahead, behind) = (pushed(1.0), pushed(-1.0));
                     for row in 0..5 {

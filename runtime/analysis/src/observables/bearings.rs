@@ -75,7 +75,8 @@ impl Equilibrium<'_> {
         let width = system.width(own.body.0);
         let walls: Vec<f64> = self.step.stops.iter().skip(skipped).map(|force| width * force).collect();
         let walls = if system.bearings.contains(&bearing.0) { &walls[..] } else { &[] };
-        let (sprung, damped) = (own.push(&deflection, walls, self.step.time), own.damping_at(&rate));
+        let nonlinear = self.system.nonlinear_load(bearing.0, self.step.time);
+        let (sprung, damped) = (own.push(&deflection, walls, nonlinear.as_ref()), own.damping_at(&rate));
         let push = std::array::from_fn(|k| sprung[k] - damped[k]);
         Some(BearingLoad { deflection, push, placed })
     }

@@ -1,7 +1,7 @@
 //! Contribution of all bearings to the contact problem: stiffness and loads on the DOFs, and gap
 //! equations of the stops, followed by those of spline teeth ([`crate::spline_contact`]).
 
-use super::{Bearing, BearingMatrix, BearingState, Tangent};
+use super::{Bearing, BearingMatrix, BearingState, NonlinearLoad, Tangent};
 use crate::body::Body;
 use crate::dof::Dof;
 use calyx_contact::problem::ContactProblem;
@@ -231,9 +231,10 @@ impl Bearing {
         symmetric(&self.damping, rate)
     }
 
-    /// Returns the force of springs, stops and nonlinear load on the first race at a deflection
-    /// and at forces on the walls (N) at a time (s), along the bearing's axes, N and N m.
-    pub fn push(&self, deflection: &[f64; 6], walls: &[f64], time: f64) -> [f64; 6] {
+    /// Returns the force of springs, stops and the given nonlinear load on the first race at a
+    /// deflection and at forces on the walls (N), along the bearing's axes, N and N m. The nonlinear
+    /// load is that at the fidelity and the time of the position.
+    pub fn push(&self, deflection: &[f64; 6], walls: &[f64], nonlinear: Option<&NonlinearLoad>) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
         let mut push: [f64; 6] = std::array::from_fn(|k| own[k] - sprung[k]);
         let rows = self.stops.iter().flat_map(|stop| stop.walls().rows);
@@ -242,8 +243,8 @@ impl Bearing {
                 *sum += part * force;
             }
         }
-        if let Some(nonlinear) = &self.nonlinear {
-            for (sum, part) in push.iter_mut().zip(nonlinear.at_time(time).push(deflection)) {
+        if let Some(nonlinear) = nonlinear {
+            for (sum, part) in push.iter_mut().zip(nonlinear.push(deflection)) {
                 *sum += part;
             }
         }

@@ -10,6 +10,9 @@ use crate::material::composite_modulus;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+/// Smallest ratio of length to diameter of a roller.
+const SHORTEST: f64 = 0.1;
+
 /// A row of rollers between rigid rings, with checked dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollerRow {
@@ -50,6 +53,13 @@ impl RollerRow {
         let g = &geometry;
         positive("roller diameter", g.roller_diameter)?;
         positive("roller length", g.length)?;
+        if g.length < SHORTEST * g.roller_diameter {
+            return Err(RollingError::input(
+                format!("rollers of {:.4} mm x {:.4} mm are discs", g.roller_diameter * 1e3, g.length * 1e3),
+                format!("give a roller length of at least {:.4} mm", SHORTEST * g.roller_diameter * 1e3),
+            )
+            .of("roller_length"));
+        }
         positive("pitch diameter", g.pitch_diameter)?;
         g.rings.check()?;
         g.rollers.check()?;

@@ -47,7 +47,7 @@ impl System<'_> {
                 let parts = placed.deflection(dof);
                 deflection.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part * motion);
             }
-            let [x, y, z, ..] = own.push(&deflection, &[], time);
+            let [x, y, z, ..] = own.push(&deflection, &[], None);
             let force = [-x, -y, -z];
             if linearization.opposes(force) {
                 step.warnings.push(format!(
