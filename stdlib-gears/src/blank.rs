@@ -37,8 +37,8 @@ pub struct Rim {
     pub support: BoreSupport,
 }
 
-/// Harmonics of the Fourier series of spline teeth that the mesh of any gear resolves per gear
-/// tooth.
+/// Harmonics of the Fourier series of spline teeth or a raceway that the mesh of any gear resolves
+/// per gear tooth.
 const SPLINE_HARMONICS_PER_TOOTH: u32 = 4;
 
 impl Rim {
@@ -148,6 +148,7 @@ impl Rim {
                     clearance: 0.0,
                 }
             }
+            (None, BoreSupport::Raceway { harmonics, .. }) => BoreSupport::Raceway { harmonics, degree: 0 },
             (None, BoreSupport::Rigid) => BoreSupport::Rigid,
         }
     }
@@ -160,6 +161,7 @@ impl Rim {
             BoreSupport::Means { harmonics: Some(harmonics), degree } => {
                 vec![2.0, f64::from(harmonics), f64::from(degree)]
             }
+            BoreSupport::Raceway { harmonics, degree } => vec![5.0, f64::from(harmonics), f64::from(degree)],
             BoreSupport::SplineTeeth(spline_teeth) => Self::spline_numbers(3.0, spline_teeth),
             BoreSupport::SplineWithClearance { spline_teeth, clearance } => {
                 [Self::spline_numbers(4.0, spline_teeth), vec![clearance]].concat()
@@ -202,6 +204,19 @@ impl Rim {
                         number f64::from(teeth), " teeth has at most ", number f64::from(SPLINE_HARMONICS_PER_TOOTH * teeth)
                     ],
                     sentence!["reduce the number of spline teeth or increase their width"],
+                ))
+            }
+            BoreSupport::Raceway { harmonics, .. }
+                if u32::from(harmonics) > SPLINE_HARMONICS_PER_TOOTH * teeth =>
+            {
+                Err(GeometryError::error(
+                    "E0649",
+                    "rim",
+                    sentence![
+                        "the raceway of the rim has ", number f64::from(harmonics), " harmonics, and a mesh with ",
+                        number f64::from(teeth), " teeth has at most ", number f64::from(SPLINE_HARMONICS_PER_TOOTH * teeth)
+                    ],
+                    sentence!["give the rim `bore_harmonics` up to that number"],
                 ))
             }
             _ => Ok(()),

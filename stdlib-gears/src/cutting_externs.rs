@@ -24,6 +24,7 @@ use crate::stated_thickness::{Limit, ThicknessStatements};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError, math};
 use calyx_runtime::structure::BoreSupport;
+use calyx_runtime::structure::raceway::HIGHEST_DEGREE;
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -281,6 +282,10 @@ pub(crate) fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result
     }
 }
 
+/// Highest harmonic of the series of a raceway unless another one is given: twice the number of
+/// rollers of common bearings.
+const RACEWAY_HARMONICS: u16 = 40;
+
 /// Support of a rim. The circumferential and axial orders are those of the constraint in addition
 /// to the rigid-body motion.
 pub(crate) fn bore_support(
@@ -294,6 +299,14 @@ pub(crate) fn bore_support(
         ("free", 0.0) => Ok(BoreSupport::Means { harmonics: None, degree: degree as u8 }),
         ("free", harmonics) => {
             Ok(BoreSupport::Means { harmonics: Some(harmonics as u16), degree: degree as u8 })
+        }
+        ("raceway", harmonics) => {
+            if degree > f64::from(HIGHEST_DEGREE) {
+                let message = format!("`{}` of a raceway is at most {HIGHEST_DEGREE}", names[1]);
+                return Err(refusal("E0649", names[1], &message, "1 resolves the tilt of rollers"));
+            }
+            let harmonics = if harmonics == 0.0 { RACEWAY_HARMONICS } else { harmonics as u16 };
+            Ok(BoreSupport::Raceway { harmonics, degree: degree as u8 })
         }
         (_, 0.0) => Ok(BoreSupport::Rigid),
         _ => Err(refusal(

@@ -462,7 +462,7 @@ pub(crate) fn spline_tooth_number(host: &ModelHost, body: BodyId, tooth: f64) ->
         BoreSupport::SplineTeeth(spline_teeth) | BoreSupport::SplineWithClearance { spline_teeth, .. } => {
             u32::from(spline_teeth.count)
         }
-        BoreSupport::Rigid | BoreSupport::Means { .. } => 0,
+        BoreSupport::Rigid | BoreSupport::Means { .. } | BoreSupport::Raceway { .. } => 0,
     };
     match tooth.fract() == 0.0 && (0.0..f64::from(count)).contains(&tooth) {
         true => Ok(tooth as u32),

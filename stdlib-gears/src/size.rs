@@ -19,6 +19,7 @@ impl GearPrototype {
         let constrained: BTreeSet<usize> = match support {
             BoreSupport::Rigid => nodes("bore")?.into_iter().collect(),
             BoreSupport::Means { .. }
+            | BoreSupport::Raceway { .. }
             | BoreSupport::SplineTeeth(_)
             | BoreSupport::SplineWithClearance { .. } => BTreeSet::new(),
         };

@@ -24,6 +24,7 @@ mod linearization;
 mod load_curve;
 mod nonlinear;
 mod nonlinear_state;
+mod raceway;
 mod rolling;
 mod springs;
 mod surface;
@@ -34,9 +35,12 @@ pub use linearization::{Linearization, RANGE_TOLERANCE};
 pub use load_curve::{LoadCurve, LoadCurves};
 pub use nonlinear::{NonlinearLoad, Tangent};
 pub use nonlinear_state::NonlinearState;
+pub use raceway::{ElasticRaceway, HalfSpaceShare, RacewayTangent, by_element, half_space_share};
 pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};
 pub use surface::marker;
+
+pub use calyx_rolling::RacewayDisplacement;
 
 use crate::body::Body;
 use crate::dof::DOF_NAMES;

@@ -87,6 +87,21 @@ pub struct Evaluation {
     pub unconverged: usize,
 }
 
+/// Displacement of the outer raceway at an element, in addition to that of a rigid ring: radial,
+/// outwards, in the axial position of the element, m; and its derivative along z.
+pub type RacewayDisplacement = [f64; 2];
+
+/// Load of an element on a raceway that is displaced.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RacewayLoad {
+    /// Force and moment conjugate to [`RacewayDisplacement`], N and N m.
+    pub force: [f64; 2],
+    /// Decrease of the force by the displacement of the raceway.
+    pub stiffness: [[f64; 2]; 2],
+    /// Derivatives of the force with respect to the displacement of the inner ring.
+    pub coupling: [[f64; 5]; 2],
+}
+
 /// Positions of the elements at a displacement, from which the next evaluation starts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Start {
@@ -147,8 +162,7 @@ impl Row {
     /// Returns the derivative of the displacement in the plane of an element with respect to that
     /// of the bearing.
     fn projection(&self, [cosine, sine]: [f64; 2]) -> [[f64; 5]; 3] {
-        let side = if self.mirrored { -1.0 } else { 1.0 };
-        let z = self.position;
+        let (side, z) = (self.side(), self.position);
         [
             [cosine, sine, 0.0, -z * sine, z * cosine],
             [0.0, 0.0, side, 0.0, 0.0],
@@ -156,8 +170,37 @@ impl Row {
         ]
     }
 
+    /// Subtracts the displacement of the outer raceway from that of the inner ring in the plane of
+    /// an element.
+    fn displace_outer(&self, ring: &mut Local, [radial, slope]: &RacewayDisplacement) {
+        ring[0] -= radial;
+        ring[2] -= self.side() * slope;
+    }
+
+    /// Returns the load of an element on the outer raceway from its load on the inner ring.
+    fn raceway_load(&self, projection: &[[f64; 5]; 3], response: &Response) -> RacewayLoad {
+        // Components in the plane of the element, by those of the raceway.
+        let by = [(0, 1.0), (2, self.side())];
+        let entry = |(row, side): (usize, f64), (column, other): (usize, f64)| {
+            side * response.stiffness[row][column] * other
+        };
+        RacewayLoad {
+            force: by.map(|(row, side)| side * response.force[row]),
+            stiffness: by.map(|row| by.map(|column| entry(row, column))),
+            coupling: by.map(|row| {
+                let of = |i: usize| (0..3).map(|k| entry(row, (k, 1.0)) * projection[k][i]).sum();
+                std::array::from_fn(of)
+            }),
+        }
+    }
+
+    /// Returns the sense of the bearing's z axis in the plane of an element.
+    fn side(&self) -> f64 {
+        if self.mirrored { -1.0 } else { 1.0 }
+    }
+
     /// Returns the azimuths of the elements.
-    fn azimuths(&self, motion: &Motion) -> impl Iterator<Item = f64> + use<> {
+    pub fn azimuths(&self, motion: &Motion) -> impl Iterator<Item = f64> + use<> {
         let (count, first) = (self.count(), self.azimuth + motion.azimuth);
         (0..count).map(move |k| first + TAU * k as f64 / count as f64)
     }
@@ -328,9 +371,28 @@ impl RollingBearing {
         motion: &Motion,
         start: &mut Start,
     ) -> Result<Evaluation, RollingError> {
+        Ok(self.evaluate_with(displacement, &[], motion, start)?.0)
+    }
+
+    /// Computes load and stiffness like [`RollingBearing::evaluate`] on an outer raceway that is
+    /// displaced at each element, row by row. Also returns the loads of the elements on it.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] if a displacement is not finite.
+    pub fn evaluate_with(
+        &self,
+        displacement: &Displacement,
+        raceway: &[RacewayDisplacement],
+        motion: &Motion,
+        start: &mut Start,
+    ) -> Result<(Evaluation, Vec<RacewayLoad>), RollingError> {
         check(displacement, motion)?;
+        for &value in raceway.as_flattened() {
+            finite("displacement of a raceway", value)?;
+        }
         start.rollers.resize_with(self.elements, RollerStart::default);
         let mut evaluation = Evaluation::default();
+        let mut loads = Vec::with_capacity(raceway.len());
         let mut element = 0;
         for row in &self.rows {
             let force = match &row.elements {
@@ -339,16 +401,19 @@ impl RollingBearing {
             };
             for azimuth in row.azimuths(motion) {
                 let projection = row.projection([cos(azimuth), sin(azimuth)]);
-                let ring = local(&projection, displacement, row.offset);
+                let mut ring = local(&projection, displacement, row.offset);
+                let moved = raceway.get(element);
+                moved.iter().for_each(|moved| row.displace_outer(&mut ring, moved));
                 let response = match &row.elements {
                     Elements::Balls(balls) => balls.response(&ring, motion),
                     Elements::Rollers(rollers) => rollers.response(&ring, force, &mut start.rollers[element]),
                 };
                 evaluation.add(&projection, &response);
+                loads.extend(moved.map(|_| row.raceway_load(&projection, &response)));
                 element += 1;
             }
         }
-        Ok(evaluation)
+        Ok((evaluation, loads))
     }
 
     /// Computes the state of each element at a displacement of the inner ring, row by row.
@@ -360,12 +425,31 @@ impl RollingBearing {
         displacement: &Displacement,
         motion: &Motion,
     ) -> Result<Vec<ElementState>, RollingError> {
+        self.elements_with(displacement, &[], motion)
+    }
+
+    /// Computes the states like [`RollingBearing::elements`] on an outer raceway that is displaced
+    /// at each element, row by row.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] if a displacement is not finite.
+    pub fn elements_with(
+        &self,
+        displacement: &Displacement,
+        raceway: &[RacewayDisplacement],
+        motion: &Motion,
+    ) -> Result<Vec<ElementState>, RollingError> {
         check(displacement, motion)?;
+        for &value in raceway.as_flattened() {
+            finite("displacement of a raceway", value)?;
+        }
         let mut states = Vec::with_capacity(self.elements);
         for (index, row) in self.rows.iter().enumerate() {
             for azimuth in row.azimuths(motion) {
                 let projection = row.projection([cos(azimuth), sin(azimuth)]);
-                let ring = local(&projection, displacement, row.offset);
+                let mut ring = local(&projection, displacement, row.offset);
+                let moved = raceway.get(states.len());
+                moved.iter().for_each(|moved| row.displace_outer(&mut ring, moved));
                 let contacts = match &row.elements {
                     Elements::Balls(balls) => Contacts::Ball(balls.state(&ring, motion)),
                     Elements::Rollers(rollers) => {

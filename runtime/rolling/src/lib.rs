@@ -62,7 +62,8 @@ mod linear;
 
 pub use ball::{BallGeometry, BallKind, BallRow, CageSpeed, Motion};
 pub use bearing::{
-    Arrangement, Displacement, ElementState, Elements, Evaluation, Load, RollingBearing, Row, Start,
+    Arrangement, Displacement, ElementState, Elements, Evaluation, Load, RacewayDisplacement, RacewayLoad,
+    RollingBearing, Row, Start,
 };
 pub use equilibrium::{Conditions, Equilibrium};
 pub use error::RollingError;

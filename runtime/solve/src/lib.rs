@@ -9,6 +9,7 @@ pub mod gyroscopic;
 pub mod integration;
 pub mod modal;
 mod moving_axes;
+pub(crate) mod raceways;
 pub mod restraint_check;
 pub mod step;
 pub mod system;

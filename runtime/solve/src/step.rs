@@ -30,7 +30,7 @@ use crate::modal::ModalElimination;
 use crate::system::{Bodies, System};
 use crate::vibrations::Vibrations;
 use calyx_contact::problem::{Certificate, ContactProblem};
-use calyx_model::bearing::{Springs, Tangent};
+use calyx_model::bearing::{RacewayDisplacement, Springs, Tangent};
 use calyx_numerics::error::EngineError;
 use contact_layout::{Conditions, Solver};
 use nonlinear_bearings::NonlinearBearings;
@@ -70,11 +70,25 @@ pub struct StepResult {
     /// Forces on the stops of bearings, whose gap equations follow those of the patches, and then
     /// on the flanks of spline teeth: N, in a plane model N per metre of face width.
     pub stops: Vec<f64>,
+    /// Raceways in elastic bodies.
+    pub raceways: Vec<RacewayResult>,
     /// Residuals of the contact solution.
     pub certificate: Certificate,
     /// Warnings about the position, in sentences.
     pub warnings: Vec<String>,
 }
+
+/// Outer raceway of a bearing in an elastic body.
+#[derive(Clone, Debug)]
+pub struct RacewayResult {
+    /// Index of the bearing in the scene.
+    pub bearing: usize,
+    /// Displacement at each roller.
+    pub displacement: Vec<RacewayDisplacement>,
+    /// Conjugate loads of the rollers on the raceway, two for each: N and N m.
+    pub loads: Vec<f64>,
+}
+
 impl System<'_> {
     /// Solves the equilibrium of the scene at a time (s).
     ///
@@ -173,7 +187,8 @@ impl System<'_> {
         // With rigid bodies, nonlinear bearings do not deflect: they have their typical stiffness
         // without load.
         let mut step = match self.has_nonlinear_bearings() && !self.rigid {
-            true => self.with_nonlinear_bearings(time, load, solve)?,
+            // Time steps have rigid raceways.
+            true => self.with_nonlinear_bearings(time, load, solve, sizing.is_none())?,
             false => solve(&[], None)?,
         };
         if !self.rigid {

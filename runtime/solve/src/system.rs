@@ -3,6 +3,7 @@
 
 use crate::derived::DerivedResults;
 use crate::modal::Modes;
+use crate::raceways::{self, BearingInBore};
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{NonlinearLoad, Springs, Tangent, springs};
@@ -50,6 +51,8 @@ pub struct System<'s> {
     pub connections: Vec<usize>,
     /// Elastic connections of the scene with the matrices of condensed bodies.
     pub elastic_connections: Arc<Vec<ElasticConnection>>,
+    /// Bearings with rollers in the bore of an elastic body.
+    pub(crate) raceways: Vec<BearingInBore>,
     /// Spline teeth with clearance, by the index of the body that they support.
     pub spline_teeth: Vec<(usize, SplineContact)>,
     /// Callback at every checkpoint.
@@ -185,6 +188,7 @@ impl<'s> System<'s> {
         let (bearings, connections) = (plan.modelled_bearings(), plan.modelled_connections());
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
         let (spline_teeth, modes) = (spline_contacts(scene, plan), Modes::default());
+        let raceways = raceways::find(scene, &bodies, &bearings);
         let mut system = System {
             scene,
             bodies,
@@ -194,6 +198,7 @@ impl<'s> System<'s> {
             bearings,
             connections,
             elastic_connections: Arc::new(elastic_connections),
+            raceways,
             spline_teeth,
             interrupt,
             rigid: plan.fidelity == Fidelity::Rigid,
@@ -237,6 +242,7 @@ impl<'s> System<'s> {
             bearings: self.bearings.clone(),
             connections: self.connections.clone(),
             elastic_connections: self.elastic_connections.clone(),
+            raceways: self.raceways.clone(),
             spline_teeth: self.spline_teeth.clone(),
             interrupt: self.interrupt.clone(),
             modes: self.modes.clone(),
@@ -370,7 +376,7 @@ impl<'s> System<'s> {
                 Bodies::Plane(bodies) => bodies.structures.get(*body).and_then(Option::as_deref),
                 Bodies::Solid(_) => None,
             };
-            let between = structure.and_then(Structure::spline_tooth_compliance);
+            let between = structure.and_then(Structure::interface_compliance);
             add_flanks(&mut springs, self.scene, (*body, contact), &self.dofs, time, between)?;
         }
         Ok(springs)

@@ -14,6 +14,7 @@
 //! See `docs/theory/substructures.md`.
 
 use super::StructureError;
+use super::raceway::{Raceway, RacewayForms};
 use super::ring::{ReleasedMeans, RingFlexibility, SharedUnknowns};
 use super::spline_teeth::{SplineTeeth, SplineToothForms};
 use calyx_fe::solid::fourier::{RevolutionSurface, Series};
@@ -40,13 +41,22 @@ pub enum BoreSupport {
     /// teeth leave free: axial motion, and motions beyond their degree.
     SplineTeeth(SplineTeeth),
     /// Spline teeth with clearance, whose contact is solved outside the structure
-    /// ([`super::spline_clearance`]). The structure uses mean constraints. Plane models only.
+    /// ([`super::bore_interface`]). The structure uses mean constraints. Plane models only.
     SplineWithClearance {
         /// The spline teeth. Their compliance and radial constraint are not part of the structure.
         spline_teeth: SplineTeeth,
         /// Clearance, see `SplineContact::clearance`; not
         /// part of the structure.
         clearance: f64,
+    },
+    /// Raceway of rollers, whose contact is solved outside the structure
+    /// ([`super::bore_interface`]). The structure uses mean constraints.
+    Raceway {
+        /// Highest harmonic of the series around the bore.
+        harmonics: u16,
+        /// Highest degree of the polynomials along it, at most
+        /// [`super::raceway::HIGHEST_DEGREE`].
+        degree: u8,
     },
 }
 
@@ -65,7 +75,7 @@ impl BoreSupport {
     /// Returns true if loads act all around a plane ring with this support and are resolved through
     /// its cuts.
     pub fn couples_all_sectors(self) -> bool {
-        matches!(self, BoreSupport::Means { .. })
+        matches!(self, BoreSupport::Means { .. } | BoreSupport::Raceway { .. })
     }
 
     /// Returns the largest distance of sectors of a plane ring that are coupled without a series,
@@ -107,6 +117,8 @@ pub(super) struct BoreMeans {
     pub spline_teeth: Option<SplineToothForms>,
     /// True if these spline teeth have clearance: then they do not support the ring.
     pub with_clearance: bool,
+    /// Raceway in the bore, if any.
+    pub raceway: Option<RacewayForms>,
 }
 
 /// Selection of mean displacements of a bore.
@@ -122,6 +134,8 @@ pub(super) struct RequestedMeans {
     pub spline_teeth: Option<SplineTeeth>,
     /// True if the spline teeth have clearance: then they do not support the ring.
     pub with_clearance: bool,
+    /// Highest harmonic and degree of the series of a raceway, if the bore is one.
+    pub raceway: Option<(u16, u8)>,
 }
 
 impl RequestedMeans {
@@ -138,6 +152,9 @@ impl RequestedMeans {
             BoreSupport::SplineWithClearance { spline_teeth, .. } => {
                 Some(Self { spline_teeth: Some(spline_teeth), with_clearance: true, ..means(None, 0) })
             }
+            BoreSupport::Raceway { harmonics, degree } => {
+                Some(Self { raceway: Some((harmonics, degree)), ..means(None, 0) })
+            }
         }
     }
 
@@ -145,7 +162,7 @@ impl RequestedMeans {
     pub fn of_means(harmonics: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
         let most = u16::try_from(sectors).unwrap_or(u16::MAX);
         let coupled = (coupled < sectors / 2).then_some(COUPLED_HARMONICS.min(most));
-        Self { harmonics, degree, coupled, spline_teeth: None, with_clearance: false }
+        Self { harmonics, degree, coupled, spline_teeth: None, with_clearance: false, raceway: None }
     }
 
     /// Returns the selection for a plane model, without variation along the axis.
@@ -153,6 +170,7 @@ impl RequestedMeans {
         Self {
             degree: 0,
             spline_teeth: self.spline_teeth.map(|spline_teeth| SplineTeeth { degree: 0, ..spline_teeth }),
+            raceway: self.raceway.map(|(harmonics, _)| (harmonics, 0)),
             ..self
         }
     }
@@ -167,6 +185,7 @@ pub(super) struct BoreConstraints {
     pub constrained: usize,
     spline_teeth: Option<SplineToothForms>,
     with_clearance: bool,
+    raceway: Option<RacewayForms>,
 }
 
 impl BoreConstraints {
@@ -178,11 +197,18 @@ impl BoreConstraints {
         in_plane: bool,
     ) -> Option<BoreConstraints> {
         let spline_teeth = wanted.spline_teeth;
-        let most_harmonics =
-            [wanted.harmonics, wanted.coupled, spline_teeth.map(|spline_teeth| spline_teeth.harmonics())];
+        let raceway =
+            wanted.raceway.map(|(harmonics, degree)| Raceway { radius: 0.0, ends: [0.0; 2], harmonics, degree });
+        let most_harmonics = [
+            wanted.harmonics,
+            wanted.coupled,
+            spline_teeth.map(|spline_teeth| spline_teeth.harmonics()),
+            raceway.map(|raceway| raceway.harmonics),
+        ];
         let most_harmonics = most_harmonics.into_iter().flatten().max().unwrap_or(0);
         let degree =
             spline_teeth.map_or(wanted.degree, |spline_teeth| spline_teeth.degree.max(wanted.degree));
+        let degree = raceway.map_or(degree, |raceway| raceway.degree.max(degree));
         let highest = match wanted.coupled {
             Some(_) if !in_plane => degree.max(COUPLED_DEGREE),
             _ => degree,
@@ -206,7 +232,10 @@ impl BoreConstraints {
                 && term.degree <= COUPLED_DEGREE;
             if of_hold {
                 constrained.push(6 + index);
-            } else if of_coupling || spline_teeth.is_some_and(|spline_teeth| spline_teeth.needs(term)) {
+            } else if of_coupling
+                || spline_teeth.is_some_and(|spline_teeth| spline_teeth.needs(term))
+                || raceway.is_some_and(|raceway| raceway.needs(term))
+            {
                 free.push(6 + index);
             }
         }
@@ -216,12 +245,17 @@ impl BoreConstraints {
             Some(spline_teeth) => Some(spline_teeth.on(&series, &constrained)?),
             None => None,
         };
+        let raceway = match raceway {
+            Some(raceway) => Some(raceway.on(&series, &constrained)?),
+            None => None,
+        };
         Some(BoreConstraints {
             series,
             places: constrained,
             constrained: count,
             spline_teeth,
             with_clearance: wanted.with_clearance,
+            raceway,
         })
     }
 
@@ -302,6 +336,7 @@ impl BoreMeans {
             carried: None,
             spline_teeth,
             with_clearance,
+            raceway: patterns.raceway.clone(),
         }
     }
 
@@ -328,17 +363,20 @@ impl BoreMeans {
                     release,
                     constraint_forces,
                     spline_teeth: Some(spline_teeth),
-                    with_clearance: None,
+                    interface: None,
                 }))
             }
             spline_teeth => {
                 let Some(released) = ring.release(self.constrained, self.carried.as_ref(), interrupt)? else {
                     return Ok(None);
                 };
-                let with_clearance = spline_teeth.as_ref().map(|spline_teeth| {
-                    spline_teeth.with_clearance(self.constrained, released.release.as_ref(), interrupt)
-                });
-                Ok(Some(ReleasedMeans { with_clearance: with_clearance.transpose()?, ..released }))
+                let (first, release) = (self.constrained, released.release.as_ref());
+                let interface = match (spline_teeth, &self.raceway) {
+                    (Some(spline_teeth), _) => Some(spline_teeth.with_clearance(first, release, interrupt)?),
+                    (None, Some(raceway)) => Some(raceway.released(first, release, interrupt)?),
+                    (None, None) => None,
+                };
+                Ok(Some(ReleasedMeans { interface, ..released }))
             }
         }
     }

@@ -17,9 +17,9 @@
 //!
 //! See `docs/theory/substructures.md`.
 
+use super::bore_interface::BoreInterface;
 use super::dense::{Interruptible, add_product, product};
 use super::ring::{ReleasedMeans, SharedUnknowns};
-use super::spline_clearance::SplineWithClearance;
 use super::spline_teeth::{SplineToothForce, SplineToothSet};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -64,8 +64,8 @@ pub(crate) struct BoreCoupling {
     pub release: Mat<f64>,
     /// Spline teeth that support the amplitudes, if any.
     pub spline_teeth: Option<SplineToothSet>,
-    /// Spline teeth with clearance, if any.
-    pub with_clearance: Option<SplineWithClearance>,
+    /// Displacements of the bore on which contact outside of the structure acts, if any.
+    pub interface: Option<BoreInterface>,
     /// Equivalent forces per unit of the unknowns of a table, for each loadable side.
     pub loads: Vec<Mat<f64>>,
     /// Stress per unit amplitude, for each surface.
@@ -75,14 +75,14 @@ pub(crate) struct BoreCoupling {
 impl BoreCoupling {
     /// Builds the coupling without loads and stresses.
     pub fn new(released: ReleasedMeans, sectors: u32, pitch: f64) -> Self {
-        let ReleasedMeans { shared, release, spline_teeth, with_clearance, .. } = released;
+        let ReleasedMeans { shared, release, spline_teeth, interface, .. } = released;
         Self {
             sectors,
             pitch,
             shared,
             release,
             spline_teeth,
-            with_clearance,
+            interface,
             loads: Vec::new(),
             stress: Vec::new(),
         }
@@ -129,34 +129,32 @@ impl BoreCoupling {
         self.spline_teeth.as_ref().map_or_else(Vec::new, |spline_teeth| spline_teeth.forces(in_body.as_ref()))
     }
 
-    /// Returns the displacements of spline teeth with clearance under loads on a tooth: spline
-    /// teeth by loads; no rows without such spline teeth.
-    pub fn spline_tooth_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
-        match &self.with_clearance {
-            Some(spline_teeth) => {
-                product(spline_teeth.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref())
-            }
+    /// Returns the displacements of the interface under loads on a tooth: displacements by loads; no
+    /// rows without an interface.
+    pub fn interface_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
+        match &self.interface {
+            Some(interface) => product(interface.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref()),
             None => Mat::zeros(0, forces.ncols()),
         }
     }
 
-    /// Returns the amplitudes in the frame of a tooth under forces of all spline teeth with
-    /// clearance on the ring, as a column; `None` without such spline teeth.
-    pub fn amplitudes_by_spline_teeth(&self, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
-        let mut amplitudes = product(self.with_clearance.as_ref()?.by_amplitudes.transpose(), forces);
+    /// Returns the amplitudes in the frame of a tooth under forces on all displacements of the
+    /// interface, as a column; `None` without an interface.
+    pub fn amplitudes_by_interface(&self, tooth: u32, forces: MatRef<'_, f64>) -> Option<Mat<f64>> {
+        let mut amplitudes = product(self.interface.as_ref()?.by_amplitudes.transpose(), forces);
         self.shared.turn_rows(amplitudes.as_mut(), f64::from(tooth % self.sectors) * self.pitch);
         Some(amplitudes)
     }
 
-    /// Returns the stresses on a surface of a tooth under forces of all spline teeth with clearance
-    /// on the ring, as a column.
-    pub fn stresses_by_spline_teeth(
+    /// Returns the stresses on a surface of a tooth under forces on all displacements of the
+    /// interface, as a column.
+    pub fn stresses_by_interface(
         &self,
         surface: usize,
         tooth: u32,
         forces: MatRef<'_, f64>,
     ) -> Option<Mat<f64>> {
-        let amplitudes = self.amplitudes_by_spline_teeth(tooth, forces)?;
+        let amplitudes = self.amplitudes_by_interface(tooth, forces)?;
         Some(product(self.stress.get(surface)?.as_ref(), amplitudes.as_ref()))
     }
 
@@ -164,7 +162,7 @@ impl BoreCoupling {
     pub fn bytes(&self) -> usize {
         let matrices = self.loads.iter().chain(&self.stress).chain([&self.release]);
         let spline_teeth = self.spline_teeth.as_ref().map_or(0, SplineToothSet::bytes)
-            + self.with_clearance.as_ref().map_or(0, SplineWithClearance::bytes);
+            + self.interface.as_ref().map_or(0, BoreInterface::bytes);
         matrices.map(|matrix| matrix.nrows() * matrix.ncols() * size_of::<f64>()).sum::<usize>()
             + spline_teeth
     }

@@ -52,12 +52,17 @@ pub enum BodyLoads<'a> {
     Plane {
         /// Forces on its surfaces.
         surfaces: &'a [SurfaceLoad],
-        /// Forces of its spline teeth with clearance, counter-clockwise, N/m; empty for a body
-        /// without such spline teeth.
-        spline_teeth: &'a [f64],
+        /// Forces on the displacements of its bore ([`Structure::interface_compliance`]), N/m;
+        /// empty for a body without such.
+        interface: &'a [f64],
     },
     /// Loads on a three-dimensional body.
-    Solid(&'a [SegmentLoad]),
+    Solid {
+        /// Forces on its surfaces.
+        segments: &'a [SegmentLoad],
+        /// Forces on the displacements of its bore, N; empty for a body without such.
+        interface: &'a [f64],
+    },
 }
 
 /// Deformed sector of a loaded body, in the body's frame.
@@ -230,10 +235,10 @@ impl MeshedBody {
         loads: BodyLoads<'_>,
         interrupt: &Interrupt,
     ) -> Result<Vec<DeformedSector>, StructureError> {
-        let (by_tooth, spline_teeth) = self.forces(loads);
+        let (by_tooth, on_bore) = self.forces(loads);
         let shown: Vec<u32> = self.with_stresses(&by_tooth).0;
         let _room = self.reserve(shown.len(), by_tooth.len(), interrupt)?;
-        let moved = self.mesh.ring.displacements(&by_tooth, spline_teeth, &shown)?;
+        let moved = self.mesh.ring.displacements(&by_tooth, on_bore, &shown)?;
         let sector = |(&tooth, column): (&u32, faer::ColRef<'_, f64>)| {
             interrupt.check().map_err(StructureError::Interrupted)?;
             let moved: Vec<f64> = column.iter().copied().collect();
@@ -251,13 +256,13 @@ impl MeshedBody {
         loads: BodyLoads<'_>,
         interrupt: &Interrupt,
     ) -> Result<Vec<DisplacedSector>, StructureError> {
-        let (by_tooth, spline_teeth) = self.forces(loads);
+        let (by_tooth, on_bore) = self.forces(loads);
         let others = self.with_stresses(&by_tooth).1;
         let _room = self.reserve(AT_A_TIME.min(others.len()), by_tooth.len(), interrupt)?;
         let mut all = Vec::new();
         for some in others.chunks(AT_A_TIME) {
             interrupt.check().map_err(StructureError::Interrupted)?;
-            let moved = self.mesh.ring.displacements(&by_tooth, spline_teeth, some)?;
+            let moved = self.mesh.ring.displacements(&by_tooth, on_bore, some)?;
             let moving = some.iter().zip(moved.col_iter());
             let moving = moving.filter(|(_, column)| column.iter().any(|&moved| moved != 0.0));
             all.extend(moving.map(|(&tooth, column)| {
@@ -292,9 +297,9 @@ impl MeshedBody {
         interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted)
     }
 
-    /// Returns full vectors of forces by tooth, ascending, and forces of spline teeth.
+    /// Returns full vectors of forces by tooth, ascending, and forces on the bore.
     fn forces<'a>(&self, loads: BodyLoads<'a>) -> (Vec<(u32, Vec<f64>)>, &'a [f64]) {
-        let (mut by_tooth, mut of_lugs) = (BTreeMap::new(), &[][..]);
+        let mut by_tooth = BTreeMap::new();
         let dofs = |model: &Loadable| match model {
             Loadable::Plane(model, _) => model.dof_count(),
             Loadable::Solid(model, _) => model.dof_count(),
@@ -307,20 +312,21 @@ impl MeshedBody {
                 row.add_to(force, sum);
             }
         };
-        match loads {
-            BodyLoads::Plane { surfaces, spline_teeth } => {
+        let on_bore = match loads {
+            BodyLoads::Plane { surfaces, interface } => {
                 surfaces
                     .iter()
                     .for_each(|load| add(load.chart, load.force, self.pressed(load.chart.surface, load.s)));
-                of_lugs = spline_teeth;
+                interface
             }
-            BodyLoads::Solid(segments) => {
+            BodyLoads::Solid { segments, interface } => {
                 segments.iter().for_each(|load| {
                     add(load.chart, load.force, self.pressed_at(load.chart.surface, load.segment.place));
                 });
+                interface
             }
-        }
-        (by_tooth.into_iter().collect(), of_lugs)
+        };
+        (by_tooth.into_iter().collect(), on_bore)
     }
 
     /// Returns the load vector of a unit force into the body at a point on a surface of a plane

@@ -1,6 +1,7 @@
 //! Interface of a plane body for contact: loadable surfaces, their compliance, recovered stresses.
 
 use crate::profile::Profile;
+use crate::raceway::Raceway;
 use crate::spline_teeth::SplineToothForce;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -111,24 +112,29 @@ pub trait Structure: Send + Sync {
         Vec::new()
     }
 
-    /// Returns the compliance matrix of the spline teeth with clearance
-    /// ([`crate::BoreSupport::SplineWithClearance`]): displacements by forces on them, all positive
-    /// counter-clockwise, m/(N/m). The matrix is square and symmetric to the bit; `None` for a body
-    /// without such spline teeth.
-    fn spline_tooth_compliance(&self) -> Option<MatRef<'_, f64>> {
+    /// Returns the compliance matrix of the displacements of the bore on which contact outside of
+    /// the structure acts, m/(N/m): those of spline teeth with clearance
+    /// ([`crate::BoreSupport::SplineWithClearance`]), positive counter-clockwise, or the terms of a
+    /// [`Raceway`]. The matrix is square and symmetric to the bit; `None` for another bore.
+    fn interface_compliance(&self) -> Option<MatRef<'_, f64>> {
         None
     }
 
-    /// Returns the displacements of the same spline teeth by unit inward normal forces at points of
-    /// a chart, spline teeth by points. By reciprocity these are also the inward displacements at
-    /// the points by forces of the spline teeth.
-    fn spline_tooth_displacements(&self, _load: Chart, load_s: &[f64]) -> Mat<f64> {
+    /// Returns the raceway in the bore of the body, if any.
+    fn raceway(&self) -> Option<Raceway> {
+        None
+    }
+
+    /// Returns the same displacements by unit inward normal forces at points of a chart,
+    /// displacements by points. By reciprocity these are also the inward displacements at the
+    /// points by the conjugate forces.
+    fn interface_displacements(&self, _load: Chart, load_s: &[f64]) -> Mat<f64> {
         Mat::zeros(0, load_s.len())
     }
 
-    /// Returns the contribution to [`Structure::stresses`] of the forces of these spline teeth on
-    /// the body, one force each, counter-clockwise, Pa. Empty if they contribute nothing.
-    fn stresses_by_spline_teeth(&self, _tooth: u32, _surface: u32, _forces: &[f64]) -> Vec<f64> {
+    /// Returns the contribution to [`Structure::stresses`] of forces on all these displacements,
+    /// Pa. Empty if they contribute nothing.
+    fn stresses_by_interface(&self, _tooth: u32, _surface: u32, _forces: &[f64]) -> Vec<f64> {
         Vec::new()
     }
 

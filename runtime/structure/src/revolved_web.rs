@@ -97,6 +97,11 @@ impl RevolvedWeb {
                     error: "spline teeth cannot support a web with a mesh of its own".into(),
                 });
             }
+            BoreSupport::Raceway { .. } => {
+                return Err(StructureError::Web {
+                    error: "the bore of a web with a mesh of its own cannot be a raceway".into(),
+                });
+            }
             BoreSupport::Rigid => None,
             BoreSupport::Means { harmonics, degree } => {
                 let [inside, _] = self.section.outermost();
@@ -107,6 +112,7 @@ impl RevolvedWeb {
                     coupled: None,
                     spline_teeth: None,
                     with_clearance: false,
+                    raceway: None,
                 };
                 Some(BoreConstraints::new(cylinder, wanted, false).ok_or(StructureError::NoArea)?)
             }

@@ -19,10 +19,10 @@
 
 mod shared_unknowns;
 
+use super::bore_interface::BoreInterface;
 use super::dense::{Interruptible, mirror_lower};
 use super::error::StructureError;
 pub use super::error::UnrestrainedRing;
-use super::spline_clearance::SplineWithClearance;
 use super::spline_teeth::SplineToothSet;
 use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
@@ -211,8 +211,8 @@ pub(crate) struct ReleasedMeans {
     /// Spline teeth that support the means now. Without them, the ring's responses are those with
     /// the means released.
     pub spline_teeth: Option<SplineToothSet>,
-    /// Spline teeth with clearance, which do not support the ring.
-    pub with_clearance: Option<SplineWithClearance>,
+    /// Displacements of the bore on which contact outside of the structure acts.
+    pub interface: Option<BoreInterface>,
 }
 
 impl RingFlexibility {
@@ -361,7 +361,7 @@ impl RingFlexibility {
             release,
             constraint_forces,
             spline_teeth: None,
-            with_clearance: None,
+            interface: None,
         }))
     }
 

@@ -30,9 +30,11 @@ pub use elastic::{ElasticSolid, SolidSplitOptions, SolidSurfaceSource};
 pub use half_space_body::HalfSpaceBody;
 
 use super::{Chart, SplineToothForce};
+use crate::raceway::Raceway;
 use crate::surface::Surface;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
+use faer::{Mat, MatRef};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -178,6 +180,39 @@ pub trait SolidStructure: Send + Sync {
         Vec::new()
     }
 
+    /// Returns the raceway in the bore of the body, if any.
+    fn raceway(&self) -> Option<Raceway> {
+        None
+    }
+
+    /// Returns the compliance matrix of the terms of the raceway: displacements by forces, m/N. The
+    /// matrix is square and symmetric to the bit; `None` for another bore.
+    fn interface_compliance(&self) -> Option<MatRef<'_, f64>> {
+        None
+    }
+
+    /// Returns the same displacements by unit loads on segments of a chart, displacements by
+    /// segments. By reciprocity these are also the displacements of the segments by the conjugate
+    /// forces.
+    ///
+    /// # Errors
+    /// Those of the interrupt.
+    fn interface_displacements(
+        &self,
+        _load: Chart,
+        loads: &[SurfaceSegment],
+        _interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError> {
+        Ok(Mat::zeros(0, loads.len()))
+    }
+
+    /// Returns the contribution to [`SolidStructure::stresses`] of forces on all these
+    /// displacements: the components of each stress recovery point, Pa. Empty if they contribute
+    /// nothing.
+    fn stresses_by_interface(&self, _tooth: u32, _surface: u32, _forces: &[f64]) -> Vec<[f64; 3]> {
+        Vec::new()
+    }
+
     /// Returns the memory of the structure, in bytes, to within a few percent: the size that a
     /// cache counts.
     fn bytes(&self) -> usize;
@@ -245,6 +280,27 @@ impl SolidStructure for ModifiedStructure {
 
     fn spline_tooth_forces(&self, loads: &[SegmentLoad]) -> Vec<SplineToothForce> {
         self.shared.spline_tooth_forces(loads)
+    }
+
+    fn raceway(&self) -> Option<Raceway> {
+        self.shared.raceway()
+    }
+
+    fn interface_compliance(&self) -> Option<MatRef<'_, f64>> {
+        self.shared.interface_compliance()
+    }
+
+    fn interface_displacements(
+        &self,
+        load: Chart,
+        loads: &[SurfaceSegment],
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError> {
+        self.shared.interface_displacements(load, loads, interrupt)
+    }
+
+    fn stresses_by_interface(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<[f64; 3]> {
+        self.shared.stresses_by_interface(tooth, surface, forces)
     }
 
     fn bytes(&self) -> usize {

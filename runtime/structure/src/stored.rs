@@ -2,12 +2,13 @@
 //! contact surfaces; the condensed tables are read from the bytes.
 
 use super::bore_coupling::BoreCoupling;
+use super::bore_interface::BoreInterface;
 use super::bspline::BSpline;
 use super::elastic::FarCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
+use super::raceway::Raceway;
 use super::ring::SharedUnknowns;
 use super::sampling::EdgeCoordinate;
-use super::spline_clearance::SplineWithClearance;
 use super::spline_teeth::{SplineTeeth, SplineToothSet};
 use crate::profile::Profile;
 use faer::Mat;
@@ -91,9 +92,9 @@ pub(super) struct StoredBore<'a> {
     /// Spline teeth with their forces.
     #[serde(borrow)]
     spline_teeth: Option<(SplineTeeth, Table<'a>)>,
-    /// Displacements by amplitudes, and compliance.
+    /// Displacements of the interface by amplitudes, and compliance.
     #[serde(borrow)]
-    with_clearance: Option<[Table<'a>; 2]>,
+    interface: Option<([Table<'a>; 2], Option<Raceway>)>,
     #[serde(borrow)]
     loads: Vec<Table<'a>>,
     #[serde(borrow)]
@@ -113,10 +114,10 @@ impl StoredBore<'_> {
                 .spline_teeth
                 .as_ref()
                 .map(|set| (set.spline_teeth, Table::from(&set.reactions))),
-            with_clearance: bore
-                .with_clearance
-                .as_ref()
-                .map(|spline_teeth| [&spline_teeth.by_amplitudes, &spline_teeth.compliance].map(Table::from)),
+            interface: bore.interface.as_ref().map(|interface| {
+                let tables = [&interface.by_amplitudes, &interface.compliance].map(Table::from);
+                (tables, interface.raceway)
+            }),
             loads: tables(&bore.loads),
             stress: tables(&bore.stress),
         }
@@ -134,17 +135,18 @@ impl StoredBore<'_> {
             }
             None => None,
         };
-        let with_clearance = match &self.with_clearance {
-            Some([by_amplitudes, compliance]) => Some(SplineWithClearance {
+        let interface = match &self.interface {
+            Some(([by_amplitudes, compliance], raceway)) => Some(BoreInterface {
                 by_amplitudes: by_amplitudes.matrix()?,
                 compliance: compliance.matrix()?,
+                raceway: *raceway,
             }),
             None => None,
         };
         Some(BoreCoupling {
             sectors: self.sectors,
             spline_teeth,
-            with_clearance,
+            interface,
             pitch: self.pitch,
             shared: SharedUnknowns { count, pairs: self.pairs },
             release: self.release.matrix()?,

@@ -1,7 +1,7 @@
 //! Observables of bearings: forces, moments, deflections and tilts.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
-use calyx_model::bearing::{BearingState, five};
+use calyx_model::bearing::{BearingState, NonlinearLoad, five};
 use calyx_model::ids::{BearingId, BodyId};
 use calyx_model::observed::Observed;
 
@@ -75,10 +75,33 @@ impl Equilibrium<'_> {
         let width = system.width(own.body.0);
         let walls: Vec<f64> = self.step.stops.iter().skip(skipped).map(|force| width * force).collect();
         let walls = if system.bearings.contains(&bearing.0) { &walls[..] } else { &[] };
-        let nonlinear = self.system.nonlinear_load(bearing.0, self.step.time);
+        let nonlinear = self.nonlinear_load(bearing);
         let (sprung, damped) = (own.push(&deflection, walls, nonlinear.as_ref()), own.damping_at(&rate));
         let push = std::array::from_fn(|k| sprung[k] - damped[k]);
         Some(BearingLoad { deflection, push, placed })
+    }
+
+    /// Returns the nonlinear load of a bearing of the scene, on the raceway as an elastic body
+    /// displaces it; `None` without one.
+    pub(super) fn nonlinear_load(self, bearing: BearingId) -> Option<NonlinearLoad> {
+        let load = self.system.nonlinear_load(bearing.0, self.step.time)?;
+        let raceway = self.step.raceways.iter().find(|raceway| raceway.bearing == bearing.0);
+        Some(raceway.map_or(load.clone(), |raceway| load.on_raceway(&raceway.displacement)))
+    }
+
+    /// Returns the forces on the displacements of the bore of a body on which contact outside of
+    /// its structure acts, in the unit of the contact problem: of spline teeth with clearance, or of
+    /// rollers on the terms of a raceway. Empty for another bore.
+    pub(super) fn interface_forces(self, body: BodyId) -> Vec<f64> {
+        let mut total = self.spline_clearance_forces(body);
+        for raceway in &self.step.raceways {
+            let placed = self.system.elastic_raceway(raceway.bearing, self.step.time).ok().flatten();
+            let Some(placed) = placed.filter(|placed| placed.body == body.0) else { continue };
+            let forces = placed.on_terms(&raceway.loads);
+            total.resize(forces.len(), 0.0);
+            total.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force);
+        }
+        total
     }
 
     /// Returns the sum of the forces and moments of all bearings on a body, as in
@@ -139,7 +162,7 @@ impl Observable for BearingStiffness {
         let own = &at.system.scene.bearings[self.bearing.0];
         observed(at, self.bearing, |load| {
             let linear = own.stiffness[self.row][self.column];
-            let Some(nonlinear) = at.system.nonlinear_load(self.bearing.0, at.step.time) else {
+            let Some(nonlinear) = at.nonlinear_load(self.bearing) else {
                 return linear;
             };
             let state = nonlinear.state(None, five(&load.deflection));

@@ -220,15 +220,16 @@ impl Equilibrium<'_> {
         for (index, mesh) in meshed.bodies.iter().enumerate() {
             let Some(mesh) = mesh else { continue };
             let (body, id) = (&self.system.scene.bodies[index], BodyId(index));
-            let (surfaces, segments, spline_teeth);
+            let (surfaces, segments);
+            let interface = self.interface_forces(id);
             let loads = match &self.system.bodies {
                 Bodies::Plane(_) => {
-                    (surfaces, spline_teeth) = (self.surface_loads(id), self.spline_clearance_forces(id));
-                    BodyLoads::Plane { surfaces: &surfaces, spline_teeth: &spline_teeth }
+                    surfaces = self.surface_loads(id);
+                    BodyLoads::Plane { surfaces: &surfaces, interface: &interface }
                 }
                 Bodies::Solid(_) => {
                     segments = self.segment_loads(id);
-                    BodyLoads::Solid(&segments)
+                    BodyLoads::Solid { segments: &segments, interface: &interface }
                 }
             };
             let frame = self.system.displaced_pose(index, self.time(), &self.step.start)?;

@@ -31,7 +31,7 @@ impl Equilibrium<'_> {
     /// Returns the states of the elements of a rolling bearing, row by row; `None` if the scene has
     /// no such rolling bearing, or its races have separated.
     pub fn rolling_elements(self, bearing: BearingId) -> Option<Vec<ElementState>> {
-        let load = self.system.nonlinear_load(bearing.0, self.step.time)?;
+        let load = self.nonlinear_load(bearing)?;
         let NonlinearLoad::Rolling(elements) = load else { return None };
         elements.elements(&self.bearing(bearing)?.deflection).ok()
     }

@@ -128,7 +128,7 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
     match &at.system.bodies {
         Bodies::Plane(bodies) => {
             let structure = bodies.structures.get(body.0)?.as_ref()?;
-            let (loads, spline_teeth) = (at.surface_loads(body), at.spline_clearance_forces(body));
+            let (loads, on_bore) = (at.surface_loads(body), at.interface_forces(body));
             let vibration = Vibration::of(at, body, &loads);
             let mut charts: Vec<Chart> = loads.iter().map(|load| load.chart).collect();
             // Without load, teeth vibrate nevertheless, and all are equivalent.
@@ -142,8 +142,8 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
             }
             for (tooth, surface) in of.near(charts.into_iter(), structure.teeth()) {
                 let mut recovered = structure.stresses(tooth, surface, &loads);
-                let by_spline_teeth = structure.stresses_by_spline_teeth(tooth, surface, &spline_teeth);
-                recovered.iter_mut().zip(by_spline_teeth).for_each(|((_, stress), more)| *stress += more);
+                let by_bore = structure.stresses_by_interface(tooth, surface, &on_bore);
+                recovered.iter_mut().zip(by_bore).for_each(|((_, stress), more)| *stress += more);
                 if let Some(vibration) = &vibration {
                     vibration.add_stresses(tooth, surface, &mut recovered);
                 }
@@ -159,10 +159,14 @@ pub(super) fn stresses(at: &Equilibrium<'_>, body: BodyId, of: Fillets) -> Optio
         }
         Bodies::Solid(bodies) => {
             let structure = bodies.structures.get(body.0)?.as_ref()?;
-            let loads = at.segment_loads(body);
+            let (loads, on_bore) = (at.segment_loads(body), at.interface_forces(body));
             let charts = loads.iter().map(|load| load.chart);
             for (tooth, surface) in of.near(charts, structure.teeth()) {
-                let recovered = structure.stresses(tooth, surface, &loads);
+                let mut recovered = structure.stresses(tooth, surface, &loads);
+                let by_bore = structure.stresses_by_interface(tooth, surface, &on_bore);
+                for (stress, more) in recovered.iter_mut().zip(by_bore) {
+                    stress.components.iter_mut().zip(more).for_each(|(own, more)| *own += more);
+                }
                 all.extend(recovered.into_iter().map(|stress| RootStress {
                     location: at.solid_location(body, stress.tooth, stress.position),
                     surface,

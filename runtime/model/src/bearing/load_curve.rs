@@ -262,7 +262,13 @@ impl LoadCurves {
             evaluation.stiffness[2][2] = along;
             evaluation.scale += force.abs();
         }
-        Ok(NonlinearState { deflection, evaluation, start: Start::default() })
+        Ok(NonlinearState {
+            deflection,
+            evaluation,
+            raceway: Vec::new(),
+            raceway_loads: Vec::new(),
+            start: Start::default(),
+        })
     }
 }
 

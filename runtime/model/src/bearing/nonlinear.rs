@@ -2,9 +2,10 @@
 //! problems have their tangents.
 
 use super::nonlinear_state::NonlinearState;
+use super::raceway::{ElasticRaceway, RacewayTangent};
 use super::{Bearing, BearingMatrix, LoadCurves, RollingElements, five};
 use calyx_numerics::error::EngineError;
-use calyx_rolling::{Displacement, Start};
+use calyx_rolling::{Displacement, RacewayDisplacement, Start};
 use nalgebra::{Matrix5, SymmetricEigen, Vector5};
 use std::sync::Arc;
 
@@ -24,6 +25,8 @@ pub struct Tangent {
     pub stiffness: BearingMatrix,
     /// Force on the first race at zero deflection of the linearized bearing, N and N m.
     pub load: [f64; 6],
+    /// Elastic raceway, of which the rest is the elimination.
+    pub raceway: Option<RacewayTangent>,
 }
 
 impl NonlinearLoad {
@@ -118,9 +121,36 @@ impl NonlinearLoad {
         match self {
             NonlinearLoad::Rolling(elements) => {
                 let start = from.map_or_else(Start::default, |from| from.start.clone());
-                elements.evaluate(deflection, start)
+                elements.evaluate(deflection, elements.raceway(), start)
             }
             NonlinearLoad::Curves(curves) => curves.state(deflection),
+        }
+    }
+
+    /// Evaluates the load like [`NonlinearLoad::state`] with a displacement of an elastic raceway,
+    /// by element.
+    ///
+    /// # Errors
+    /// Those of [`NonlinearLoad::state`].
+    pub fn state_on(
+        &self,
+        from: &NonlinearState,
+        deflection: Displacement,
+        raceway: &[RacewayDisplacement],
+    ) -> Result<NonlinearState, EngineError> {
+        match self {
+            NonlinearLoad::Rolling(elements) => elements.evaluate(deflection, raceway, from.start.clone()),
+            NonlinearLoad::Curves(curves) => curves.state(deflection),
+        }
+    }
+
+    /// Returns the load on an outer raceway with this displacement at each element.
+    pub fn on_raceway(&self, displacement: &[RacewayDisplacement]) -> Self {
+        match self {
+            NonlinearLoad::Rolling(elements) => {
+                NonlinearLoad::Rolling(Arc::new(elements.on_raceway(displacement)))
+            }
+            NonlinearLoad::Curves(_) => self.clone(),
         }
     }
 
@@ -149,7 +179,23 @@ impl NonlinearLoad {
     /// Linearizes the load about a state, with `addition` times the typical stiffness added.
     ///
     /// The stiffness is symmetric and positive semidefinite: gyroscopic moments make that of balls
-    /// slightly asymmetric, and large tilting under load can make it indefinite.
+    /// slightly asymmetric, and large tilting under load can make it indefinite. An elastic raceway
+    /// is eliminated.
+    pub fn tangent_with(
+        &self,
+        state: &NonlinearState,
+        addition: f64,
+        raceway: Option<&ElasticRaceway>,
+    ) -> Tangent {
+        let mut tangent = self.tangent(state, addition);
+        if let (Some(raceway), NonlinearLoad::Rolling(elements)) = (raceway, self) {
+            raceway.eliminate(&mut tangent, state, if elements.is_inverted() { -1.0 } else { 1.0 });
+        }
+        tangent
+    }
+
+    /// Linearizes the load about a state as [`NonlinearLoad::tangent_with`], on a raceway that does
+    /// not yield.
     pub fn tangent(&self, state: &NonlinearState, addition: f64) -> Tangent {
         let at = positive_part(&state.evaluation.stiffness, self.radius());
         let typical = self.typical_stiffness();
@@ -187,7 +233,7 @@ impl Bearing {
     /// Returns the linearized load before the deflection is known: typical stiffness without load.
     pub(super) fn typical_tangent(&self) -> Option<Tangent> {
         let nonlinear = self.nonlinear.as_ref()?;
-        Some(Tangent { stiffness: nonlinear.typical_stiffness(), load: [0.0; 6] })
+        Some(Tangent { stiffness: nonlinear.typical_stiffness(), ..Tangent::default() })
     }
 }
 

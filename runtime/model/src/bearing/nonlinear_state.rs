@@ -1,6 +1,6 @@
 //! State of a bearing with a nonlinear load in the search for equilibrium.
 
-use calyx_rolling::{Displacement, Evaluation, Start};
+use calyx_rolling::{Displacement, Evaluation, RacewayDisplacement, RacewayLoad, Start};
 
 /// State of the nonlinear load of one bearing in the search for equilibrium.
 #[derive(Clone, Debug)]
@@ -9,6 +9,10 @@ pub struct NonlinearState {
     pub deflection: Displacement,
     /// Load on the first race and stiffness there.
     pub evaluation: Evaluation,
+    /// Displacement of an elastic outer raceway by element; empty on a rigid one.
+    pub raceway: Vec<RacewayDisplacement>,
+    /// Loads of the elements on it.
+    pub raceway_loads: Vec<RacewayLoad>,
     /// Positions of rolling elements, from which the next evaluation starts.
     pub(super) start: Start,
 }

@@ -7,7 +7,8 @@ use calyx_numerics::error::EngineError;
 use calyx_rolling::ball::BallState;
 use calyx_rolling::rating::{bearing_capacity, static_safety};
 use calyx_rolling::{
-    ContactModel, Displacement, ElasticContact, ElementState, Motion, RollingBearing, RollingError, Start,
+    ContactModel, Displacement, ElasticContact, ElementState, Motion, RacewayDisplacement, RollingBearing,
+    RollingError, Start,
 };
 use std::sync::{Arc, OnceLock};
 
@@ -26,6 +27,8 @@ pub struct RollingElements {
     is_inverted: bool,
     typical: BearingMatrix,
     elastic: ElasticRollers,
+    /// Displacement of an elastic outer raceway by element; empty on a rigid one.
+    raceway: Arc<[RacewayDisplacement]>,
 }
 
 /// The same elements with elastic contacts of rollers, computed on request. Copies have their own,
@@ -57,6 +60,7 @@ impl RollingElements {
             is_inverted: false,
             typical: [[0.0; 6]; 6],
             elastic: ElasticRollers::default(),
+            raceway: Arc::default(),
         };
         elements.check_preload()?;
         // Tangents on all sides of the clearance together resist all motions that any one resists.
@@ -90,6 +94,17 @@ impl RollingElements {
             Err(_) => self.clone(),
         };
         self.elastic.0.get_or_init(build).clone()
+    }
+
+    /// Returns the displacement of an elastic outer raceway by element; empty on a rigid one.
+    pub(super) fn raceway(&self) -> &[RacewayDisplacement] {
+        &self.raceway
+    }
+
+    /// Returns the elements on an outer raceway with this displacement at each element, of an
+    /// elastic body.
+    pub fn on_raceway(&self, displacement: &[RacewayDisplacement]) -> Self {
+        Self { raceway: displacement.into(), ..self.clone() }
     }
 
     /// Returns the mean stiffness on all sides of the clearance, which restrains the bearing in the
@@ -220,22 +235,25 @@ impl RollingElements {
     /// # Errors
     /// E0697: the deflection is not finite.
     pub fn state(&self, deflection: Displacement) -> Result<NonlinearState, EngineError> {
-        self.evaluate(deflection, Start::default())
+        self.evaluate(deflection, &self.raceway, Start::default())
     }
 
-    /// Evaluates the elements at a deflection from the positions of another evaluation.
+    /// Evaluates the elements at a deflection and a displacement of the outer raceway from the
+    /// positions of another evaluation.
     ///
     /// # Errors
     /// E0697: the deflection is not finite.
     pub(super) fn evaluate(
         &self,
         deflection: Displacement,
+        raceway: &[RacewayDisplacement],
         mut start: Start,
     ) -> Result<NonlinearState, EngineError> {
         let inner = self.of_inner_ring(deflection);
-        let mut evaluation = self.bearing.evaluate(&inner, &self.motion, &mut start).map_err(rejected)?;
+        let evaluated = self.bearing.evaluate_with(&inner, raceway, &self.motion, &mut start);
+        let (mut evaluation, raceway_loads) = evaluated.map_err(rejected)?;
         evaluation.load = self.of_inner_ring(evaluation.load);
-        Ok(NonlinearState { deflection, evaluation, start })
+        Ok(NonlinearState { deflection, evaluation, raceway: raceway.to_vec(), raceway_loads, start })
     }
 
     /// Converts a displacement or load of the first race to that of the inner ring, or back.
@@ -248,7 +266,8 @@ impl RollingElements {
     /// # Errors
     /// E0697: the deflection is not finite.
     pub fn elements(&self, deflection: &[f64; 6]) -> Result<Vec<ElementState>, EngineError> {
-        self.bearing.elements(&self.of_inner_ring(five(deflection)), &self.motion).map_err(rejected)
+        let inner = self.of_inner_ring(five(deflection));
+        self.bearing.elements_with(&inner, &self.raceway, &self.motion).map_err(rejected)
     }
 }
 

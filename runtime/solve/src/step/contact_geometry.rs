@@ -9,6 +9,7 @@ use calyx_contact::assembly::Entries;
 use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
+use nalgebra::DMatrix;
 use std::ops::Range;
 
 /// Tooth pair that may come into contact, before the solution.
@@ -130,6 +131,17 @@ pub(super) trait ContactGeometry: Sync {
     ) -> Result<Mat<f64>, EngineError> {
         Ok(Mat::zeros(0, 0))
     }
+
+    /// Returns the growth of the gap of each cell by unit forces on the terms of the raceway in the
+    /// bore of a body.
+    ///
+    /// # Errors
+    /// Those of the interrupt.
+    fn by_raceway(
+        &self,
+        body: usize,
+        laid: &[(&Candidate<Self::Site>, &Self::Grid)],
+    ) -> Result<DMatrix<f64>, EngineError>;
 
     /// Returns an initial active set; it affects only the time of the solution.
     fn guess(&self, _problem: &ContactProblem, _grids: &[Self::Grid]) -> Vec<usize> {

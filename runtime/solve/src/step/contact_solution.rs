@@ -139,7 +139,11 @@ impl<S: ContactGeometry> Solver<'_, S> {
             rounds -= 1;
         };
 
-        Ok(self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces))
+        let mut laid = self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces);
+        if let (Some(bearings), Some(iteration)) = (self.under.nonlinear, &iteration) {
+            laid.step.raceways = bearings.raceways(iteration);
+        }
+        Ok(laid)
     }
 
     /// Assembles the solved position from the friction vectors and the solution on its grids.
@@ -191,6 +195,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             active: solution.active,
             grids: Vec::new(),
             stops,
+            raceways: Vec::new(),
             certificate: solution.certificate,
             warnings,
         };
@@ -217,7 +222,10 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let (ActiveSet::Given(first) | ActiveSet::Estimate(first)) = active;
         match (self.under.nonlinear, iteration) {
             (Some(bearings), Some(iteration)) => {
-                bearings.equilibrium(iteration, problem, self.under.start, first.to_vec(), solve)
+                let laid: Vec<_> = candidates.iter().copied().zip(grids).collect();
+                let growths = bearings.growths(|body| self.space.by_raceway(body, &laid))?;
+                let under = (&growths[..], self.under.start);
+                bearings.equilibrium(iteration, problem, under, first.to_vec(), solve)
             }
             _ => solve(problem, first),
         }
@@ -298,6 +306,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             active,
             grids: Vec::new(),
             stops,
+            raceways: Vec::new(),
             certificate,
             warnings,
         };

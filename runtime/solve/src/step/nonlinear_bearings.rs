@@ -8,6 +8,10 @@
 //! upper bound of the energy without another contact problem. A multiple of the typical stiffness
 //! restrains bearings within their clearances; it vanishes with the convergence.
 //!
+//! The outer raceway of rollers may be the bore of an elastic body, which adds its displacement at
+//! each roller to the deflections. It is eliminated from the contact problem
+//! ([`calyx_model::bearing::ElasticRaceway`]).
+//!
 //! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
 //!
@@ -16,12 +20,15 @@
 //!
 //! See `docs/theory/rolling-bearings.md`.
 
-use super::StepResult;
+use super::{RacewayResult, StepResult};
 use crate::system::System;
 use calyx_contact::problem::{ContactProblem, Solution};
-use calyx_model::bearing::{BearingState, NonlinearLoad, NonlinearState, Springs, Tangent};
+use calyx_model::bearing::{
+    BearingState, ElasticRaceway, NonlinearLoad, NonlinearState, Springs, Tangent, by_element,
+};
 use calyx_model::dof::Dof;
 use calyx_numerics::error::{EngineError, Subject};
+use nalgebra::{DMatrix, DVector};
 use std::cell::Cell;
 
 /// Largest number of contact problems with the same grids.
@@ -49,6 +56,8 @@ struct Member {
     /// Index in the scene.
     bearing: usize,
     nonlinear: NonlinearLoad,
+    /// Elastic raceway, if there is one.
+    raceway: Option<ElasticRaceway>,
     /// Deflection by DOF.
     arms: Vec<[f64; 6]>,
     /// Length that makes moments comparable with forces, m.
@@ -94,7 +103,7 @@ impl System<'_> {
     /// Those of [`NonlinearLoad::state`].
     pub fn tangents_at(&self, time: f64, motion: &[f64]) -> Result<Vec<Option<Tangent>>, EngineError> {
         let mut by_scene = vec![None; self.scene.bearings.len()];
-        for member in members(self, time)? {
+        for member in members(self, time, false)? {
             let state = member.nonlinear.state(None, member.deflection(motion))?;
             by_scene[member.bearing] = Some(member.nonlinear.tangent(&state, 0.0));
         }
@@ -116,7 +125,7 @@ impl System<'_> {
 
     /// Solves the equilibrium with nonlinear bearings under a load at a time (s). `solve` solves
     /// the position with given tangents, by bearing of the scene; without them, bearings have their
-    /// typical stiffness.
+    /// typical stiffness. Raceways in elastic bodies are rigid on request.
     ///
     /// # Errors
     /// E0726: the bearings do not balance their loads. Those of `solve`.
@@ -125,8 +134,9 @@ impl System<'_> {
         time: f64,
         load: &[f64],
         solve: impl Fn(&[Option<Tangent>], Option<&NonlinearBearings<'_>>) -> Result<StepResult, EngineError>,
+        has_elastic_raceways: bool,
     ) -> Result<StepResult, EngineError> {
-        let bearings = NonlinearBearings::new(self, time, load)?;
+        let bearings = NonlinearBearings::new(self, time, load, has_elastic_raceways)?;
         let mut iteration = bearings.initial(&[])?;
         let is_preloaded = iteration.states.iter().any(|state| state.evaluation.scale > 0.0);
         // In the limit without load, bearings keep the middle of their clearance.
@@ -158,8 +168,10 @@ impl System<'_> {
             }
             let mut step = solve(&by_scene, Some(&bearings))?;
             let is_solved = bearings.is_solved.get();
-            if is_solved || bearings.advance(&mut iteration, &tangents, &step.motion)? {
+            let moved = bearings.unmoved();
+            if is_solved || bearings.advance(&mut iteration, &tangents, &step.motion, &moved)? {
                 if !is_solved {
+                    step.raceways = bearings.raceways(&iteration);
                     step.certificate.equilibrium = step.certificate.equilibrium.max(iteration.residual);
                 }
                 bearings.warn(&mut step)?;
@@ -171,7 +183,11 @@ impl System<'_> {
 }
 
 /// Returns the modelled bearings with a nonlinear load at a time (s).
-fn members(system: &System<'_>, time: f64) -> Result<Vec<Member>, EngineError> {
+fn members(
+    system: &System<'_>,
+    time: f64,
+    has_elastic_raceways: bool,
+) -> Result<Vec<Member>, EngineError> {
     let mut members = Vec::new();
     for &bearing in &system.bearings {
         let own = &system.scene.bearings[bearing];
@@ -179,7 +195,11 @@ fn members(system: &System<'_>, time: f64) -> Result<Vec<Member>, EngineError> {
         let placed = BearingState::at(&system.scene.bodies, own, time)?;
         let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
         let (radius, width) = (nonlinear.radius(), system.width(own.body.0));
-        members.push(Member { bearing, nonlinear, arms, radius, width });
+        let raceway = match has_elastic_raceways {
+            true => system.elastic_raceway(bearing, time)?,
+            false => None,
+        };
+        members.push(Member { bearing, nonlinear, raceway, arms, radius, width });
     }
     Ok(members)
 }
@@ -193,36 +213,49 @@ fn strain(load: &mut [f64], stiffness: &[f64], motion: &[f64]) {
 
 impl<'a> NonlinearBearings<'a> {
     /// Creates the bearings of an equilibrium under an external load.
-    fn new(system: &'a System<'a>, time: f64, load: &[f64]) -> Result<Self, EngineError> {
-        Self::with(system, time, load, system.linear_springs(time)?, false)
+    fn new(
+        system: &'a System<'a>,
+        time: f64,
+        load: &[f64],
+        has_elastic_raceways: bool,
+    ) -> Result<Self, EngineError> {
+        let members = members(system, time, has_elastic_raceways)?;
+        Ok(Self::with(system, members, load, system.linear_springs(time)?, false))
     }
 
     /// Creates the bearings of a time step with these forces, for the scale of residuals.
     pub(super) fn in_time(system: &'a System<'a>, time: f64, load: &[f64]) -> Result<Self, EngineError> {
-        Self::with(system, time, load, Springs::none(system.dofs.len()), true)
+        let members = members(system, time, false)?;
+        Ok(Self::with(system, members, load, Springs::none(system.dofs.len()), true))
     }
 
     fn with(
         system: &'a System<'a>,
-        time: f64,
+        members: Vec<Member>,
         load: &[f64],
         base: Springs,
         in_time: bool,
-    ) -> Result<Self, EngineError> {
-        let members = members(system, time)?;
+    ) -> Self {
         let radius = members.iter().map(|own: &Member| own.radius).fold(0.0, f64::max);
         let force = |(load, dof): (&f64, &Dof)| {
             let unit = if dof.component < 3 { 1.0 } else { radius };
             system.width(dof.body) * load.abs() / unit
         };
         let scale = load.iter().zip(&system.dofs).map(force).fold(0.0, f64::max);
-        Ok(Self { system, members, base, load: load.to_vec(), scale, is_solved: Cell::new(false), in_time })
+        Self { system, members, base, load: load.to_vec(), scale, is_solved: Cell::new(false), in_time }
     }
 
     /// Returns the iteration at bearings without deflection, or in a time step at its start.
     pub(super) fn initial(&self, start: &[f64]) -> Result<NonlinearIteration, EngineError> {
         let at = |own: &Member| if self.in_time { own.deflection(start) } else { [0.0; 5] };
-        let states = self.members.iter().map(|own| own.nonlinear.state(None, at(own)));
+        let initial = |own: &Member| {
+            let state = own.nonlinear.state(None, at(own))?;
+            match own.rollers() {
+                0 => Ok(state),
+                rollers => own.nonlinear.state_on(&state, at(own), &vec![[0.0; 2]; rollers]),
+            }
+        };
+        let states = self.members.iter().map(initial);
         Ok(NonlinearIteration {
             states: states.collect::<Result<_, _>>()?,
             // In a time step inertia restrains bearings within their clearances.
@@ -234,7 +267,8 @@ impl<'a> NonlinearBearings<'a> {
 
     /// Solves a contact problem, whose motions are relative to `start`, with the bearings in
     /// equilibrium. `solve` solves a problem from an active set. The iteration starts from the
-    /// given one and replaces it.
+    /// given one and replaces it. `growths` are those of the gaps of cells by unit loads on elastic
+    /// raceways, by bearing: none for rigid ones.
     ///
     /// # Errors
     /// E0726: the bearings do not balance their loads. Those of `solve`.
@@ -242,21 +276,30 @@ impl<'a> NonlinearBearings<'a> {
         &self,
         iteration: &mut NonlinearIteration,
         mut problem: ContactProblem,
-        start: &[f64],
+        (growths, start): (&[Option<DMatrix<f64>>], &[f64]),
         mut guess: Vec<usize>,
         solve: impl Fn(ContactProblem, &[usize]) -> Result<(ContactProblem, Solution), EngineError>,
     ) -> Result<(ContactProblem, Solution), EngineError> {
         iteration.residual = f64::INFINITY;
         let step = self.in_time.then(|| [problem.stiffness.clone(), problem.load.clone()]);
+        let yields = growths.iter().any(Option::is_some);
+        let rigid = yields.then(|| [&problem.compliance, &problem.arms, &problem.gaps].map(Vec::clone));
         for _ in 0..ROUNDS {
             let tangents = self.tangents(iteration);
             match &step {
                 Some(step) => self.put_in_step(&mut problem, step, &tangents, start),
                 None => self.put(&mut problem, &tangents, start),
             }
+            if let Some([compliance, arms, gaps]) = &rigid {
+                problem.compliance.clone_from(compliance);
+                problem.arms.clone_from(arms);
+                problem.gaps.clone_from(gaps);
+                self.put_raceways(&mut problem, &tangents, growths, start);
+            }
             let (solved, mut solution) = solve(problem, &guess)?;
             let motion = self.absolute(&solution.motion, start);
-            if self.advance(iteration, &tangents, &motion)? {
+            let moved = self.moved_by(growths, &solution.forces);
+            if self.advance(iteration, &tangents, &motion, &moved)? {
                 self.is_solved.set(true);
                 let certificate = &mut solution.certificate;
                 certificate.equilibrium = certificate.equilibrium.max(iteration.residual);
@@ -274,7 +317,67 @@ impl<'a> NonlinearBearings<'a> {
 
     fn tangents(&self, iteration: &NonlinearIteration) -> Vec<Tangent> {
         let members = self.members.iter().zip(&iteration.states);
-        members.map(|(own, state)| own.nonlinear.tangent(state, iteration.addition)).collect()
+        let tangent = |(own, state): (&Member, &NonlinearState)| {
+            own.nonlinear.tangent_with(state, iteration.addition, own.raceway.as_ref())
+        };
+        members.map(tangent).collect()
+    }
+
+    /// Returns the growth of the gaps of cells by unit loads on the elastic raceways, by bearing;
+    /// `of_terms` returns that by unit forces on the terms of the series of a body.
+    pub(super) fn growths(
+        &self,
+        of_terms: impl Fn(usize) -> Result<DMatrix<f64>, EngineError>,
+    ) -> Result<Vec<Option<DMatrix<f64>>>, EngineError> {
+        let growth = |own: &Member| {
+            let raceway = own.raceway.as_ref();
+            raceway.map(|raceway| Ok(raceway.growth(&of_terms(raceway.body)?))).transpose()
+        };
+        self.members.iter().map(growth).collect()
+    }
+
+    /// Adds the rollers on elastic raceways to the cells of a contact problem.
+    fn put_raceways(
+        &self,
+        problem: &mut ContactProblem,
+        tangents: &[Tangent],
+        growths: &[Option<DMatrix<f64>>],
+        start: &[f64],
+    ) {
+        for ((own, tangent), growth) in self.members.iter().zip(tangents).zip(growths) {
+            if let (Some(raceway), Some(tangent), Some(growth)) = (&own.raceway, &tangent.raceway, growth) {
+                raceway.put(problem, (tangent, growth), &own.arms, start);
+            }
+        }
+    }
+
+    /// Returns the displacements of elastic raceways by the forces on cells, by bearing.
+    fn moved_by(&self, growths: &[Option<DMatrix<f64>>], forces: &[f64]) -> Vec<Vec<f64>> {
+        let mut moved = self.unmoved();
+        for (moved, growth) in moved.iter_mut().zip(growths) {
+            if let Some(growth) = growth {
+                let on_cells = DVector::from_row_slice(&forces[..growth.nrows().min(forces.len())]);
+                moved.copy_from_slice((growth.transpose() * on_cells).as_slice());
+            }
+        }
+        moved
+    }
+
+    /// Returns the displacements of elastic raceways without forces on cells.
+    fn unmoved(&self) -> Vec<Vec<f64>> {
+        self.members.iter().map(|own| vec![0.0; 2 * own.rollers()]).collect()
+    }
+
+    /// Returns the elastic raceways.
+    pub(super) fn raceways(&self, iteration: &NonlinearIteration) -> Vec<RacewayResult> {
+        let members = self.members.iter().zip(&iteration.states);
+        let elastic = members.filter(|(own, _)| own.raceway.is_some());
+        let result = |(own, state): (&Member, &NonlinearState)| RacewayResult {
+            bearing: own.bearing,
+            displacement: state.raceway.clone(),
+            loads: state.raceway_loads.iter().flat_map(|own| own.force).collect(),
+        };
+        elastic.map(result).collect()
     }
 
     /// Replaces stiffness and load of a contact problem, whose motions are relative to `start`.
@@ -329,28 +432,22 @@ impl<'a> NonlinearBearings<'a> {
         iteration: &mut NonlinearIteration,
         tangents: &[Tangent],
         motion: &[f64],
+        moved: &[Vec<f64>],
     ) -> Result<bool, EngineError> {
-        let deflections: Vec<[f64; 5]> = self.members.iter().map(|own| own.deflection(motion)).collect();
-        let steps: Vec<[f64; 5]> = iteration
-            .states
-            .iter()
-            .zip(&deflections)
-            .map(|(state, next)| std::array::from_fn(|i| next[i] - state.deflection[i]))
-            .collect();
-        let linear: Vec<[f64; 5]> =
-            tangents.iter().zip(&deflections).map(|(tangent, next)| tangent.load_at(next)).collect();
-        let work = inner(
-            &steps,
-            linear
-                .iter()
-                .zip(&iteration.states)
-                .map(|(linear, state)| std::array::from_fn(|i| linear[i] - state.evaluation.load[i])),
-        );
-        let limit = self.members.iter().zip(&steps).map(|(own, step)| own.longest(step)).fold(1.0, f64::min);
-        let target = inner(&steps, linear.iter().copied());
-        let of = |states: &[NonlinearState]| {
-            inner(&steps, states.iter().map(|state| state.evaluation.load)) - target
+        let members = self.members.iter().zip(tangents).zip(moved);
+        let (nexts, linear): (Vec<Vec<f64>>, Vec<Vec<f64>>) =
+            members.map(|((own, tangent), moved)| own.linearized(tangent, motion, moved)).unzip();
+        let difference = |one: &[f64], other: &[f64]| -> Vec<f64> {
+            one.iter().zip(other).map(|(one, other)| one - other).collect()
         };
+        let states = || iteration.states.iter();
+        let steps: Vec<Vec<f64>> =
+            nexts.iter().zip(states()).map(|(next, state)| difference(next, &deflections(state))).collect();
+        let excess_loads = linear.iter().zip(states()).map(|(linear, state)| difference(linear, &loads(state)));
+        let work = inner(&steps, excess_loads);
+        let limit = self.members.iter().zip(&steps).map(|(own, step)| own.longest(step)).fold(1.0, f64::min);
+        let target = inner(&steps, linear.iter().cloned());
+        let of = |states: &[NonlinearState]| inner(&steps, states.iter().map(loads)) - target;
         let mut length = limit;
         let mut next = self.moved(iteration, &steps, length)?;
         let mut excess = of(&next);
@@ -397,13 +494,17 @@ impl<'a> NonlinearBearings<'a> {
     fn moved(
         &self,
         iteration: &NonlinearIteration,
-        steps: &[[f64; 5]],
+        steps: &[Vec<f64>],
         part: f64,
     ) -> Result<Vec<NonlinearState>, EngineError> {
         let members = self.members.iter().zip(&iteration.states).zip(steps);
         let moved = members.map(|((own, state), step)| {
-            let deflection = std::array::from_fn(|i| state.deflection[i] + part * step[i]);
-            own.nonlinear.state(Some(state), deflection)
+            let at: Vec<f64> = deflections(state).iter().zip(step).map(|(at, step)| at + part * step).collect();
+            let deflection = std::array::from_fn(|i| at[i]);
+            match own.rollers() {
+                0 => own.nonlinear.state(Some(state), deflection),
+                _ => own.nonlinear.state_on(state, deflection, &by_element(&at[5..])),
+            }
         });
         moved.collect()
     }
@@ -415,16 +516,18 @@ impl<'a> NonlinearBearings<'a> {
         &self,
         states: &[NonlinearState],
         next: &[NonlinearState],
-        linear: &[[f64; 5]],
+        linear: &[Vec<f64>],
     ) -> (f64, usize) {
         let mut largest = (0.0f64, self.members.first().map_or(0, |own| own.bearing));
         let mut scale = self.scale;
         for (k, own) in self.members.iter().enumerate() {
             scale = scale.max(next[k].evaluation.scale + states[k].evaluation.scale);
-            for i in 0..5 {
-                let unit = if i < 3 { 1.0 } else { own.radius };
-                scale = scale.max(linear[k][i].abs() / unit);
-                let difference = (next[k].evaluation.load[i] - linear[k][i]).abs() / unit;
+            for (i, (next, linear)) in loads(&next[k]).into_iter().zip(&linear[k]).enumerate() {
+                // Forces and moments of rollers on a raceway alternate.
+                let is_force = if i < 5 { i < 3 } else { i % 2 == 1 };
+                let unit = if is_force { 1.0 } else { own.radius };
+                scale = scale.max(linear.abs() / unit);
+                let difference = (next - linear).abs() / unit;
                 if difference.is_nan() {
                     return (f64::INFINITY, own.bearing);
                 }
@@ -441,7 +544,9 @@ impl<'a> NonlinearBearings<'a> {
         for own in &self.members {
             let [x, y, z, about_x, about_y] = own.deflection(&step.motion);
             let name = &self.system.scene.bearings[own.bearing].name;
-            for warning in own.nonlinear.warnings(&[x, y, z, about_x, about_y, 0.0])? {
+            let raceway = step.raceways.iter().find(|raceway| raceway.bearing == own.bearing);
+            let displaced = raceway.map(|raceway| own.nonlinear.on_raceway(&raceway.displacement));
+            for warning in displaced.as_ref().unwrap_or(&own.nonlinear).warnings(&[x, y, z, about_x, about_y, 0.0])? {
                 step.warnings.push(format!("bearing \"{name}\" {warning}"));
             }
         }
@@ -498,17 +603,51 @@ impl Member {
         deflection
     }
 
+    /// Returns the number of rollers on an elastic raceway; 0 on a rigid one.
+    fn rollers(&self) -> usize {
+        self.raceway.as_ref().map_or(0, |raceway| raceway.by_terms.nrows() / 2)
+    }
+
+    /// Returns the deflections of the solution of a contact problem with this tangent, and the
+    /// linearized loads, as [`deflections`] and [`loads`]. `moved` is the displacement of an elastic
+    /// raceway by the forces of cells.
+    fn linearized(&self, tangent: &Tangent, motion: &[f64], moved: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let deflection = self.deflection(motion);
+        let (mut next, mut load) = (deflection.to_vec(), tangent.load_at(&deflection).to_vec());
+        if let (Some(raceway), Some(own)) = (&self.raceway, &tangent.raceway) {
+            load.iter_mut().zip(own.push_of(moved)).for_each(|(load, push)| *load += push);
+            next.extend(raceway.displaced(own, &deflection, moved));
+            load.extend(own.load_at(&deflection, moved).iter().map(|load| -load));
+        }
+        (next, load)
+    }
+
     /// Returns the part of a step that is as long as a step may be.
-    fn longest(&self, step: &[f64; 5]) -> f64 {
-        let [x, y, z, about_x, about_y] = *step;
+    fn longest(&self, step: &[f64]) -> f64 {
+        let [x, y, z, about_x, about_y] = std::array::from_fn(|i| step[i]);
         let length = x.hypot(y).hypot(z).hypot(self.radius * about_x.hypot(about_y));
         LONGEST_STEP * self.nonlinear.reach() / length
     }
 }
 
 /// Returns the work of loads on the steps of all bearings.
-fn inner(steps: &[[f64; 5]], loads: impl Iterator<Item = [f64; 5]>) -> f64 {
-    steps.iter().zip(loads).map(|(step, load)| (0..5).map(|i| step[i] * load[i]).sum::<f64>()).sum()
+fn inner(steps: &[Vec<f64>], loads: impl Iterator<Item = Vec<f64>>) -> f64 {
+    let work = |(step, load): (&Vec<f64>, Vec<f64>)| -> f64 {
+        step.iter().zip(load).map(|(step, load)| step * load).sum()
+    };
+    steps.iter().zip(loads).map(work).sum()
+}
+
+/// Returns the deflections of a bearing, followed by the displacements of its elastic raceway at
+/// the rollers, if there is one.
+fn deflections(state: &NonlinearState) -> Vec<f64> {
+    state.deflection.iter().chain(state.raceway.as_flattened()).copied().collect()
+}
+
+/// Returns the loads conjugate to [`deflections`]: those of rollers act on the raceway.
+fn loads(state: &NonlinearState) -> Vec<f64> {
+    let on_raceway = state.raceway_loads.iter().flat_map(|own| own.force.map(|force| -force));
+    state.evaluation.load.iter().copied().chain(on_raceway).collect()
 }
 
 fn dot(one: &[f64; 6], other: &[f64; 6]) -> f64 {

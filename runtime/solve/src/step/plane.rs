@@ -5,6 +5,7 @@ use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells,
 use super::friction::Action;
 use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
+use crate::raceways::dense;
 use crate::system::{PlaneBodies, System};
 use calyx_contact::approach::{self, PlacedProfile, closest_approach};
 use calyx_contact::assembly::{self, Entries, compliance};
@@ -20,6 +21,7 @@ use calyx_numerics::vec2::distance;
 use calyx_structure::profile::Profile;
 use calyx_structure::{Chart, Structure};
 use faer::Mat;
+use nalgebra::DMatrix;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -183,7 +185,7 @@ impl ContactGeometry for Plane<'_> {
                     let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
                     let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
                     self.system.interrupt.check()?;
-                    let moved = structure.spline_tooth_displacements(chart, &places);
+                    let moved = structure.interface_displacements(chart, &places);
                     // A rigid body has none.
                     for cell in 0..if moved.nrows() > 0 { places.len() } else { 0 } {
                         for (flank, value) in
@@ -196,6 +198,31 @@ impl ContactGeometry for Plane<'_> {
                 first += grid.cells.len();
             }
             from += contact.flanks();
+        }
+        Ok(growth)
+    }
+
+    fn by_raceway(
+        &self,
+        body: usize,
+        laid: &[(&Candidate<Site>, &Grid)],
+    ) -> Result<DMatrix<f64>, EngineError> {
+        let structure = self.bodies.structures.get(body).and_then(Option::as_deref);
+        let Some((structure, raceway)) = structure.and_then(|own| Some((own, own.raceway()?))) else {
+            return Ok(DMatrix::zeros(0, 0));
+        };
+        let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
+        let (mut growth, mut first) = (DMatrix::zeros(cells, raceway.terms()), 0);
+        for (candidate, grid) in laid {
+            let pair = self.pair(candidate);
+            for side in (0..2).filter(|&side| pair.bodies[side].0 == body) {
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
+                self.system.interrupt.check()?;
+                let moved = dense(structure.interface_displacements(chart, &places).transpose());
+                growth.rows_mut(first, places.len()).copy_from(&moved);
+            }
+            first += grid.cells.len();
         }
         Ok(growth)
     }

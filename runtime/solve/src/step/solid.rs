@@ -5,6 +5,7 @@ use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells,
 use super::friction::Action;
 use super::patch::solid_arm;
 use super::{ContactGrid, ContactPatch};
+use crate::raceways::dense;
 use crate::system::{SolidBodies, System};
 use calyx_contact::assembly::Entries;
 use calyx_contact::grid::MARGIN;
@@ -21,6 +22,7 @@ use calyx_numerics::error::EngineError;
 use calyx_structure::Chart;
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::surface::Surface;
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -184,6 +186,30 @@ impl ContactGeometry for Solid<'_> {
 
     fn guess(&self, problem: &ContactProblem, grids: &[Grid]) -> Vec<usize> {
         first_guess(problem, &grids.iter().collect::<Vec<_>>(), &self.system.interrupt)
+    }
+
+    fn by_raceway(
+        &self,
+        body: usize,
+        laid: &[(&Candidate<Site>, &Grid)],
+    ) -> Result<DMatrix<f64>, EngineError> {
+        let structure = self.bodies.structures.get(body).and_then(Option::as_deref);
+        let Some((structure, raceway)) = structure.and_then(|own| Some((own, own.raceway()?))) else {
+            return Ok(DMatrix::zeros(0, 0));
+        };
+        let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
+        let (mut growth, mut first) = (DMatrix::zeros(cells, raceway.terms()), 0);
+        for (candidate, grid) in laid {
+            let pair = self.pair(candidate);
+            for side in (0..2).filter(|&side| pair.bodies[side].0 == body) {
+                let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
+                let segments: Vec<_> = grid.cells.iter().map(|cell| cell.segment(side)).collect();
+                let moved = structure.interface_displacements(chart, &segments, &self.system.interrupt)?;
+                growth.rows_mut(first, segments.len()).copy_from(&dense(moved.transpose()));
+            }
+            first += grid.cells.len();
+        }
+        Ok(growth)
     }
 
     fn may_grow(&self) -> bool {

@@ -94,12 +94,12 @@ impl SolvedRing {
     }
 
     /// Returns displacements of sectors, one column each in the frame of the sector. The loads are
-    /// full vectors of forces on some sectors, in their own frames, and forces of spline teeth with
-    /// clearance, if any.
+    /// full vectors of forces on some sectors, in their own frames, and forces on the interface
+    /// of the bore, if any.
     pub fn displacements(
         &self,
         loads: &[(u32, Vec<f64>)],
-        spline_teeth: &[f64],
+        interface: &[f64],
         wanted: &[u32],
     ) -> Result<Mat<f64>, StructureError> {
         let dofs = self.stiffness.ncols();
@@ -111,7 +111,7 @@ impl SolvedRing {
             for (load, (loaded, _)) in loads.iter().enumerate() {
                 self.add_answer(&mut sum, sector, (*loaded, on_cuts.as_ref().subcols(load, 1)));
             }
-            self.add_spline_teeth(&mut sum, sector, spline_teeth);
+            self.add_interface(&mut sum, sector, interface);
             sum
         };
         let responses: Vec<Mat<f64>> = wanted.iter().map(|&sector| answer(sector)).collect();
@@ -192,14 +192,13 @@ impl SolvedRing {
         }
     }
 
-    /// Adds the displacements of a sector's cuts and means by forces of spline teeth with
-    /// clearance.
-    fn add_spline_teeth(&self, sum: &mut Mat<f64>, observer: u32, spline_teeth: &[f64]) {
-        let Some((bore, constraint_forces)) = self.bore.as_ref().filter(|_| !spline_teeth.is_empty()) else {
+    /// Adds the displacements of a sector's cuts and means by forces on the interface of the bore.
+    fn add_interface(&self, sum: &mut Mat<f64>, observer: u32, interface: &[f64]) {
+        let Some((bore, constraint_forces)) = self.bore.as_ref().filter(|_| !interface.is_empty()) else {
             return;
         };
-        let spline_teeth = MatRef::from_column_major_slice(spline_teeth, spline_teeth.len(), 1);
-        if let Some(amplitudes) = bore.amplitudes_by_spline_teeth(observer, spline_teeth) {
+        let interface = MatRef::from_column_major_slice(interface, interface.len(), 1);
+        if let Some(amplitudes) = bore.amplitudes_by_interface(observer, interface) {
             add_product(sum.as_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
         }
     }

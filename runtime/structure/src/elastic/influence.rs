@@ -9,6 +9,7 @@ use crate::bore_coupling::{BoreCoupling, Coupling};
 use crate::bspline::BSplineWeights;
 use crate::dense::mirror_lower;
 use crate::profile::Profile;
+use crate::raceway::Raceway;
 use crate::{Chart, ModifiedSurface, SplineToothForce, StressPoint, Structure, SurfaceLoad};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -241,11 +242,11 @@ impl ElasticStructure {
         bore.spline_tooth_forces(&all)
     }
 
-    /// Computes [`Structure::spline_tooth_displacements`] under loads in table coordinates.
-    pub(crate) fn spline_tooth_displacements_by(&self, chart: Chart, loads: &[Local]) -> Mat<f64> {
+    /// Computes [`Structure::interface_displacements`] under loads in table coordinates.
+    pub(crate) fn interface_displacements_by(&self, chart: Chart, loads: &[Local]) -> Mat<f64> {
         let Some(bore) = &self.bore else { return Mat::zeros(0, loads.len()) };
         let constrained = self.coupling_forces(bore, chart.surface, loads.iter().copied());
-        bore.spline_tooth_displacements(chart.tooth, &constrained)
+        bore.interface_displacements(chart.tooth, &constrained)
     }
 
     pub(crate) fn surface(&self, chart: Chart) -> Option<&Surface> {
@@ -313,18 +314,22 @@ impl Structure for ElasticStructure {
         self.spline_tooth_forces_by(seen)
     }
 
-    fn spline_tooth_compliance(&self) -> Option<MatRef<'_, f64>> {
-        Some(self.bore.as_ref()?.with_clearance.as_ref()?.compliance.as_ref())
+    fn interface_compliance(&self) -> Option<MatRef<'_, f64>> {
+        Some(self.bore.as_ref()?.interface.as_ref()?.compliance.as_ref())
     }
 
-    fn spline_tooth_displacements(&self, load: Chart, load_s: &[f64]) -> Mat<f64> {
+    fn raceway(&self) -> Option<Raceway> {
+        self.bore.as_ref()?.interface.as_ref()?.raceway
+    }
+
+    fn interface_displacements(&self, load: Chart, load_s: &[f64]) -> Mat<f64> {
         let local = |&s: &f64| Some(self.surface(load)?.local(s));
-        self.spline_tooth_displacements_by(load, &load_s.iter().filter_map(local).collect::<Vec<_>>())
+        self.interface_displacements_by(load, &load_s.iter().filter_map(local).collect::<Vec<_>>())
     }
 
-    fn stresses_by_spline_teeth(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<f64> {
+    fn stresses_by_interface(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<f64> {
         let all = MatRef::from_column_major_slice(forces, forces.len(), 1);
-        let stresses = |bore: &BoreCoupling| bore.stresses_by_spline_teeth(surface as usize, tooth, all);
+        let stresses = |bore: &BoreCoupling| bore.stresses_by_interface(surface as usize, tooth, all);
         let stresses = self.bore.as_ref().filter(|_| !forces.is_empty()).and_then(stresses);
         stresses.map_or_else(Vec::new, |stresses| stresses.col(0).iter().copied().collect())
     }

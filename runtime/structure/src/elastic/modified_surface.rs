@@ -11,6 +11,7 @@
 use super::local::{Local, NormalAngle};
 use super::{ElasticStructure, Surface};
 use crate::profile::Profile;
+use crate::raceway::Raceway;
 use crate::{Chart, ModifiedSurface, SplineToothForce, StressPoint, Structure, SurfaceLoad};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -98,16 +99,20 @@ impl Structure for ModifiedStructure {
         self.body.spline_tooth_forces_by(seen)
     }
 
-    fn spline_tooth_compliance(&self) -> Option<MatRef<'_, f64>> {
-        self.body.spline_tooth_compliance()
+    fn interface_compliance(&self) -> Option<MatRef<'_, f64>> {
+        self.body.interface_compliance()
     }
 
-    fn spline_tooth_displacements(&self, load: Chart, load_s: &[f64]) -> Mat<f64> {
-        self.body.spline_tooth_displacements_by(load, &self.locals(load, load_s))
+    fn raceway(&self) -> Option<Raceway> {
+        self.body.raceway()
     }
 
-    fn stresses_by_spline_teeth(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<f64> {
-        self.body.stresses_by_spline_teeth(tooth, surface, forces)
+    fn interface_displacements(&self, load: Chart, load_s: &[f64]) -> Mat<f64> {
+        self.body.interface_displacements_by(load, &self.locals(load, load_s))
+    }
+
+    fn stresses_by_interface(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<f64> {
+        self.body.stresses_by_interface(tooth, surface, forces)
     }
 
     fn bytes(&self) -> usize {

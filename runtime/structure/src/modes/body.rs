@@ -116,7 +116,7 @@ pub(super) fn ring_sector(
     let count = ring.sectors.max(1);
     let constrained = match ring.support {
         BoreSupport::Rigid => bore,
-        BoreSupport::Means { .. } => Vec::new(),
+        BoreSupport::Means { .. } | BoreSupport::Raceway { .. } => Vec::new(),
         // Spline teeth couple modes of all nodal diameters.
         BoreSupport::SplineTeeth(_) | BoreSupport::SplineWithClearance { .. } => {
             return Err(StructureError::ModesOnLugs);

@@ -13,11 +13,12 @@ use super::{Mirror, SegmentLoad, SolidStructure, SurfaceSegment, SurfaceStress};
 use crate::bore_coupling::{BoreCoupling, Coupling};
 use crate::dense::{mirror_lower, product};
 use crate::elastic::NormalAngle;
+use crate::raceway::Raceway;
 use crate::surface::Surface;
 use crate::{Chart, SplineToothForce};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use faer::Mat;
+use faer::{Mat, MatRef};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -250,6 +251,38 @@ impl SolidStructure for ElasticSolid {
             all += bore.in_body(load.chart.tooth, &constrained);
         }
         bore.spline_tooth_forces(&all)
+    }
+
+    fn raceway(&self) -> Option<Raceway> {
+        self.bore.as_ref()?.interface.as_ref()?.raceway
+    }
+
+    fn interface_compliance(&self) -> Option<MatRef<'_, f64>> {
+        Some(self.bore.as_ref()?.interface.as_ref()?.compliance.as_ref())
+    }
+
+    fn interface_displacements(
+        &self,
+        load: Chart,
+        loads: &[SurfaceSegment],
+        interrupt: &Interrupt,
+    ) -> Result<Mat<f64>, EngineError> {
+        let none = || Ok(Mat::zeros(0, loads.len()));
+        let (Some(bore), Some(known)) = (&self.bore, self.known(load)) else { return none() };
+        let Some(table) = bore.loads.get(load.surface as usize) else { return none() };
+        let constrained = self.points(known, loads).columns(table, interrupt)?;
+        Ok(bore.interface_displacements(load.tooth, &constrained))
+    }
+
+    fn stresses_by_interface(&self, tooth: u32, surface: u32, forces: &[f64]) -> Vec<[f64; 3]> {
+        let all = MatRef::from_column_major_slice(forces, forces.len(), 1);
+        let stresses = |bore: &BoreCoupling| bore.stresses_by_interface(surface as usize, tooth, all);
+        let stresses = self.bore.as_ref().filter(|_| !forces.is_empty()).and_then(stresses);
+        let by_point = |stresses: Mat<f64>| {
+            let three = |point: usize| [0, 1, 2].map(|component| stresses[(3 * point + component, 0)]);
+            (0..stresses.nrows() / 3).map(three).collect()
+        };
+        stresses.map_or_else(Vec::new, by_point)
     }
 
     fn bytes(&self) -> usize {

@@ -188,7 +188,7 @@ fn condensed_sectors_on_a_bore_constrained_in_the_mean_agree_with_the_whole_mesh
         let means = |model: &PlaneModel, coupled| {
             let bore = model.mesh.chain("bore").unwrap();
             let wanted =
-                RequestedMeans { harmonics, degree: 0, coupled, spline_teeth: None, with_clearance: false };
+                RequestedMeans { harmonics, degree: 0, coupled, spline_teeth: None, with_clearance: false, raceway: None };
             BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(&sector, coupled);
@@ -264,7 +264,7 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
         let means = |model: &SolidModel, coupled| {
             let bore = model.mesh.face_set("bore").unwrap();
             let wanted =
-                RequestedMeans { harmonics, degree: 1, coupled, spline_teeth: None, with_clearance: false };
+                RequestedMeans { harmonics, degree: 1, coupled, spline_teeth: None, with_clearance: false, raceway: None };
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(sector, coupled);
@@ -513,6 +513,7 @@ fn a_series_beyond_the_mesh_is_refused() {
         coupled: None,
         spline_teeth: None,
         with_clearance: false,
+        raceway: None,
     };
     let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     let support = Support::Means { constrained: &[], means: &means };

@@ -38,7 +38,7 @@ fn meshed(teeth: u32, support: BoreSupport, divisions: Divisions) -> MeshedBody 
 }
 
 fn under(body: &MeshedBody, surfaces: &[SurfaceLoad]) -> Vec<DeformedSector> {
-    body.deformed(BodyLoads::Plane { surfaces, spline_teeth: &[] }, &Interrupt::never()).unwrap()
+    body.deformed(BodyLoads::Plane { surfaces, interface: &[] }, &Interrupt::never()).unwrap()
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -193,7 +193,7 @@ fn flanks_move_by_splines_with_clearance_as_spline_teeth_by_them() {
     let on_tooth = SurfaceLoad { chart: Chart { tooth: 3, surface: 0 }, s: 0.4 * length, force: 2e5 };
     let forces = [1.5e5, 0.0, -0.5e5, 0.0];
     let shown = |surfaces: &[SurfaceLoad], spline_teeth: &[f64]| {
-        body.deformed(BodyLoads::Plane { surfaces, spline_teeth }, &never).unwrap()
+        body.deformed(BodyLoads::Plane { surfaces, interface: spline_teeth }, &never).unwrap()
     };
     let (by_spline_teeth, by_both) = (shown(&[], &forces), shown(&[on_tooth], &forces));
     assert_eq!(by_spline_teeth.len(), TEETH as usize, "all of them, though no tooth is loaded");
@@ -215,7 +215,7 @@ fn flanks_move_by_splines_with_clearance_as_spline_teeth_by_them() {
                 seen += 1;
                 let mut answer = [0.0];
                 structure.add_compliance(observe, &[s], on_tooth.chart, &[on_tooth.s], &mut answer);
-                let spline_teeth = structure.spline_tooth_displacements(observe, &[s]);
+                let spline_teeth = structure.interface_displacements(observe, &[s]);
                 let by_spline_teeth: f64 = forces
                     .iter()
                     .enumerate()
@@ -264,7 +264,7 @@ fn displacements_of_solid_flanks_equal_the_influence_of_the_structure() {
             .collect();
         let loads: Vec<SegmentLoad> =
             segments.iter().map(|&segment| SegmentLoad { chart, segment, force: 1e4 }).collect();
-        let found = body.deformed(BodyLoads::Solid(&loads), &never).unwrap();
+        let found = body.deformed(BodyLoads::Solid { segments: &loads, interface: &[] }, &never).unwrap();
         let mut largest = 0.0_f64;
         for tooth in [0, 1, TEETH - 1, 5] {
             let observe = Chart { tooth, surface: 1 };

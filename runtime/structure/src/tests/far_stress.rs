@@ -49,6 +49,7 @@ fn agrees_with_the_whole_mesh(teeth: u32, bore: f64, tested: &[u32]) {
         coupled: None,
         spline_teeth: None,
         with_clearance: false,
+        raceway: None,
     };
     let means = BoreMeans::plane(&whole, bore, wanted, &never).unwrap().unwrap();
     let direct = Direct::new(&Assembled::plane(&whole), &whole.rigid_body_modes(), &means.forms);

@@ -10,6 +10,8 @@ mod disc;
 #[cfg(test)]
 mod far_stress;
 #[cfg(test)]
+mod raceway;
+#[cfg(test)]
 mod revolved_web;
 #[cfg(test)]
 mod ring;

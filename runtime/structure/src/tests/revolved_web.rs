@@ -34,6 +34,7 @@ fn stiffness(web: &RevolvedWeb) -> [f64; 6] {
         coupled: None,
         spline_teeth: None,
         with_clearance: false,
+        raceway: None,
     };
     let patterns = BoreConstraints::new(cylinder, wanted, false).unwrap();
     let all = web.stiffness(&patterns, &Interrupt::never()).unwrap();

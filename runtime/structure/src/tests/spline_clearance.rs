@@ -32,7 +32,7 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
     let constrained: Vec<SparseVector> = means.forms[..means.constrained].to_vec();
     let direct = Direct::new(&equations, &whole.rigid_body_modes(), &constrained);
     let form = |spline_tooth: usize| spline_tooth_form(&means, spline_tooth, equations.stiffness.nrows());
-    let spline_teeth = ring.coupling.with_clearance.as_ref().unwrap();
+    let spline_teeth = ring.coupling.interface.as_ref().unwrap();
     let scale = spline_teeth.compliance[(0, 0)];
     let mut farthest = 0.0_f64;
     for loaded in 0..5 {
@@ -51,10 +51,10 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
         for tooth in 0..TEETH {
             let angle = ring.coupling.pitch * f64::from(tooth);
             let unit = MatRef::from_column_major_slice(&unit, 5, 1);
-            let by_rows = ring.coupling.stresses_by_spline_teeth(0, tooth, unit).unwrap();
+            let by_rows = ring.coupling.stresses_by_interface(0, tooth, unit).unwrap();
             for (point, &(at, along)) in PLANE_POINTS.iter().enumerate() {
                 let expected = force(&equations, at, along, angle).dot(&displacement);
-                let moved = ring.coupling.spline_tooth_displacements(tooth, &ring.constraint_forces(point))
+                let moved = ring.coupling.interface_displacements(tooth, &ring.constraint_forces(point))
                     [(loaded, 0)];
                 for found in [moved, by_rows[(point, 0)]] {
                     assert!((found - expected).abs() < 1e-9 * scale, "tooth {tooth}: {found} {expected}");
@@ -115,7 +115,7 @@ impl LoosenedRing {
         let mut moved = Mat::<f64>::zeros(whole.spline_teeth.len(), 1);
         let (mut load, mut forces) = (vec![0.0; 3], vec![0.0; whole.spline_teeth.len()]);
         for &(point, tooth) in loads {
-            moved += ring.coupling.spline_tooth_displacements(tooth, &ring.constraint_forces(point));
+            moved += ring.coupling.interface_displacements(tooth, &ring.constraint_forces(point));
             let (at, along) = PLANE_POINTS[point];
             let on_nodes = force(&whole.equations, at, along, ring.coupling.pitch * f64::from(tooth));
             load.iter_mut().zip(&whole.motions).for_each(|(sum, motion)| *sum += on_nodes.dot(motion));
@@ -128,7 +128,7 @@ impl LoosenedRing {
         let bore = sector.mesh.chain("bore").unwrap();
         let [x, y] = sector.mesh.nodes[sector.mesh.chain_nodes(bore)[0]];
         LoosenedRing {
-            compliance: ring.coupling.with_clearance.unwrap().compliance,
+            compliance: ring.coupling.interface.unwrap().compliance,
             moved: moved.col_as_slice(0).to_vec(),
             load,
             by_motion: whole.motions.iter().map(by_motion).collect(),

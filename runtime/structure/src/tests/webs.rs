@@ -48,6 +48,7 @@ impl Disc {
             coupled: None,
             spline_teeth: None,
             with_clearance: false,
+            raceway: None,
         };
         let means = BoreMeans::solid(&model, rim, wanted, &Interrupt::never()).unwrap().unwrap();
         let constrained = equations.dofs_of(&bore);
@@ -128,6 +129,7 @@ fn widening_of_a_thick_ring() {
         coupled: None,
         spline_teeth: None,
         with_clearance: false,
+        raceway: None,
     };
     let rim = model.mesh.chain("rim").unwrap();
     let means = BoreMeans::plane(&model, rim, wanted, &Interrupt::never()).unwrap().unwrap();

@@ -1,0 +1,313 @@
+//! Outer raceways of roller bearings that are the bore of an elastic body.
+//!
+//! The rollers of a bearing press on the bore at their own angles, and each has its own displacement
+//! of the raceway `v`: radial, and its derivative along the axis. With the loads `f` of the rollers
+//! on it and the forces `p` of teeth it is `v = H p + C f`. The bore is a series
+//! ([`calyx_structure::Raceway`]), and `C` the compliance of the body in this series. The contact of
+//! a roller is that of half-spaces, whose displacement in the same series would count twice, so `C`
+//! is without it: both have the same displacements at short wavelengths, and their difference
+//! converges quickly with the number of terms.
+//!
+//! With linearized rollers, `f = c + B q - K v` at the deflection `q` of the bearing, the raceway is
+//! eliminated from the contact problem: `v = M (H p + C (c + B q))` with `M = (I + C K)^-1`.
+//!
+//! See `docs/theory/rolling-bearings.md`.
+
+use super::nonlinear_state::NonlinearState;
+use super::{Bearing, BearingState, RollingElements, Support, Tangent};
+use crate::body::Body;
+use crate::motion::spatial_pose;
+use calyx_contact::problem::ContactProblem;
+use calyx_numerics::error::{EngineError, Subject};
+use calyx_numerics::quadrature::gauss_legendre;
+use calyx_numerics::vec3::{dot, minus};
+use calyx_rolling::bearing::{Elements, Row};
+use calyx_rolling::{RacewayDisplacement, RollerKind};
+use calyx_structure::Raceway;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+
+/// Distance of the axis of a bearing from that of the bore, relative to its radius, at which they
+/// coincide.
+const COAXIAL: f64 = 1e-6;
+
+/// Raceway of a bearing in an elastic body at a time.
+#[derive(Clone, Debug)]
+pub struct ElasticRaceway {
+    /// Index of the body.
+    pub body: usize,
+    /// Displacements by the terms of the series: two rows for each roller, radial and derivative.
+    pub by_terms: DMatrix<f64>,
+    /// Displacements by loads of the rollers, without those of half-spaces: m/N, and with the
+    /// derivative of the displacement and the moment 1/N and 1/(N m).
+    compliance: DMatrix<f64>,
+    /// Width to which forces of a plane model refer, m; 1 in three dimensions.
+    width: f64,
+}
+
+/// Linearized rollers on an elastic raceway, which is eliminated.
+#[derive(Clone, Debug)]
+pub struct RacewayTangent {
+    /// `M`, see the module documentation.
+    release: DMatrix<f64>,
+    /// `c` and `B`, with deflections of the first race.
+    load: DVector<f64>,
+    coupling: DMatrix<f64>,
+    /// `K M`, symmetric.
+    stiffness: DMatrix<f64>,
+}
+
+/// Half-space displacements of the rollers of a row by their own loads in the series of a raceway:
+/// radial displacement by force, and its derivative by moment.
+pub type HalfSpaceShare = [f64; 2];
+
+impl Bearing {
+    /// Returns the index of the body whose bore is the outer raceway of the rollers, if they have
+    /// cylindrical raceways and their outer ring is on a body.
+    pub fn outer_body(&self) -> Option<usize> {
+        let elements = self.rolling()?;
+        let second = match self.to {
+            Support::Ground => None,
+            Support::Body(body) => Some(body.0),
+        };
+        let outer = if elements.is_inverted() { Some(self.body.0) } else { second };
+        outer.filter(|_| elements.bearing.rows().iter().all(is_cylindrical))
+    }
+}
+
+fn is_cylindrical(row: &Row) -> bool {
+    match &row.elements {
+        Elements::Balls(_) => false,
+        Elements::Rollers(rollers) => matches!(rollers.geometry().kind, RollerKind::Cylindrical { .. }),
+    }
+}
+
+impl ElasticRaceway {
+    /// Places the raceway of a bearing at a time (s). `compliance` is that of the series of the
+    /// body's bore, `shares` those of the rows, and `width` (m) that of a plane model or 1.
+    ///
+    /// # Errors
+    /// E0687: the bearing is not coaxial with the bore. Those of [`BearingState::at`].
+    pub fn at(
+        bodies: &[Body],
+        (bearing, elements): (&Bearing, &RollingElements),
+        (body, raceway, compliance): (usize, &Raceway, &DMatrix<f64>),
+        shares: &[HalfSpaceShare],
+        width: f64,
+        time: f64,
+    ) -> Result<Self, EngineError> {
+        let placed = BearingState::at(bodies, bearing, time)?;
+        let own = &bodies[body];
+        let pose = spatial_pose(own.motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))?;
+        // Position and axes of the bearing in the coordinates of the body.
+        let back = |v: [f64; 3]| -> [f64; 3] {
+            std::array::from_fn(|axis| (0..3).map(|row| pose.rotation[row][axis] * v[row]).sum())
+        };
+        let [x, y, z] = back(minus(placed.origin, pose.origin));
+        if x.hypot(y) > COAXIAL * raceway.radius {
+            return Err(EngineError::new(
+                "E0687",
+                format!("bearing \"{}\" is not on the axis of the bore of \"{}\", which is its raceway", bearing.name, own.name),
+                "put it on the axis of this gear, or give the rim of the gear a `bore` that is \"rigid\" or \"free\"",
+            )
+            .about(Subject::Body(body)));
+        }
+        let [along_x, along_y, _] = back(placed.axes[0]);
+        let sense = dot(back(placed.axes[2]), [0.0, 0.0, 1.0]).signum();
+        let first = along_y.atan2(along_x) - own.phase;
+        let rows = elements.bearing.rows();
+        let count: usize = rows.iter().map(Row::count).sum();
+        let mut by_terms = DMatrix::zeros(2 * count, raceway.terms());
+        let mut half_space = Vec::with_capacity(2 * count);
+        let mut element = 0;
+        for (row, share) in rows.iter().zip(shares) {
+            for azimuth in row.azimuths(&elements.motion) {
+                let (angle, at) = (first + sense * azimuth, z + sense * row.position);
+                let [values, slopes] = raceway.terms_along(angle, at, length_of(row));
+                by_terms.row_mut(2 * element).copy_from_slice(&values);
+                let slopes: Vec<f64> = slopes.iter().map(|slope| sense * slope).collect();
+                by_terms.row_mut(2 * element + 1).copy_from_slice(&slopes);
+                half_space.extend(share);
+                element += 1;
+            }
+        }
+        // Forces of a plane model refer to its width.
+        let mut own = &by_terms * compliance * by_terms.transpose() / width;
+        for (k, share) in half_space.iter().enumerate() {
+            // A plane model has no derivative along the axis.
+            if own[(k, k)] > 0.0 {
+                own[(k, k)] -= share;
+            }
+        }
+        Ok(Self { body, by_terms, compliance: 0.5 * (&own + own.transpose()), width })
+    }
+
+    /// Eliminates the raceway from linearized rollers in a state: adapts their tangent on a rigid
+    /// raceway.
+    pub(super) fn eliminate(&self, tangent: &mut Tangent, state: &NonlinearState, sense: f64) {
+        let count = state.raceway.len();
+        let mut stiffness = DMatrix::zeros(2 * count, 2 * count);
+        let mut coupling = DMatrix::zeros(2 * count, 5);
+        let mut load = DVector::zeros(2 * count);
+        for (element, own) in state.raceway_loads.iter().enumerate() {
+            for i in 0..2 {
+                let row = 2 * element + i;
+                load[row] = own.force[i];
+                for j in 0..2 {
+                    stiffness[(row, 2 * element + j)] = 0.5 * (own.stiffness[i][j] + own.stiffness[j][i]);
+                }
+                for j in 0..5 {
+                    coupling[(row, j)] = sense * own.coupling[i][j];
+                }
+            }
+        }
+        let at = DVector::from_iterator(2 * count, state.raceway.iter().flatten().copied());
+        let deflection = DVector::from_row_slice(&state.deflection);
+        load += &stiffness * &at - &coupling * deflection;
+        let system = DMatrix::identity(2 * count, 2 * count) + &self.compliance * &stiffness;
+        let Some(release) = system.try_inverse() else { return };
+        // The rollers yield by the raceway: B' M C c and B' M C B.
+        let yielding = coupling.transpose() * &release * &self.compliance;
+        let (less, lower) = (&yielding * &coupling, &yielding * &load - coupling.transpose() * at);
+        for i in 0..5 {
+            for j in 0..5 {
+                tangent.stiffness[i][j] -= 0.5 * (less[(i, j)] + less[(j, i)]);
+            }
+            tangent.load[i] += lower[i];
+        }
+        let own = &stiffness * &release;
+        let stiffness = 0.5 * (&own + own.transpose());
+        tangent.raceway = Some(RacewayTangent { release, load, coupling, stiffness });
+    }
+
+    /// Adds linearized rollers to the cells of a contact problem, whose gaps grow by unit loads on
+    /// the raceway as the rows of `growth` state, per width of a plane model. `arms` are the
+    /// deflections of the bearing by DOF, and `start` the motions to which the problem refers.
+    pub fn put(
+        &self,
+        problem: &mut ContactProblem,
+        (tangent, growth): (&RacewayTangent, &DMatrix<f64>),
+        arms: &[[f64; 6]],
+        start: &[f64],
+    ) {
+        let (cells, dofs) = (growth.nrows().min(problem.cells()), problem.dofs());
+        let pressed = growth * &tangent.stiffness / self.width;
+        let released = growth * tangent.release.transpose() / self.width;
+        let (gaps, coupling) = (&released * &tangent.load, &released * &tangent.coupling);
+        let by_dof = |row: usize, arm: &[f64; 6]| (0..5).map(|k| coupling[(row, k)] * arm[k]).sum::<f64>();
+        let all = problem.cells();
+        for row in 0..cells {
+            problem.gaps[row] += gaps[row];
+            for (dof, arm) in arms.iter().enumerate() {
+                let arm = by_dof(row, arm);
+                problem.arms[row * dofs + dof] += arm;
+                problem.gaps[row] += arm * start.get(dof).copied().unwrap_or(0.0);
+            }
+        }
+        let between = pressed * growth.transpose();
+        for row in 0..cells {
+            for column in 0..=row {
+                let entry = problem.compliance[row * all + column] - between[(row, column)];
+                problem.compliance[row * all + column] = entry;
+                problem.compliance[column * all + row] = entry;
+            }
+        }
+    }
+
+    /// Returns the displacement of the raceway by unit forces on cells, from those of the terms of
+    /// its series: cells by displacements.
+    pub fn growth(&self, by_cells: &DMatrix<f64>) -> DMatrix<f64> {
+        by_cells * self.by_terms.transpose()
+    }
+
+    /// Returns the forces on the terms of the series of loads of rollers, per width of a plane
+    /// model.
+    pub fn on_terms(&self, loads: &[f64]) -> Vec<f64> {
+        let on = self.by_terms.transpose() * DVector::from_row_slice(loads) / self.width;
+        on.as_slice().to_vec()
+    }
+
+    /// Returns the displacement of the raceway with linearized rollers at a deflection; `moved` is
+    /// that by forces of teeth.
+    pub fn displaced(&self, tangent: &RacewayTangent, deflection: &[f64; 5], moved: &[f64]) -> Vec<f64> {
+        let load = &tangent.load + &tangent.coupling * DVector::from_row_slice(deflection);
+        let moved = DVector::from_row_slice(moved) + &self.compliance * load;
+        (&tangent.release * moved).as_slice().to_vec()
+    }
+}
+
+impl RacewayTangent {
+    /// Returns the linearized loads of the rollers on the raceway at a deflection; `moved` is the
+    /// displacement of the raceway by forces of teeth.
+    pub fn load_at(&self, deflection: &[f64; 5], moved: &[f64]) -> Vec<f64> {
+        let load = &self.load + &self.coupling * DVector::from_row_slice(deflection);
+        let on = self.release.transpose() * load - &self.stiffness * DVector::from_row_slice(moved);
+        on.as_slice().to_vec()
+    }
+
+    /// Returns the increase of the load on the first race by the displacement of the raceway by
+    /// forces of teeth.
+    pub fn push_of(&self, moved: &[f64]) -> [f64; 5] {
+        let by = self.coupling.transpose() * (&self.release * DVector::from_row_slice(moved));
+        std::array::from_fn(|k| -by[k])
+    }
+}
+
+fn length_of(row: &Row) -> f64 {
+    match &row.elements {
+        Elements::Balls(_) => 0.0,
+        Elements::Rollers(rollers) => rollers.geometry().length,
+    }
+}
+
+/// Number of points of Gauss's quadrature on a panel.
+const POINTS: usize = 16;
+
+/// Returns the displacements of rollers of a row on a half-space by their own loads, as far as they
+/// are in the series of a raceway. The force of a roller is uniform along its length, its moment
+/// that of a linear pressure, and displacements are means with the same weights.
+pub fn half_space_share(row: &Row, raceway: &Raceway) -> HalfSpaceShare {
+    let Elements::Rollers(rollers) = &row.elements else { return [0.0; 2] };
+    let geometry = rollers.geometry();
+    let (length, ring) = (geometry.length, &geometry.rings);
+    let modulus = ring.youngs_modulus / (1.0 - ring.poissons_ratio * ring.poissons_ratio);
+    let points = gauss_legendre(POINTS);
+    // Displacement at a distance around the raceway, without 1 / (pi E').
+    let at = |x: f64| {
+        let end = (length / x).asinh();
+        let mut sum = [0.0; 2];
+        for (node, weight) in &points {
+            // Axial distance t with dt / sqrt(x^2 + t^2) = ds.
+            let t = x * (0.5 * end * (1.0 + node)).sinh();
+            let (low, high) = (t - 0.5 * length, 0.5 * length);
+            let products = (high.powi(3) - low.powi(3)) / 3.0 - 0.5 * t * (high * high - low * low);
+            let scale = 12.0 / length.powi(3);
+            let values = [(length - t) / (length * length), scale * scale * products];
+            (0..2).for_each(|k| sum[k] += weight * end * values[k]);
+        }
+        sum
+    };
+    let (radius, harmonics) = (raceway.radius, usize::from(raceway.harmonics));
+    let panels = harmonics.max(1);
+    let panel = PI / panels as f64;
+    let mut share = [0.0; 2];
+    for index in 0..panels {
+        for (node, weight) in &points {
+            let s = 0.5 * (1.0 + node);
+            // The displacement is logarithmic at the roller.
+            let (part, slope) = if index == 0 { (s.powi(4), 4.0 * s.powi(3)) } else { (s, 1.0) };
+            let angle = panel * (index as f64 + part);
+            let dirichlet = 1.0 + 2.0 * (1..=harmonics).map(|k| (k as f64 * angle).cos()).sum::<f64>();
+            let value = at(radius * angle);
+            for k in 0..2 {
+                share[k] += 0.5 * weight * panel * slope * dirichlet * value[k] / PI;
+            }
+        }
+    }
+    share.map(|share| share / (PI * modulus))
+}
+
+/// Returns displacements of a raceway by element from a list.
+pub fn by_element(displacements: &[f64]) -> Vec<RacewayDisplacement> {
+    displacements.chunks_exact(2).map(|two| [two[0], two[1]]).collect()
+}

@@ -1,0 +1,155 @@
+//! Bore of a ring as a raceway of rollers: its radial displacement as a Fourier series around and
+//! Legendre polynomials along it.
+//!
+//! Rollers press on the bore at angles that change with their cage. The structure therefore has no
+//! displacement of each, but the coefficients of a series, from which contact outside of the
+//! structure ([`super::bore_interface`]) evaluates the displacement at any angle. With the
+//! coefficients `c` and the terms `e(t, z)` of the series at a point, a radial force `Q` there has
+//! the conjugate forces `e Q`, and the displacement is `e'c`: the force is smoothed to the terms of
+//! the series, and so is the displacement.
+//!
+//! See `docs/theory/rolling-bearings.md`.
+
+use super::StructureError;
+use super::bore_interface::BoreInterface;
+use calyx_fe::solid::fourier::{Component, Series, Term};
+use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::quadrature::gauss_legendre;
+use faer::{Mat, MatRef};
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
+
+/// Highest degree of the polynomials along a raceway.
+pub const HIGHEST_DEGREE: u8 = 3;
+
+/// Raceway of rollers in a bore about the z axis.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Raceway {
+    /// Radius, m.
+    pub radius: f64,
+    /// Axial coordinates of its ends, m; equal in a plane model.
+    pub ends: [f64; 2],
+    /// Highest harmonic of the series around it.
+    pub harmonics: u16,
+    /// Highest degree of the polynomials along it.
+    pub degree: u8,
+}
+
+impl Raceway {
+    /// Returns the number of terms of the series.
+    pub fn terms(&self) -> usize {
+        (usize::from(self.degree) + 1) * (2 * usize::from(self.harmonics) + 1)
+    }
+
+    /// Returns the terms of the series in order.
+    fn all(&self) -> impl Iterator<Item = Term> + use<> {
+        let harmonics = self.harmonics;
+        (0..=self.degree).flat_map(move |degree| {
+            (0..=harmonics).flat_map(move |harmonic| {
+                [false, true]
+                    .into_iter()
+                    .take(1 + usize::from(harmonic > 0))
+                    .map(move |sine| Term { component: Component::Radial, degree, harmonic, sine })
+            })
+        })
+    }
+
+    /// Returns the terms at an angle (rad) along a roller of a length (m) whose middle has an axial
+    /// coordinate (m): their means, and the derivatives along the axis of the lines that are nearest
+    /// to them in the mean square, 1/m. In a plane model the derivatives vanish.
+    ///
+    /// Conjugate to the mean is the uniformly distributed force of a roller, to the derivative the
+    /// moment of a linear pressure.
+    pub fn terms_along(&self, angle: f64, z: f64, length: f64) -> [Vec<f64>; 2] {
+        let width = self.ends[1] - self.ends[0];
+        let zeta = |z: f64| if width > 0.0 { (2.0 * z - self.ends[0] - self.ends[1]) / width } else { 0.0 };
+        let mut along = [[0.0; 2]; HIGHEST_DEGREE as usize + 1];
+        // Exact for the highest degree times a line.
+        for (node, weight) in gauss_legendre(usize::from(HIGHEST_DEGREE)) {
+            let from_middle = 0.5 * length * node;
+            for (sum, value) in along.iter_mut().zip(legendre(zeta(z + from_middle))) {
+                sum[0] += 0.5 * weight * value;
+                sum[1] += 0.5 * weight * 12.0 * from_middle / (length * length) * value;
+            }
+        }
+        let around = |term: &Term| {
+            let (sine, cosine) = (f64::from(term.harmonic) * angle).sin_cos();
+            if term.sine { sine } else { cosine }
+        };
+        let part = |which: usize| {
+            self.all().map(move |term| around(&term) * along[usize::from(term.degree)][which]).collect()
+        };
+        [part(0), part(1)]
+    }
+
+    /// Returns true if a term of the series of a bore contributes to that of the raceway.
+    pub(super) fn needs(&self, term: &Term) -> bool {
+        term.component == Component::Radial && term.degree <= self.degree && term.harmonic <= self.harmonics
+    }
+
+    /// Returns the coefficients of the raceway by the unknowns `places` of the series of a bore.
+    /// Rigid parts of its terms are constrained, and so are unknowns that `places` omits.
+    fn coefficients(&self, series: &Series, places: &[usize]) -> Option<Mat<f64>> {
+        // A plane model has unit length.
+        let length = if self.ends[1] > self.ends[0] { self.ends[1] - self.ends[0] } else { 1.0 };
+        let mut coefficients = Mat::zeros(self.terms(), places.len());
+        for (row, term) in self.all().enumerate() {
+            // Reciprocal of the mean square of the term over the bore.
+            let around = if term.harmonic == 0 { 2.0 * PI } else { PI };
+            let norm = f64::from(2 * term.degree + 1) / (length * around * self.radius);
+            for (unknown, amount) in series.amounts(term)? {
+                if let Some(place) = places.iter().position(|&place| place == unknown) {
+                    coefficients[(row, place)] += norm * amount;
+                }
+            }
+        }
+        Some(coefficients)
+    }
+
+    /// Builds the raceway on a bore of which some unknowns of the series are constrained. `None` if
+    /// the series does not span that of the raceway.
+    pub(super) fn on(&self, series: &Series, places: &[usize]) -> Option<RacewayForms> {
+        let [[radius, start], [_, end]] = series.surface().generator;
+        let middle = series.surface().center[2];
+        let raceway = Raceway { radius, ends: [middle + start, middle + end], ..*self };
+        Some(RacewayForms { raceway, coefficients: raceway.coefficients(series, places)? })
+    }
+}
+
+/// Returns the Legendre polynomials up to [`HIGHEST_DEGREE`] at a coordinate.
+fn legendre(zeta: f64) -> [f64; HIGHEST_DEGREE as usize + 1] {
+    let square = zeta * zeta;
+    [1.0, zeta, 0.5 * (3.0 * square - 1.0), 0.5 * zeta * (5.0 * square - 3.0)]
+}
+
+/// Raceway before the ring is solved.
+#[derive(Clone, Debug)]
+pub(super) struct RacewayForms {
+    raceway: Raceway,
+    /// Coefficients by amplitudes of the bore.
+    coefficients: Mat<f64>,
+}
+
+impl RacewayForms {
+    /// Returns the coefficients by all amplitudes of the bore, constrained ones first.
+    #[cfg(test)]
+    pub fn coefficients(&self) -> &Mat<f64> {
+        &self.coefficients
+    }
+
+    /// Builds the raceway of a ring whose amplitudes, from index `first` on, respond to forces by
+    /// `release`; the preceding ones are constrained.
+    ///
+    /// # Errors
+    /// The computation is interrupted.
+    pub fn released(
+        &self,
+        first: usize,
+        release: MatRef<'_, f64>,
+        interrupt: &Interrupt,
+    ) -> Result<BoreInterface, StructureError> {
+        let coefficients = self.coefficients.as_ref().subcols(first, release.nrows());
+        let interface = BoreInterface::new(coefficients, release, interrupt)?;
+        Ok(BoreInterface { raceway: Some(self.raceway), ..interface })
+    }
+}
