@@ -9,6 +9,7 @@ mod fidelities;
 mod helical;
 mod impacts;
 mod load_path;
+mod raceway;
 mod ring_on_springs;
 mod solids;
 mod tolerance;

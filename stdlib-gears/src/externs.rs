@@ -10,6 +10,7 @@ use crate::host::{AnalysisRequest, Finding, MeshRecord, ModelHost, keep};
 use crate::load_plausibility::check_loads;
 use crate::lubrication_externs::of_mesh;
 use crate::plausibility::{of_material, pitch_line, unequal_planet_spacing};
+use crate::raceway_checks::check_raceways;
 use crate::shaft_externs::as_shaft;
 use calyx_abi::externs::{Handle, SymbolicNumber};
 use calyx_abi::{Context, RuntimeError};
@@ -252,6 +253,7 @@ fn analyze(
 ) -> Result<(), RuntimeError> {
     check_unrestrained(host);
     check_loads(host, analysis, options.fidelity)?;
+    check_raceways(host)?;
     let request = Request::new(&host.scene, &host.outputs, analysis, options);
     host.findings.extend(without_value(host, &request));
     let mut observer = host.observer.take();
@@ -321,6 +323,7 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
     if let Some(asked) = host.asked {
         check_loads(host, analysis.as_ref(), asked.fidelity)?;
     }
+    check_raceways(host)?;
     let unasked = host.overrides.fidelity.unwrap_or(Fidelity::Plane);
     let request = Request {
         scene: &host.scene,

@@ -169,6 +169,7 @@ mod plausibility;
 pub mod power_flow;
 pub mod prototype;
 mod protuberance;
+mod raceway_checks;
 pub mod rack;
 mod relief;
 pub mod rolling_catalogue;

@@ -12,6 +12,7 @@ mod docs;
 mod drive_sense;
 mod dynamics_in_space;
 mod elastic_bodies;
+mod elastic_raceways;
 mod examples;
 mod face_gear;
 mod flank_charts;

@@ -7,6 +7,7 @@ use calyx_runtime::plan::Plan;
 use calyx_runtime::rolling::rating::bearing_capacity;
 use calyx_runtime::rolling::{BallKind, Elements, RollerKind, RollingBearing};
 use calyx_runtime::scene::{BodyId, Fidelity};
+use calyx_runtime::structure::BoreSupport;
 
 /// A connection of bodies other than contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +53,9 @@ impl PlannedBearing {
                                 false => "; laminae of ISO/TS 16281",
                             };
                         }
+                        if let Some(gear) = in_bore(host, plan, bearing) {
+                            text += &format!("; elastic raceway in the bore of {}", name(BodyId(gear)));
+                        }
                         Some(text)
                     }
                     (None, linearization) => linearization.map(linearized),
@@ -71,6 +75,15 @@ impl PlannedBearing {
         let what = self.rolling.as_deref().unwrap_or(self.reason);
         format!("\"{}\": {body} on {to}, {what}{walls}", self.name)
     }
+}
+
+/// Returns the index of the finite-element body whose bore is the raceway of a bearing.
+fn in_bore(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Option<usize> {
+    let body = bearing.outer_body()?;
+    let gear = host.gears.get(host.body_gears.get(body).copied().flatten()?)?.cylindrical()?;
+    let is_raceway = matches!(gear.rim.support, BoreSupport::Raceway { .. });
+    let has_mesh = matches!(plan.fidelity, Fidelity::Plane | Fidelity::Solid(_));
+    (is_raceway && has_mesh && !plan.bodies.get(body)?.left_out).then_some(body)
 }
 
 /// Describes a linearized bearing.

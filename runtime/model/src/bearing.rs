@@ -28,17 +28,19 @@ mod raceway;
 mod rolling;
 mod springs;
 mod surface;
+mod tangent;
 
 pub use bearing_state::BearingState;
 pub use immobile::Mobility;
 pub use linearization::{Linearization, RANGE_TOLERANCE};
 pub use load_curve::{LoadCurve, LoadCurves};
-pub use nonlinear::{NonlinearLoad, Tangent};
+pub use nonlinear::NonlinearLoad;
 pub use nonlinear_state::NonlinearState;
-pub use raceway::{ElasticRaceway, HalfSpaceShare, RacewayTangent, by_element, half_space_share};
+pub use raceway::{ElasticRaceway, HalfSpaceShare, InBore, by_element, half_space_share};
 pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};
 pub use surface::marker;
+pub use tangent::{RacewayTangent, Tangent};
 
 pub use calyx_rolling::RacewayDisplacement;
 

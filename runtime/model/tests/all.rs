@@ -10,6 +10,7 @@ mod linearized_bearings;
 mod lubrication;
 mod motion;
 mod motion_shapes;
+mod raceway;
 mod shafts;
 mod solid_shafts;
 mod structure_building;

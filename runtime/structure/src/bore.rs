@@ -197,8 +197,12 @@ impl BoreConstraints {
         in_plane: bool,
     ) -> Option<BoreConstraints> {
         let spline_teeth = wanted.spline_teeth;
-        let raceway =
-            wanted.raceway.map(|(harmonics, degree)| Raceway { radius: 0.0, ends: [0.0; 2], harmonics, degree });
+        let raceway = wanted.raceway.map(|(harmonics, degree)| Raceway {
+            radius: 0.0,
+            ends: [0.0; 2],
+            harmonics,
+            degree,
+        });
         let most_harmonics = [
             wanted.harmonics,
             wanted.coupled,

@@ -133,7 +133,9 @@ impl BoreCoupling {
     /// rows without an interface.
     pub fn interface_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
         match &self.interface {
-            Some(interface) => product(interface.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref()),
+            Some(interface) => {
+                product(interface.by_amplitudes.as_ref(), self.in_body(tooth, forces).as_ref())
+            }
             None => Mat::zeros(0, forces.ncols()),
         }
     }

@@ -12,7 +12,7 @@
 
 use super::StructureError;
 use super::dense::{Interruptible, mirror_lower};
-use super::raceway::Raceway;
+use super::raceway::{Raceway, RacewayForms};
 use super::spline_teeth::SplineToothForms;
 use calyx_numerics::interrupt::Interrupt;
 use faer::{Mat, MatRef};
@@ -48,6 +48,24 @@ impl SplineToothForms {
         let factor = Interruptible(&checkpoint).cholesky(interface.compliance.clone())?;
         factor.ok_or(StructureError::CoarseSplineTeeth)?;
         Ok(interface)
+    }
+}
+
+impl RacewayForms {
+    /// Builds the raceway of a ring whose amplitudes, from index `first` on, respond to forces by
+    /// `release`; the preceding ones are constrained.
+    ///
+    /// # Errors
+    /// The computation is interrupted.
+    pub fn released(
+        &self,
+        first: usize,
+        release: MatRef<'_, f64>,
+        interrupt: &Interrupt,
+    ) -> Result<BoreInterface, StructureError> {
+        let coefficients = self.coefficients.as_ref().subcols(first, release.nrows());
+        let interface = BoreInterface::new(coefficients, release, interrupt)?;
+        Ok(BoreInterface { raceway: Some(self.raceway), ..interface })
     }
 }
 

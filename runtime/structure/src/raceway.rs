@@ -10,12 +10,9 @@
 //!
 //! See `docs/theory/rolling-bearings.md`.
 
-use super::StructureError;
-use super::bore_interface::BoreInterface;
 use calyx_fe::solid::fourier::{Component, Series, Term};
-use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::quadrature::gauss_legendre;
-use faer::{Mat, MatRef};
+use faer::Mat;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -46,10 +43,12 @@ impl Raceway {
         let harmonics = self.harmonics;
         (0..=self.degree).flat_map(move |degree| {
             (0..=harmonics).flat_map(move |harmonic| {
-                [false, true]
-                    .into_iter()
-                    .take(1 + usize::from(harmonic > 0))
-                    .map(move |sine| Term { component: Component::Radial, degree, harmonic, sine })
+                [false, true].into_iter().take(1 + usize::from(harmonic > 0)).map(move |sine| Term {
+                    component: Component::Radial,
+                    degree,
+                    harmonic,
+                    sine,
+                })
             })
         })
     }
@@ -125,31 +124,7 @@ fn legendre(zeta: f64) -> [f64; HIGHEST_DEGREE as usize + 1] {
 /// Raceway before the ring is solved.
 #[derive(Clone, Debug)]
 pub(super) struct RacewayForms {
-    raceway: Raceway,
-    /// Coefficients by amplitudes of the bore.
-    coefficients: Mat<f64>,
-}
-
-impl RacewayForms {
-    /// Returns the coefficients by all amplitudes of the bore, constrained ones first.
-    #[cfg(test)]
-    pub fn coefficients(&self) -> &Mat<f64> {
-        &self.coefficients
-    }
-
-    /// Builds the raceway of a ring whose amplitudes, from index `first` on, respond to forces by
-    /// `release`; the preceding ones are constrained.
-    ///
-    /// # Errors
-    /// The computation is interrupted.
-    pub fn released(
-        &self,
-        first: usize,
-        release: MatRef<'_, f64>,
-        interrupt: &Interrupt,
-    ) -> Result<BoreInterface, StructureError> {
-        let coefficients = self.coefficients.as_ref().subcols(first, release.nrows());
-        let interface = BoreInterface::new(coefficients, release, interrupt)?;
-        Ok(BoreInterface { raceway: Some(self.raceway), ..interface })
-    }
+    pub raceway: Raceway,
+    /// Coefficients by all amplitudes of the bore, constrained ones first.
+    pub coefficients: Mat<f64>,
 }

@@ -356,13 +356,7 @@ impl RingFlexibility {
             let by_amplitudes = flexibility.as_ref().subcols(from, count).to_owned();
             dense.add_product(flexibility.as_mut(), 1.0, by_amplitudes.as_ref(), amplitudes.as_ref())?;
         }
-        Ok(Some(ReleasedMeans {
-            shared,
-            release,
-            constraint_forces,
-            spline_teeth: None,
-            interface: None,
-        }))
+        Ok(Some(ReleasedMeans { shared, release, constraint_forces, spline_teeth: None, interface: None }))
     }
 
     /// Returns the largest stored offset.

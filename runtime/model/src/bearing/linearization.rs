@@ -1,9 +1,10 @@
 //! Rolling bearings as constant stiffnesses: their tangent at a load, and the range of loads over
 //! which it is accurate.
 
-use super::nonlinear::{NonlinearLoad, Tangent};
+use super::nonlinear::NonlinearLoad;
 use super::nonlinear_state::NonlinearState;
 use super::rolling::RollingElements;
+use super::tangent::Tangent;
 use calyx_numerics::error::EngineError;
 use calyx_rolling::{Conditions, Displacement};
 use nalgebra::{DMatrix, DVector};

@@ -2,7 +2,8 @@
 //! problems have their tangents.
 
 use super::nonlinear_state::NonlinearState;
-use super::raceway::{ElasticRaceway, RacewayTangent};
+use super::raceway::ElasticRaceway;
+use super::tangent::Tangent;
 use super::{Bearing, BearingMatrix, LoadCurves, RollingElements, five};
 use calyx_numerics::error::EngineError;
 use calyx_rolling::{Displacement, RacewayDisplacement, Start};
@@ -16,17 +17,6 @@ pub enum NonlinearLoad {
     Rolling(Arc<RollingElements>),
     /// Tables of force over displacement.
     Curves(Arc<LoadCurves>),
-}
-
-/// Linearized load at a deflection.
-#[derive(Clone, Debug, Default)]
-pub struct Tangent {
-    /// Symmetric part of the stiffness by deflections, with an addition that keeps steps short.
-    pub stiffness: BearingMatrix,
-    /// Force on the first race at zero deflection of the linearized bearing, N and N m.
-    pub load: [f64; 6],
-    /// Elastic raceway, of which the rest is the elimination.
-    pub raceway: Option<RacewayTangent>,
 }
 
 impl NonlinearLoad {
@@ -208,16 +198,6 @@ impl NonlinearLoad {
             tangent.load[i] -= state.evaluation.load[i];
         }
         tangent
-    }
-}
-
-impl Tangent {
-    /// Returns the linearized load on the first race at a deflection.
-    pub fn load_at(&self, deflection: &Displacement) -> [f64; 5] {
-        std::array::from_fn(|i| {
-            let sprung: f64 = (0..5).map(|j| self.stiffness[i][j] * deflection[j]).sum();
-            sprung - self.load[i]
-        })
     }
 }
 

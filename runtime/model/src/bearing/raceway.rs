@@ -14,13 +14,14 @@
 //! See `docs/theory/rolling-bearings.md`.
 
 use super::nonlinear_state::NonlinearState;
-use super::{Bearing, BearingState, RollingElements, Support, Tangent};
+use super::tangent::{RacewayTangent, Tangent};
+use super::{Bearing, BearingState, RollingElements, Support};
 use crate::body::Body;
 use crate::motion::spatial_pose;
 use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::quadrature::gauss_legendre;
-use calyx_numerics::vec3::{dot, minus};
+use calyx_numerics::vec3::minus;
 use calyx_rolling::bearing::{Elements, Row};
 use calyx_rolling::{RacewayDisplacement, RollerKind};
 use calyx_structure::Raceway;
@@ -43,18 +44,6 @@ pub struct ElasticRaceway {
     compliance: DMatrix<f64>,
     /// Width to which forces of a plane model refer, m; 1 in three dimensions.
     width: f64,
-}
-
-/// Linearized rollers on an elastic raceway, which is eliminated.
-#[derive(Clone, Debug)]
-pub struct RacewayTangent {
-    /// `M`, see the module documentation.
-    release: DMatrix<f64>,
-    /// `c` and `B`, with deflections of the first race.
-    load: DVector<f64>,
-    coupling: DMatrix<f64>,
-    /// `K M`, symmetric.
-    stiffness: DMatrix<f64>,
 }
 
 /// Half-space displacements of the rollers of a row by their own loads in the series of a raceway:
@@ -82,6 +71,51 @@ fn is_cylindrical(row: &Row) -> bool {
     }
 }
 
+/// Position of a bearing in the bore of a body.
+#[derive(Clone, Copy, Debug)]
+pub struct InBore {
+    /// Axial coordinate of its origin in the coordinates of the body, m.
+    pub z: f64,
+    /// Angle of its x axis in the coordinates of the body's teeth, rad.
+    angle: f64,
+    /// 1 if its z axis is that of the body, -1 if it is opposite.
+    pub sense: f64,
+}
+
+impl InBore {
+    /// Places a bearing in the bore of a body, given by index and radius (m), at a time (s).
+    ///
+    /// # Errors
+    /// E0687: the bearing is not coaxial with the bore. Those of [`BearingState::at`].
+    pub fn at(
+        bodies: &[Body],
+        bearing: &Bearing,
+        (body, radius): (usize, f64),
+        time: f64,
+    ) -> Result<Self, EngineError> {
+        let placed = BearingState::at(bodies, bearing, time)?;
+        let own = &bodies[body];
+        let pose =
+            spatial_pose(own.motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))?;
+        // In the coordinates of the body.
+        let back = |v: [f64; 3]| -> [f64; 3] {
+            std::array::from_fn(|axis| (0..3).map(|row| pose.rotation[row][axis] * v[row]).sum())
+        };
+        let [x, y, z] = back(minus(placed.origin, pose.origin));
+        if x.hypot(y) > COAXIAL * radius {
+            let message = format!(
+                "bearing \"{}\" is not on the axis of the bore of \"{}\", which is its raceway",
+                bearing.name, own.name
+            );
+            let help = "let the gear turn about its own axis, or choose a rim whose `bore` is \"free\"";
+            return Err(EngineError::new("E0687", message, help).about(Subject::Body(body)));
+        }
+        let [along_x, along_y, _] = back(placed.axes[0]);
+        let sense = back(placed.axes[2])[2].signum();
+        Ok(Self { z, angle: along_y.atan2(along_x) - own.phase, sense })
+    }
+}
+
 impl ElasticRaceway {
     /// Places the raceway of a bearing at a time (s). `compliance` is that of the series of the
     /// body's bore, `shares` those of the rows, and `width` (m) that of a plane model or 1.
@@ -96,25 +130,7 @@ impl ElasticRaceway {
         width: f64,
         time: f64,
     ) -> Result<Self, EngineError> {
-        let placed = BearingState::at(bodies, bearing, time)?;
-        let own = &bodies[body];
-        let pose = spatial_pose(own.motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))?;
-        // Position and axes of the bearing in the coordinates of the body.
-        let back = |v: [f64; 3]| -> [f64; 3] {
-            std::array::from_fn(|axis| (0..3).map(|row| pose.rotation[row][axis] * v[row]).sum())
-        };
-        let [x, y, z] = back(minus(placed.origin, pose.origin));
-        if x.hypot(y) > COAXIAL * raceway.radius {
-            return Err(EngineError::new(
-                "E0687",
-                format!("bearing \"{}\" is not on the axis of the bore of \"{}\", which is its raceway", bearing.name, own.name),
-                "put it on the axis of this gear, or give the rim of the gear a `bore` that is \"rigid\" or \"free\"",
-            )
-            .about(Subject::Body(body)));
-        }
-        let [along_x, along_y, _] = back(placed.axes[0]);
-        let sense = dot(back(placed.axes[2]), [0.0, 0.0, 1.0]).signum();
-        let first = along_y.atan2(along_x) - own.phase;
+        let InBore { z, angle: first, sense } = InBore::at(bodies, bearing, (body, raceway.radius), time)?;
         let rows = elements.bearing.rows();
         let count: usize = rows.iter().map(Row::count).sum();
         let mut by_terms = DMatrix::zeros(2 * count, raceway.terms());
@@ -233,23 +249,6 @@ impl ElasticRaceway {
         let load = &tangent.load + &tangent.coupling * DVector::from_row_slice(deflection);
         let moved = DVector::from_row_slice(moved) + &self.compliance * load;
         (&tangent.release * moved).as_slice().to_vec()
-    }
-}
-
-impl RacewayTangent {
-    /// Returns the linearized loads of the rollers on the raceway at a deflection; `moved` is the
-    /// displacement of the raceway by forces of teeth.
-    pub fn load_at(&self, deflection: &[f64; 5], moved: &[f64]) -> Vec<f64> {
-        let load = &self.load + &self.coupling * DVector::from_row_slice(deflection);
-        let on = self.release.transpose() * load - &self.stiffness * DVector::from_row_slice(moved);
-        on.as_slice().to_vec()
-    }
-
-    /// Returns the increase of the load on the first race by the displacement of the raceway by
-    /// forces of teeth.
-    pub fn push_of(&self, moved: &[f64]) -> [f64; 5] {
-        let by = self.coupling.transpose() * (&self.release * DVector::from_row_slice(moved));
-        std::array::from_fn(|k| -by[k])
     }
 }
 

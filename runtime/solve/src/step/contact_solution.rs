@@ -139,7 +139,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
             rounds -= 1;
         };
 
-        let mut laid = self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces);
+        let mut laid =
+            self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces);
         if let (Some(bearings), Some(iteration)) = (self.under.nonlinear, &iteration) {
             laid.step.raceways = bearings.raceways(iteration);
         }

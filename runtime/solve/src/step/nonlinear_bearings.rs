@@ -183,11 +183,7 @@ impl System<'_> {
 }
 
 /// Returns the modelled bearings with a nonlinear load at a time (s).
-fn members(
-    system: &System<'_>,
-    time: f64,
-    has_elastic_raceways: bool,
-) -> Result<Vec<Member>, EngineError> {
+fn members(system: &System<'_>, time: f64, has_elastic_raceways: bool) -> Result<Vec<Member>, EngineError> {
     let mut members = Vec::new();
     for &bearing in &system.bearings {
         let own = &system.scene.bearings[bearing];
@@ -443,7 +439,8 @@ impl<'a> NonlinearBearings<'a> {
         let states = || iteration.states.iter();
         let steps: Vec<Vec<f64>> =
             nexts.iter().zip(states()).map(|(next, state)| difference(next, &deflections(state))).collect();
-        let excess_loads = linear.iter().zip(states()).map(|(linear, state)| difference(linear, &loads(state)));
+        let excess_loads =
+            linear.iter().zip(states()).map(|(linear, state)| difference(linear, &loads(state)));
         let work = inner(&steps, excess_loads);
         let limit = self.members.iter().zip(&steps).map(|(own, step)| own.longest(step)).fold(1.0, f64::min);
         let target = inner(&steps, linear.iter().cloned());
@@ -499,7 +496,8 @@ impl<'a> NonlinearBearings<'a> {
     ) -> Result<Vec<NonlinearState>, EngineError> {
         let members = self.members.iter().zip(&iteration.states).zip(steps);
         let moved = members.map(|((own, state), step)| {
-            let at: Vec<f64> = deflections(state).iter().zip(step).map(|(at, step)| at + part * step).collect();
+            let at: Vec<f64> =
+                deflections(state).iter().zip(step).map(|(at, step)| at + part * step).collect();
             let deflection = std::array::from_fn(|i| at[i]);
             match own.rollers() {
                 0 => own.nonlinear.state(Some(state), deflection),
@@ -546,7 +544,9 @@ impl<'a> NonlinearBearings<'a> {
             let name = &self.system.scene.bearings[own.bearing].name;
             let raceway = step.raceways.iter().find(|raceway| raceway.bearing == own.bearing);
             let displaced = raceway.map(|raceway| own.nonlinear.on_raceway(&raceway.displacement));
-            for warning in displaced.as_ref().unwrap_or(&own.nonlinear).warnings(&[x, y, z, about_x, about_y, 0.0])? {
+            for warning in
+                displaced.as_ref().unwrap_or(&own.nonlinear).warnings(&[x, y, z, about_x, about_y, 0.0])?
+            {
                 step.warnings.push(format!("bearing \"{name}\" {warning}"));
             }
         }

@@ -187,8 +187,14 @@ fn condensed_sectors_on_a_bore_constrained_in_the_mean_agree_with_the_whole_mesh
     {
         let means = |model: &PlaneModel, coupled| {
             let bore = model.mesh.chain("bore").unwrap();
-            let wanted =
-                RequestedMeans { harmonics, degree: 0, coupled, spline_teeth: None, with_clearance: false, raceway: None };
+            let wanted = RequestedMeans {
+                harmonics,
+                degree: 0,
+                coupled,
+                spline_teeth: None,
+                with_clearance: false,
+                raceway: None,
+            };
             BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(&sector, coupled);
@@ -263,8 +269,14 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
     for (harmonics, coupled) in [(None, None), (Some(2), None), (Some(1), Some(2))] {
         let means = |model: &SolidModel, coupled| {
             let bore = model.mesh.face_set("bore").unwrap();
-            let wanted =
-                RequestedMeans { harmonics, degree: 1, coupled, spline_teeth: None, with_clearance: false, raceway: None };
+            let wanted = RequestedMeans {
+                harmonics,
+                degree: 1,
+                coupled,
+                spline_teeth: None,
+                with_clearance: false,
+                raceway: None,
+            };
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
         let of_sector = means(sector, coupled);

@@ -54,8 +54,8 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
             let by_rows = ring.coupling.stresses_by_interface(0, tooth, unit).unwrap();
             for (point, &(at, along)) in PLANE_POINTS.iter().enumerate() {
                 let expected = force(&equations, at, along, angle).dot(&displacement);
-                let moved = ring.coupling.interface_displacements(tooth, &ring.constraint_forces(point))
-                    [(loaded, 0)];
+                let moved =
+                    ring.coupling.interface_displacements(tooth, &ring.constraint_forces(point))[(loaded, 0)];
                 for found in [moved, by_rows[(point, 0)]] {
                     assert!((found - expected).abs() < 1e-9 * scale, "tooth {tooth}: {found} {expected}");
                 }

@@ -1,0 +1,117 @@
+//! Rollers in the bore of a gear: turned as a whole, in equilibrium, on a stiff gear, with more
+//! terms, and in three dimensions.
+
+use crate::rolling_bearings::{close, solved};
+use std::collections::BTreeMap;
+
+/// A planet on needles under the force of a pinion, and one position.
+struct Planet {
+    bore: &'static str,
+    fidelity: &'static str,
+    harmonics: usize,
+    /// Young's modulus of the planet and of the rings, GPa.
+    modulus: f64,
+    /// Angle about which the whole is turned, degrees.
+    turned: f64,
+    /// Clearance, µm.
+    clearance: f64,
+}
+
+const PLANET: Planet = Planet {
+    bore: "raceway",
+    fidelity: "plane",
+    harmonics: 40,
+    modulus: 206.0,
+    turned: 0.0,
+    clearance: 20.0,
+};
+
+impl Planet {
+    fn results(&self) -> BTreeMap<String, [f64; 2]> {
+        let Planet { bore, fidelity, harmonics, modulus, turned, clearance } = self;
+        let series =
+            if *bore == "raceway" { format!(", bore_harmonics = {harmonics}") } else { String::new() };
+        solved(&format!(
+            "import gears;
+units mm_N_s;
+var rack = gears.rack(module = 2 mm, tip_radius = 0.5 mm);
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3);
+var own = gears.material(youngs_modulus = {modulus} GPa, poissons_ratio = 0.3);
+var turned = {turned} deg;
+var pinion = gears.body(\"pinion\", gears.external(teeth = 20, rack = rack, face_width = 20 mm, material = steel),
+    free = [\"theta_z\"], moment = 200 N*m * e3, frame := Rotate(turned, e3) * Rotate(100 rpm * Time, e3));
+var rim = gears.simple_rim(diameter = 57 mm, inner_diameter = 50 mm, bore = \"{bore}\"{series});
+var planet = gears.body(\"planet\", gears.external(teeth = 32, rack = rack, face_width = 20 mm, material = own, rim = rim),
+    free = [\"u_x\", \"u_y\"], frame := Rotate(-100 rpm * 20 / 32 * Time, e3) * Translate(52.05 mm * e1) * Rotate(turned, e3));
+var needles = gears.needle_bearing(\"needles\", planet, ring = \"outer\", count = 22, roller_diameter = 4 mm, roller_length = 18 mm,
+    pitch_diameter = 46 mm, clearance = {clearance} um, azimuth = turned, ring_material = own);
+var mesh = gears.mesh(pinion, planet);
+output transmission_error := gears.transmission_error(mesh);
+output x := gears.bearing_force(needles, \"x\");
+output y := gears.bearing_force(needles, \"y\");
+output mesh_force := gears.mesh_force(mesh);
+output largest := gears.max_rolling_element_load(needles);
+output fifth := gears.rolling_element_load(needles, 17);
+output pressure := gears.max_bearing_pressure(needles);
+output deflection := gears.bearing_deflection(needles, \"radial\");
+output stress := gears.max_root_stress(planet);
+analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = \"{fidelity}\", error_estimates = \"none\");
+"
+        ))
+    }
+}
+
+const SCALARS: [&str; 6] =
+    ["transmission_error", "mesh_force", "largest", "pressure", "deflection", "stress"];
+
+#[test]
+fn the_turned_whole_has_the_same_results() {
+    let [own, turned] = [0.0, 37.0].map(|turned| Planet { turned, ..PLANET }.results());
+    for name in SCALARS {
+        close(name, turned[name][0], own[name][0], 1e-8, 0.0);
+    }
+    close("element", turned["fifth"][0], own["fifth"][0], 1e-8, own["largest"][0]);
+}
+
+#[test]
+fn rollers_balance_the_teeth() {
+    for fidelity in ["plane", "medium"] {
+        let found = Planet { fidelity, ..PLANET }.results();
+        let force = found["x"][0].hypot(found["y"][0]);
+        close(fidelity, force, found["mesh_force"][0], 1e-8, 0.0);
+    }
+}
+
+/// A gear that hardly deforms, with rings of the same material: its bore remains round.
+#[test]
+fn a_stiff_gear_has_the_loads_of_a_rigid_raceway() {
+    let of = |bore| Planet { bore, modulus: 9e5, ..PLANET }.results();
+    let [rigid, elastic] = ["free", "raceway"].map(of);
+    for name in ["largest", "pressure", "deflection"] {
+        close(name, elastic[name][0], rigid[name][0], 1e-3, 0.0);
+    }
+}
+
+/// The half-space displacement that the series replaces makes results independent of its length.
+#[test]
+fn results_converge_with_the_harmonics() {
+    let of = |harmonics| Planet { harmonics, ..PLANET }.results();
+    let [some, many] = [30, 80].map(of);
+    for name in SCALARS {
+        close(name, some[name][0], many[name][0], 5e-3, 0.0);
+    }
+}
+
+/// A clearance that the rollers of a rigid raceway leave open is closed all around by interference,
+/// and both change the loads continuously.
+#[test]
+fn clearance_opens_and_closes_continuously() {
+    let of = |clearance| Planet { clearance, ..PLANET }.results();
+    let results = [-2.0, -1.0, 0.0, 1.0, 2.0].map(of);
+    for name in ["largest", "transmission_error", "stress"] {
+        let values = results.each_ref().map(|result| result[name][0]);
+        let steps: Vec<f64> = values.windows(2).map(|two| two[1] - two[0]).collect();
+        let largest = steps.iter().map(|step| step.abs()).fold(0.0, f64::max);
+        assert!(largest < 0.1 * values[0].abs(), "{name}: {values:?}");
+    }
+}
