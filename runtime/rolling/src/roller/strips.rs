@@ -6,6 +6,7 @@
 //! half-width is its own. The theory manual derives the energy on its page about rolling bearings.
 
 use super::integral::Integral;
+use super::near::{Near, Rule};
 use crate::linear::{cholesky, product, solve_lower};
 use std::f64::consts::PI;
 
@@ -80,14 +81,6 @@ pub fn graded_strips(length: f64, count: usize, radius: impl Fn(f64) -> f64) -> 
     (0..count).map(strip).collect()
 }
 
-/// Pair of strips whose interaction depends on their half-widths.
-#[derive(Clone, Debug, PartialEq)]
-struct Near {
-    first: usize,
-    second: usize,
-    integrals: Vec<Integral>,
-}
-
 /// Strips of all contact lines of a roller.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Strips {
@@ -150,16 +143,19 @@ impl Strips {
         let modulus = PI * composite_modulus;
         let mut far = vec![0.0; count * count];
         let mut near = Vec::new();
+        let rule = Rule::new();
         let mut first = 0;
         for line in lines {
             let own = first..first + line.strips.len();
             first = own.end;
             for i in own.clone() {
                 for j in i..own.end {
-                    let (close, sum) = interaction(line, [i - own.start, j - own.start], composite_modulus);
+                    let pair = [i - own.start, j - own.start];
+                    let half_width = near_half_width(line, pair, composite_modulus);
+                    let (close, sum) = interaction(line, pair, half_width);
                     (far[i * count + j], far[j * count + i]) = (sum, sum);
                     if !close.is_empty() {
-                        near.push(Near { first: i, second: j, integrals: close });
+                        near.push(Near::new(&rule, [i, j], close, half_width));
                     }
                 }
             }
@@ -211,13 +207,7 @@ impl Strips {
                 continue;
             }
             let square = 0.5 * (at.squares[i] + at.squares[j]);
-            let mut sums = [0.0; 3];
-            for integral in &pair.integrals {
-                let terms = integral.evaluate(square);
-                for k in 0..3 {
-                    sums[k] += terms[k];
-                }
-            }
+            let sums = pair.evaluate(square);
             let (upper, lower) = (i * count + j, j * count + i);
             let value = work.direct[upper] + sums[0];
             (work.direct[upper], work.direct[lower]) = (value, value);
@@ -357,12 +347,16 @@ impl Strips {
     }
 }
 
+/// Returns the half-width of two strips of a line at [`LARGEST_PRESSURE`], m.
+fn near_half_width(line: &Line, [i, j]: [usize; 2], composite_modulus: f64) -> f64 {
+    2.0 * LARGEST_PRESSURE * line.strips[i].radius.max(line.strips[j].radius) / composite_modulus
+}
+
 /// Returns the interaction of two strips of a line: the integrals that depend on their half-widths,
 /// and the sum of all others.
-fn interaction(line: &Line, [i, j]: [usize; 2], composite_modulus: f64) -> (Vec<Integral>, f64) {
+fn interaction(line: &Line, [i, j]: [usize; 2], half_width: f64) -> (Vec<Integral>, f64) {
     let (a, b) = (&line.strips[i], &line.strips[j]);
     let ends = |strip: &Strip| [strip.position - 0.5 * strip.length, strip.position + 0.5 * strip.length];
-    let half_width = 2.0 * LARGEST_PRESSURE * a.radius.max(b.radius) / composite_modulus;
     // A quarter of the largest pressure is typical.
     let typical = (0.25 * half_width).powi(2);
     let mut near = Vec::new();
