@@ -30,6 +30,7 @@ fn rollers(count: usize) -> RollerRow {
         count,
         roller_diameter: 10e-3,
         length: 13e-3,
+        raceway_widths: [None; 2],
         pitch_diameter: 60e-3 / 18.0 * count as f64,
         profile: Profile::Logarithmic,
         laminae: 41,

@@ -32,7 +32,7 @@ fn gauss_points() -> [(f64, f64); 4] {
 }
 
 fn strips(count: usize, images: f64, approach: &dyn Fn(f64) -> f64) -> Field {
-    let line = Line { strips: graded_strips(LENGTH, count, |_| RADIUS), images };
+    let line = Line::with_free_ends(graded_strips(LENGTH, count, |_| RADIUS), images);
     let contact = Strips::new(&[line], modulus(), |_, _| 0.0);
     let approaches: Vec<f64> =
         contact.strips().iter().map(|strip| mean(approach, strip.position, strip.length)).collect();
@@ -134,7 +134,7 @@ fn straight_profile_has_the_edge_stress_of_half_spaces() {
 #[test]
 fn long_line_has_the_half_width_and_pressure_of_hertz() {
     for delta in [2e-6, 20e-6] {
-        let line = Line { strips: graded_strips(0.2, 64, |_| RADIUS), images: 0.0 };
+        let line = Line::with_free_ends(graded_strips(0.2, 64, |_| RADIUS), 0.0);
         let contact = Strips::new(&[line], modulus(), |_, _| 0.0);
         let found = contact.loads(&[delta; 64]).expect("converged");
         let load = found.loads[32];
@@ -186,7 +186,7 @@ fn loads_have_the_deflections_of_their_integrals() {
     let length = 0.14e-3;
     for images in [0.0, 0.5] {
         let strips = graded_strips(length, 8, |_| RADIUS);
-        let contact = Strips::new(&[Line { strips: strips.clone(), images }], modulus(), |_, _| 0.0);
+        let contact = Strips::new(&[Line::with_free_ends(strips.clone(), images)], modulus(), |_, _| 0.0);
         let ends = |k: usize| {
             let half = 0.5 * strips[k].length;
             [strips[k].position - half, strips[k].position + half]

@@ -34,9 +34,32 @@ pub struct Strip {
 pub struct Line {
     /// Strips, from one end of the line to the other without gaps.
     pub strips: Vec<Strip>,
-    /// Deflection by the images of the loads in both ends, as a share of the deflection of both
-    /// bodies by the loads; zero if both bodies extend beyond the line.
-    pub images: f64,
+    /// End faces of the roller and side faces of the raceway; none if both bodies extend beyond the
+    /// line.
+    pub faces: Vec<Face>,
+}
+
+/// Free face across a contact line, beyond its strips or at its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    /// Position from the middle of the contact line, m.
+    pub position: f64,
+    /// Deflection by the images of the loads in the face, as a share of the deflection of both
+    /// bodies by loads at the same distance.
+    pub share: f64,
+}
+
+impl Line {
+    /// A line with free faces at both ends; `share` is that of [`Face::share`].
+    pub fn with_free_ends(strips: Vec<Strip>, share: f64) -> Self {
+        let mut line = Self { strips, faces: Vec::new() };
+        if let (true, [Some(first), Some(last)]) = (share != 0.0, [line.strips.first(), line.strips.last()]) {
+            line.faces = [first.position - 0.5 * first.length, last.position + 0.5 * last.length]
+                .map(|position| Face { position, share })
+                .to_vec();
+        }
+        line
+    }
 }
 
 /// Loads and half-widths of strips.
@@ -372,12 +395,9 @@ fn interaction(line: &Line, [i, j]: [usize; 2], half_width: f64) -> (Vec<Integra
         }
     };
     add(ends(b), 1.0);
-    if line.images != 0.0 {
-        let (first, last) = (&line.strips[0], &line.strips[line.strips.len() - 1]);
-        let [start, end] = ends(b);
-        for face in [ends(first)[0], ends(last)[1]] {
-            add([2.0 * face - end, 2.0 * face - start], line.images);
-        }
+    let [start, end] = ends(b);
+    for Face { position, share } in &line.faces {
+        add([2.0 * position - end, 2.0 * position - start], *share);
     }
     (near, sum)
 }
