@@ -85,8 +85,8 @@ fn roller_section(fineness: Fineness) -> PlaneMesh {
     let (radius, half) = (0.5 * DIAMETER, 0.25 * DIAMETER);
     let count = fineness.elements;
     let corner = radius * FRAC_PI_4.sin();
-    let along = graded(count, 6.0);
-    let outwards = descending(count, 3.0);
+    let along = graded(count, 12.0);
+    let outwards = descending(count, 5.0);
     let square = Block::quadrilateral([[0.0, 0.0], [half, 0.0], [half, half], [0.0, half]])
         .divided(along.clone(), along.clone());
     let top = Block::new(
@@ -207,49 +207,55 @@ fn by_half_space(spread: f64, images: bool, parity: Parity) -> Compliance {
 
 /// Deflections of roller and race beyond those of half-spaces, that of the roller with images of
 /// the load in both ends, for even and odd loads.
-struct Remainders {
-    roller: [Compliance; 2],
-    race: [Compliance; 2],
+struct Remainders<'a> {
+    roller: &'a [Compliance; 2],
+    race: &'a [Compliance; 2],
 }
 
 /// Stations along the roller from its middle, finer towards its end.
 fn roller_stations(count: usize) -> Vec<f64> {
-    descending(count, 4.0).iter().map(|x| 0.5 * LENGTH * x).collect()
+    descending(count, 12.0).iter().map(|x| 0.5 * LENGTH * x).collect()
 }
 
-fn remainders(race: Race, fineness: Fineness) -> Remainders {
-    let less = |deflections: Compliance, images: bool, parity| {
-        let half_space = by_half_space(fineness.spread, images, parity);
-        let row = |(own, other): (Vec<f64>, &Vec<f64>)| own.iter().zip(other).map(|(a, b)| a - b).collect();
-        deflections.into_iter().zip(&half_space).map(row).collect::<Compliance>()
-    };
-    let near = |x: f64| x.abs() < 1e-9;
-    let parities = [Parity::Even, Parity::Odd];
-    let roller = parities.map(|parity| {
-        let found = by_finite_elements(
-            &roller_section(fineness),
-            &roller_stations(fineness.elements),
-            fineness,
-            |position, axis| {
-                let center = position.iter().all(|x| near(*x));
-                axis != 2 && near(position[axis]) || near(position[2]) && parity.holds(axis) || center
-            },
-        );
-        less(found, true, parity)
-    });
-    let mut stations = roller_stations(fineness.elements);
-    let beyond = (fineness.elements / 3).max(1);
-    let margin = 0.5 * (race.width - LENGTH);
-    stations.extend(graded(beyond, 1.5).iter().skip(1).map(|x| 0.5 * LENGTH + margin * x));
-    let race = parities.map(|parity| {
-        let section = race_section(race, fineness);
+const PARITIES: [Parity; 2] = [Parity::Even, Parity::Odd];
+
+fn difference(own: Compliance, other: &Compliance) -> Compliance {
+    let row = |(own, other): (Vec<f64>, &Vec<f64>)| own.iter().zip(other).map(|(a, b)| a - b).collect();
+    own.into_iter().zip(other).map(row).collect()
+}
+
+fn is_zero(x: f64) -> bool {
+    x.abs() < 1e-9
+}
+
+/// Remainder of the roller. The loads on both lines are mirror images of each other.
+fn roller(fineness: Fineness) -> [Compliance; 2] {
+    let (section, stations) = (roller_section(fineness), roller_stations(fineness.elements));
+    PARITIES.map(|parity| {
         let found = by_finite_elements(&section, &stations, fineness, |position, axis| {
-            let back = near(position[1] + race.thickness);
-            back || axis == 0 && near(position[0]) || near(position[2]) && parity.holds(axis)
+            let center = position.into_iter().all(is_zero);
+            let plane = axis != 2 && is_zero(position[axis]);
+            plane || is_zero(position[2]) && parity.holds(axis) || center
         });
-        less(found, false, parity)
-    });
-    Remainders { roller, race }
+        difference(found, &by_half_space(fineness.spread, true, parity))
+    })
+}
+
+/// Remainder of a race.
+fn race(race: Race, fineness: Fineness) -> [Compliance; 2] {
+    let mut stations = roller_stations(fineness.elements);
+    let margin = 0.5 * (race.width - LENGTH);
+    let beyond = graded((fineness.elements / 3).max(1), 1.5);
+    stations.extend(beyond.iter().skip(1).map(|x| 0.5 * LENGTH + margin * x));
+    let section = race_section(race, fineness);
+    PARITIES.map(|parity| {
+        let found = by_finite_elements(&section, &stations, fineness, |position, axis| {
+            let back = is_zero(position[1] + race.thickness);
+            let plane = axis == 0 && is_zero(position[0]);
+            back || plane || is_zero(position[2]) && parity.holds(axis)
+        });
+        difference(found, &by_half_space(fineness.spread, false, parity))
+    })
 }
 
 /// Mean relief of a strip, m.
@@ -287,7 +293,7 @@ fn approach_of(load: f64, at: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Contact of the finite bodies.
-fn by_remainders(remainders: &Remainders, profile: &Profile, load: f64, tilt: f64) -> Contact {
+fn by_remainders(remainders: &Remainders<'_>, profile: &Profile, load: f64, tilt: f64) -> Contact {
     let strips = graded_strips(LENGTH, STRIPS, |_| 0.5 * DIAMETER);
     let half = STRIPS / 2;
     let of_half = |k: usize| if k < half { half - 1 - k } else { k - half };
@@ -296,7 +302,7 @@ fn by_remainders(remainders: &Remainders, profile: &Profile, load: f64, tilt: f6
         let side = if (i < half) == (j < half) { 1.0 } else { -1.0 };
         0.5 * (of_body[0][own][other] + side * of_body[1][own][other]) / strips[j].length
     };
-    let body = |i: usize, j: usize| beyond(&remainders.roller, i, j) + beyond(&remainders.race, i, j);
+    let body = |i: usize, j: usize| beyond(remainders.roller, i, j) + beyond(remainders.race, i, j);
     let modulus = composite_modulus(&Material::STEEL, &Material::STEEL);
     // The images of the roller alone count for half of the deflection of both bodies.
     let contact = Strips::new(&[Line::with_free_ends(strips.clone(), 0.5)], modulus, body);
@@ -312,7 +318,7 @@ fn by_remainders(remainders: &Remainders, profile: &Profile, load: f64, tilt: f6
     let mut race = 0.0;
     for i in 0..STRIPS {
         for j in 0..STRIPS {
-            race += beyond(&remainders.race, i, j) * strips[i].length * strips[j].length;
+            race += beyond(remainders.race, i, j) * strips[i].length * strips[j].length;
         }
     }
     race *= load / (LENGTH * LENGTH);
@@ -373,11 +379,16 @@ const USUAL: Race = Race { width: 1.2 * LENGTH, thickness: 0.75 * DIAMETER };
 /// Loads, N, and tilts, rad.
 const LOADS: [(f64, f64); 4] = [(1500.0, 0.0), (1500.0, 1e-3), (6000.0, 0.0), (6000.0, 1e-3)];
 
+/// Mesh of races. Their remainder is as smooth as the distance of their faces.
+const RACE: Fineness = Fineness { order: 3, elements: 4, spread: 0.6e-3 };
+
 /// Approach, largest pressure, moment and loads per length of a roller with logarithmic profile,
 /// aligned and tilted by 1 mrad. Without the width of the races, the loads at the ends are wrong.
 #[test]
 fn logarithmic_roller_has_the_loads_of_finite_elements() {
-    let remainders = remainders(USUAL, Fineness { order: 2, elements: 5, spread: 0.6e-3 });
+    let roller = roller(Fineness { order: 3, elements: 4, spread: 0.3e-3 });
+    let race = race(USUAL, Fineness { order: 2, elements: 5, ..RACE });
+    let remainders = Remainders { roller: &roller, race: &race };
     for (load, tilt) in LOADS {
         let expected = by_remainders(&remainders, &Profile::Logarithmic, load, tilt);
         let of = |width| deviations(&by_engine(width, &Profile::Logarithmic, load, tilt), &expected, load);
@@ -389,15 +400,10 @@ fn logarithmic_roller_has_the_loads_of_finite_elements() {
     }
 }
 
-/// Prints the deviations of the engine without and with the width of the races.
-fn print(race: Race, fineness: Fineness, profile: &Profile, remainders: &Remainders) {
-    let Fineness { order, elements, spread } = fineness;
-    println!(
-        "width {:.2} L, thickness {:.2} D, order {order}, {elements} elements, spread {:.1} mm, {profile:?}",
-        race.width / LENGTH,
-        race.thickness / DIAMETER,
-        spread * 1e3
-    );
+/// Prints the deviations of the engine without and with the width of the races. Returns the largest
+/// with it.
+fn print(width: f64, profile: &Profile, remainders: &Remainders<'_>) -> f64 {
+    let mut worst = 0.0f64;
     for (load, tilt) in LOADS {
         let expected = by_remainders(remainders, profile, load, tilt);
         println!(
@@ -407,7 +413,7 @@ fn print(race: Race, fineness: Fineness, profile: &Profile, remainders: &Remaind
             expected.race * 1e6,
             expected.pressure * 1e-6
         );
-        for (name, width) in [("without width", None), ("with width", Some(race.width))] {
+        for (name, width) in [("without width", None), ("with width", Some(width))] {
             let found = deviations(&by_engine(width, profile, load, tilt), &expected, load);
             println!(
                 "    {name:14} approach {:+.2} %, pressure {:+.2} %, moment {:+.2} %, loads {:.2} %",
@@ -416,31 +422,43 @@ fn print(race: Race, fineness: Fineness, profile: &Profile, remainders: &Remaind
                 1e2 * found.moment,
                 1e2 * found.loads
             );
-            assert!(width.is_none() || found.approach.abs() < 0.01 && found.moment.abs() < 0.01);
+            if width.is_some() {
+                let all = [found.approach, found.pressure, found.moment, found.loads];
+                worst = all.iter().fold(worst, |most, x| most.max(x.abs()));
+            }
         }
     }
+    worst
 }
 
 /// Convergence with mesh and spread of the load, races of other width and thickness, and crowned
-/// rollers, whose contact reaches the ends under the larger load.
+/// rollers, whose contact reaches the ends. The load of a contact of half-width 0.2 mm has the mean
+/// logarithmic distance of a spread of 0.1 mm.
 #[test]
 #[ignore = "takes a minute"]
 fn convergence_and_other_races() {
-    let fineness = |order, elements, spread| Fineness { order, elements, spread };
-    let usual = fineness(3, 4, 0.6e-3);
-    let meshes = [fineness(2, 3, 0.6e-3), fineness(2, 5, 0.6e-3), usual];
-    let spreads = [fineness(3, 5, 0.4e-3), fineness(3, 6, 0.3e-3)];
-    let races = [(1.02, 0.75), (1.1, 0.75), (1.5, 0.75), (1.2, 0.5), (1.2, 1.0)];
-    let mut cases: Vec<(Race, Fineness)> = meshes.into_iter().chain(spreads).map(|f| (USUAL, f)).collect();
-    cases.extend(
-        races.map(|(width, thickness)| {
-            (Race { width: width * LENGTH, thickness: thickness * DIAMETER }, usual)
-        }),
-    );
-    for (race, fineness) in cases {
-        let remainders = remainders(race, fineness);
-        for profile in [Profile::Logarithmic, Profile::Crowned { radius: 2.0 }] {
-            print(race, fineness, &profile, &remainders);
+    let fineness = |elements, spread| Fineness { order: 3, elements, spread };
+    let usual = race(USUAL, RACE);
+    let crowned = Profile::Crowned { radius: 2.0 };
+    let mut medium = None;
+    for fineness in [fineness(4, 0.6e-3), fineness(6, 0.6e-3), fineness(5, 0.3e-3), fineness(6, 0.2e-3)] {
+        let roller = roller(fineness);
+        let remainders = Remainders { roller: &roller, race: &usual };
+        for profile in [&Profile::Logarithmic, &crowned] {
+            println!("{} elements, spread {} mm, {profile:?}", fineness.elements, fineness.spread * 1e3);
+            let worst = print(USUAL.width, profile, &remainders);
+            assert!(worst < if *profile == crowned { 0.07 } else { 0.015 });
         }
+        if fineness.elements == 5 {
+            medium = Some(roller);
+        }
+    }
+    let roller = medium.expect("computed");
+    for [width, thickness] in [[1.02, 0.75], [1.1, 0.75], [1.5, 0.75], [1.2, 0.5], [1.2, 1.0]] {
+        let other = Race { width: width * LENGTH, thickness: thickness * DIAMETER };
+        println!("race of width {width} L and thickness {thickness} D, logarithmic");
+        let race = race(other, RACE);
+        let worst = print(other.width, &Profile::Logarithmic, &Remainders { roller: &roller, race: &race });
+        assert!(worst < 0.03, "{worst}");
     }
 }
