@@ -263,6 +263,7 @@ fn rollers(
         count: whole("count", count)?,
         roller_diameter,
         length,
+        raceway_widths: [None; 2],
         pitch_diameter,
         profile,
         laminae: whole("laminae", laminae)?,

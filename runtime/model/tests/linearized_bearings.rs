@@ -27,6 +27,7 @@ fn rollers() -> Arc<RollingElements> {
         count: 14,
         roller_diameter: 9e-3,
         length: 10e-3,
+        raceway_widths: [None; 2],
         pitch_diameter: 55e-3,
         profile: Profile::Straight,
         laminae: 31,

@@ -211,6 +211,7 @@ mod tests {
             count: 12,
             roller_diameter: 8e-3,
             length: 10e-3,
+            raceway_widths: [None; 2],
             pitch_diameter: 50e-3,
             profile: Profile::Logarithmic,
             laminae: 30,

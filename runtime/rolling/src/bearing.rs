@@ -292,6 +292,15 @@ impl RollingBearing {
         Ok(bearing)
     }
 
+    /// Returns the bearing with laminae in place of elastic contacts, or `None` without them.
+    pub(crate) fn laminae(&self) -> Option<Self> {
+        let is_elastic = |row: &Row| match &row.elements {
+            Elements::Balls(_) => false,
+            Elements::Rollers(rollers) => rollers.elastic.is_some(),
+        };
+        self.rows.iter().any(is_elastic).then(|| self.with_contact(ContactModel::Laminae).ok())?
+    }
+
     /// Returns whether any row has rollers.
     pub fn has_rollers(&self) -> bool {
         self.rows.iter().any(|row| matches!(row.elements, Elements::Rollers(_)))

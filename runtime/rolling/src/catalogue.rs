@@ -220,6 +220,7 @@ pub fn estimate_rollers(
         count,
         roller_diameter,
         length,
+        raceway_widths: [None; 2],
         pitch_diameter,
         profile: Profile::Logarithmic,
         laminae: 41,

@@ -19,7 +19,8 @@ pub struct Equilibrium {
     pub displacement: Displacement,
     /// Load and stiffness there.
     pub evaluation: Evaluation,
-    /// Number of evaluations.
+    /// Number of evaluations. Elastic contacts start from the equilibrium of laminae, whose
+    /// evaluations do not count.
     pub evaluations: usize,
 }
 
@@ -64,6 +65,18 @@ impl RollingBearing {
         for value in conditions.load {
             finite("load", value)?;
         }
+        // Elastic contacts change as laminae do, and an evaluation takes much longer.
+        let laminae = self.laminae().and_then(|bearing| bearing.equilibrium(conditions, motion).ok());
+        if let Some(Equilibrium { displacement: start, .. }) = laminae
+            && let Ok(found) = self.newton(&Conditions { start, ..*conditions }, motion)
+        {
+            return Ok(found);
+        }
+        self.newton(conditions, motion)
+    }
+
+    /// Newton's method from the first displacement.
+    fn newton(&self, conditions: &Conditions, motion: &Motion) -> Result<Equilibrium, RollingError> {
         let radius = self.radius();
         let scales = [1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius];
         let mut start = Start::default();

@@ -23,6 +23,7 @@
 //!     count: 17,
 //!     roller_diameter: 10e-3,
 //!     length: 13e-3,
+//!     raceway_widths: [None; 2],
 //!     pitch_diameter: 60e-3,
 //!     profile: Profile::Logarithmic,
 //!     laminae: 41,

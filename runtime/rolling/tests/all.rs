@@ -4,6 +4,7 @@ mod balls;
 mod cylinder;
 mod elastic_rollers;
 mod equilibrium;
+mod finite_races;
 mod half_space;
 mod half_space_reference;
 mod hertz;

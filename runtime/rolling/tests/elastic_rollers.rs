@@ -14,10 +14,15 @@ fn elastic(geometry: RollerGeometry) -> RollingBearing {
     RollingBearing::single(row.with_contact(ContactModel::Elastic(ElasticContact::default())).expect("valid"))
 }
 
+/// Cylindrical rollers between an inner raceway that ends with them and a wider outer one.
+fn between_narrow_raceways() -> RollerGeometry {
+    RollerGeometry { raceway_widths: [Some(10e-3), Some(12e-3)], ..cylindrical() }
+}
+
 #[test]
 fn stiffness_is_the_derivative_of_the_load() {
     let speed = Motion { inner_speed: 800.0, ..Motion::REST };
-    for geometry in [cylindrical(), tapered(), spherical()] {
+    for geometry in [cylindrical(), tapered(), spherical(), between_narrow_raceways()] {
         for motion in [Motion::REST, speed] {
             check_stiffness(&elastic(geometry.clone()), &LOADED, &motion, 1e-5);
         }
@@ -26,7 +31,7 @@ fn stiffness_is_the_derivative_of_the_load() {
 
 #[test]
 fn stiffness_is_symmetric() {
-    for geometry in [cylindrical(), tapered(), spherical()] {
+    for geometry in [cylindrical(), tapered(), spherical(), between_narrow_raceways()] {
         check_symmetry(&elastic(geometry), &LOADED);
     }
 }
@@ -106,6 +111,30 @@ fn start_does_not_change_the_result() {
                 close(warm.load[k], cold.load[k], cold.scale, 1e-10, "load");
             }
         }
+    }
+}
+
+/// Side faces far from the rollers have no effect, and near ones relieve the ends.
+#[test]
+fn raceways_of_finite_width_relieve_the_ends() {
+    let of = |width| {
+        let geometry = RollerGeometry { raceway_widths: [width; 2], ..cylindrical() };
+        let states = elastic(geometry).elements(&[60e-6, 0.0, 0.0, 0.0, 0.0], &Motion::REST).expect("finite");
+        let contact = &states[0].roller().expect("rollers").inner;
+        let most = contact.loads.iter().copied().fold(0.0, f64::max);
+        (contact.load, contact.loads[4] / most)
+    };
+    let wide = of(None);
+    let far = of(Some(10.0));
+    close(far.0, wide.0, wide.0, 1e-5, "load");
+    close(far.1, wide.1, 1.0, 1e-5, "load at the end");
+    let mut former = wide;
+    for width in [20e-3, 13e-3, 11e-3, 10e-3] {
+        let found = of(Some(width));
+        assert!(found.1 < former.1 && found.1 > 0.0, "{width}: {found:?} {former:?}");
+        // The deflection of the raceways as a whole is none of the contacts.
+        close(found.0, wide.0, wide.0, 0.03, "load");
+        former = found;
     }
 }
 

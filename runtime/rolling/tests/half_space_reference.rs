@@ -131,7 +131,7 @@ fn under(contact: &Strips, load: f64, tilt: f64) -> (f64, StripLoads) {
 fn roller_on_a_raceway_by_boundary_elements() {
     let data = &table()["line"];
     let modulus = composite_modulus(&Material::STEEL, &Material::STEEL);
-    let line = Line { strips: graded_strips(LENGTH, FINE, |_| EFFECTIVE_RADIUS), images: 0.0 };
+    let line = Line::with_free_ends(graded_strips(LENGTH, FINE, |_| EFFECTIVE_RADIUS), 0.0);
     let contact = Strips::new(&[line], modulus, |_, _| 0.0);
     let strips = contact.strips();
     for case in list(&data["cases"]) {

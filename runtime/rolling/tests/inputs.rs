@@ -48,6 +48,20 @@ fn impossible_rollers() {
     rejected(row(RollerGeometry { length: 0.0, ..cylindrical() }), "roller length", "positive");
     rejected(row(RollerGeometry { length: 1e-4, ..cylindrical() }), "are discs", "at least 1.1000 mm");
     rejected(row(RollerGeometry { laminae: 1, ..cylindrical() }), "laminae", "at least 30");
+    let widths = |raceway_widths| RollerGeometry { raceway_widths, ..cylindrical() };
+    rejected(
+        row(widths([Some(9e-3), None])),
+        "inner raceway has a width of 9.0000 mm",
+        "at least 10.0000 mm",
+    );
+    rejected(
+        row(widths([None, Some(9.9e-3)])),
+        "outer raceway has a width of 9.9000 mm",
+        "at least 10.0000 mm",
+    );
+    rejected(row(widths([None, Some(f64::NAN)])), "width of the outer raceway", "positive");
+    rejected(row(widths([Some(-1.0), None])), "width of the inner raceway", "positive");
+    assert!(row(widths([Some(10e-3), Some(1.0)])).is_ok());
     let kind = |kind| RollerGeometry { kind, ..cylindrical() };
     rejected(row(kind(RollerKind::Cylindrical { clearance: -0.3e-3 })), "would indent", "at most");
     rejected(row(kind(RollerKind::Cylindrical { clearance: f64::NAN })), "must be finite", "clearance");

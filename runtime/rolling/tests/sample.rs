@@ -42,6 +42,7 @@ pub fn cylindrical() -> RollerGeometry {
         count: 14,
         roller_diameter: 11e-3,
         length: 10e-3,
+        raceway_widths: [None; 2],
         pitch_diameter: 60e-3,
         profile: Profile::Logarithmic,
         laminae: 41,
@@ -61,6 +62,7 @@ pub fn tapered() -> RollerGeometry {
         count: 17,
         roller_diameter: diameter,
         length: 13e-3,
+        raceway_widths: [None; 2],
         ..cylindrical()
     }
 }

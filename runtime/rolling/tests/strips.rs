@@ -32,7 +32,7 @@ fn gauss_points() -> [(f64, f64); 4] {
 }
 
 fn strips(count: usize, images: f64, approach: &dyn Fn(f64) -> f64) -> Field {
-    let line = Line { strips: graded_strips(LENGTH, count, |_| RADIUS), images };
+    let line = Line::with_free_ends(graded_strips(LENGTH, count, |_| RADIUS), images);
     let contact = Strips::new(&[line], modulus(), |_, _| 0.0);
     let approaches: Vec<f64> =
         contact.strips().iter().map(|strip| mean(approach, strip.position, strip.length)).collect();
@@ -134,7 +134,7 @@ fn straight_profile_has_the_edge_stress_of_half_spaces() {
 #[test]
 fn long_line_has_the_half_width_and_pressure_of_hertz() {
     for delta in [2e-6, 20e-6] {
-        let line = Line { strips: graded_strips(0.2, 64, |_| RADIUS), images: 0.0 };
+        let line = Line::with_free_ends(graded_strips(0.2, 64, |_| RADIUS), 0.0);
         let contact = Strips::new(&[line], modulus(), |_, _| 0.0);
         let found = contact.loads(&[delta; 64]).expect("converged");
         let load = found.loads[32];
@@ -165,4 +165,57 @@ fn contact_closes_continuously() {
         former = found.load;
     }
     assert_eq!(strips(32, 0.5, &|_| -1e-6).load, 0.0);
+}
+
+/// Shares and distances across the line of two points under semi-elliptic pressures, as the strips
+/// have them.
+const DISTANCES: [(f64, f64); 3] =
+    [(0.161_448_01, 0.045_630_357_5), (0.515_307_92, 0.388_021_413_3), (0.323_244_07, 1.142_674_334_5)];
+
+/// Double integral of 1/√(x² + s²) over two intervals, by second differences.
+fn integral([a, b]: [f64; 2], [c, d]: [f64; 2], s: f64) -> f64 {
+    let term = |x: f64| x.abs() * (x.abs() / s).asinh() - x.hypot(s);
+    term(b - c) + term(a - d) - term(b - d) - term(a - c)
+}
+
+/// The loads deflect their strips by the approaches, with the interaction written out again at the
+/// half-widths found: narrow and wide contacts, with and without images. All strips are near each
+/// other. Strips within a contact that is much wider than long may be unloaded.
+#[test]
+fn loads_have_the_deflections_of_their_integrals() {
+    let length = 0.14e-3;
+    for images in [0.0, 0.5] {
+        let strips = graded_strips(length, 8, |_| RADIUS);
+        let contact = Strips::new(&[Line::with_free_ends(strips.clone(), images)], modulus(), |_, _| 0.0);
+        let ends = |k: usize| {
+            let half = 0.5 * strips[k].length;
+            [strips[k].position - half, strips[k].position + half]
+        };
+        let mut widths = Vec::new();
+        for delta in [1e-9, 1e-8, 1e-7, 1e-6, 4e-6] {
+            let approach = |k: usize| delta * (1.0 + 1e3 * strips[k].position);
+            let found = contact.loads(&[0, 1, 2, 3, 4, 5, 6, 7].map(approach)).expect("converged");
+            widths.push(found.half_width(4) / strips[0].length);
+            for i in (0..8).filter(|&i| found.loads[i] > 0.0) {
+                let mut deflection = 0.0;
+                for (j, load) in found.loads.iter().enumerate() {
+                    let square = 0.5 * (found.half_width(i).powi(2) + found.half_width(j).powi(2));
+                    let [start, end] = ends(j);
+                    let image = |face: f64| [2.0 * face - end, 2.0 * face - start];
+                    for (share, distance) in DISTANCES {
+                        let s = distance * square.sqrt();
+                        let both = integral(ends(i), image(0.5 * length), s)
+                            + integral(ends(i), image(-0.5 * length), s);
+                        deflection += share * load * (integral(ends(i), [start, end], s) + images * both);
+                    }
+                }
+                let deflection = deflection / (std::f64::consts::PI * modulus() * strips[i].length);
+                // The mean of y²/(2R) under a semi-elliptic pressure.
+                let gap = found.half_width(i).powi(2) / (8.0 * RADIUS);
+                let error = (deflection + gap - approach(i)).abs() / delta;
+                assert!(error < 1e-11, "{delta:e} {images} strip {i}: {error:e}");
+            }
+        }
+        assert!(widths[0] < 0.5 && widths[4] > 10.0, "{widths:?}");
+    }
 }

@@ -25,6 +25,7 @@ pub fn tapered(laminae: usize) -> Elements {
         count: 18,
         roller_diameter: 10e-3,
         length: 13e-3,
+        raceway_widths: [None; 2],
         pitch_diameter: 60e-3,
         profile: Profile::Logarithmic,
         laminae,

@@ -5,12 +5,22 @@ use super::contact_model::ElasticContact;
 use super::geometry::{Lamina, RollerGeometry};
 use super::shape::Section;
 use super::state::{Energy, Memory, RollerState, Tangent};
-use super::strips::{Line, Strip, StripLoads, Strips, graded_strips};
+use super::strips::{Face, Line, Strip, StripLoads, Strips, graded_strips};
 use crate::error::RollingError;
 use crate::linear::{dot, product, solve_upper};
+use crate::material::Material;
 
 /// Violation of the contact conditions at which former loads of the strips are of no use.
 const FAR: f64 = 0.5;
+
+/// Returns the mean deflection of a contact line by the images of an even load in the side faces of
+/// a raceway, per force, m/N: a part of the deflection of the ring as a whole.
+fn mean_of_sides(width: f64, length: f64, ring: &Material) -> f64 {
+    // The reciprocal distance from an image, width - x - x', is the second derivative of this.
+    let term = |t: f64| if t > 0.0 { t * libm::log(t / length) - t } else { 0.0 };
+    let integral = term(width + length) - 2.0 * term(width) + term(width - length);
+    2.0 * integral / (std::f64::consts::PI * ring.plane_strain_modulus() * length * length)
+}
 
 /// Strips of a roller and their geometry.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,26 +50,34 @@ impl Elastic {
         let sections: Vec<Section> =
             places.iter().map(|strip| Section { position: strip.position, length: strip.length }).collect();
         let sections = geometry.shape(&sections)?.laminae;
-        let share = modulus / geometry.rollers.plane_strain_modulus();
-        let images = if settings.free_ends { share } else { 0.0 };
-        let line = |laminae: &[Lamina]| Line {
-            strips: laminae
-                .iter()
-                .zip(&places)
-                .map(|(lamina, strip)| Strip { radius: lamina.radius, ..*strip })
-                .collect(),
-            images,
+        let share = |body: &Material| modulus / body.plane_strain_modulus();
+        let ends = if settings.free_ends { share(&geometry.rollers) } else { 0.0 };
+        let line = |laminae: &[Lamina], width: Option<f64>| {
+            let radii = laminae.iter().zip(&places);
+            let strips = radii.map(|(lamina, strip)| Strip { radius: lamina.radius, ..*strip }).collect();
+            let mut line = Line::with_free_ends(strips, ends);
+            for side in width.into_iter().flat_map(|width| [-0.5 * width, 0.5 * width]) {
+                line.faces.push(Face { position: side, share: share(&geometry.rings) });
+            }
+            line
         };
         let (inner, outer) = sections.split_at(settings.strips);
         let body = (settings.body && settings.free_ends).then(|| {
             BodyCompliance::new(length, geometry.roller_diameter, geometry.rollers.plane_strain_modulus())
         });
+        let widths = geometry.raceway_widths;
+        let whole =
+            widths.map(|width| width.map_or(0.0, |width| mean_of_sides(width, length, &geometry.rings)));
         let deflection = |i: usize, j: usize| {
-            let opposite = (i < settings.strips) != (j < settings.strips);
-            body.as_ref()
-                .map_or(0.0, |body| body.deflection(opposite, sections[i].position, sections[j].position))
+            let lines = [i, j].map(|strip| usize::from(strip >= settings.strips));
+            let opposite = lines[0] != lines[1];
+            let of_body = body
+                .as_ref()
+                .map_or(0.0, |body| body.deflection(opposite, sections[i].position, sections[j].position));
+            if opposite { of_body } else { of_body - whole[lines[0]] }
         };
-        let strips = Strips::new(&[line(inner), line(outer)], modulus, deflection);
+        let lines = [line(inner, widths[0]), line(outer, widths[1])];
+        let strips = Strips::new(&lines, modulus, deflection);
         Ok(Self { settings, sections, strips })
     }
 

@@ -56,6 +56,10 @@ pub struct RollerGeometry {
     pub roller_diameter: f64,
     /// Effective length of the contact lines, m.
     pub length: f64,
+    /// Widths of the inner and the outer raceway along the contact lines, m, with the rollers in
+    /// their middle; `None` for a raceway that extends far beyond the rollers. Elastic contacts
+    /// depend on them, and laminae do not.
+    pub raceway_widths: [Option<f64>; 2],
     /// Pitch diameter of the roller centres, m.
     pub pitch_diameter: f64,
     /// Profile of the rollers, on both contacts.

@@ -1,6 +1,6 @@
 //! Interaction of two strips of a contact line on a half-space.
 
-use libm::{log, sqrt};
+use libm::log;
 
 /// Shares and values of the distance of two points under semi-elliptic pressures of half-width 1.
 ///
@@ -23,6 +23,22 @@ pub(super) struct Integral {
     /// The half-widths of the pressures are comparable with the distance.
     close: bool,
 }
+
+/// Terms of an integral that are singular at vanishing half-widths, and the analytic rest.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Expansion {
+    /// Factor of the root of the mean square of the half-widths, m.
+    pub root: f64,
+    /// Factor of the logarithm of the mean square.
+    pub logarithm: f64,
+    /// The rest is analytic for mean squares above the negative of this, m².
+    pub singularity: f64,
+    /// Magnitude of the largest term, m.
+    pub size: f64,
+}
+
+/// Corners below this part of the largest one are zero but for rounding.
+const ZERO: f64 = 1e-9;
 
 impl Integral {
     /// Two intervals of a line: `first` and `second` are their ends, and `close` states whether
@@ -54,11 +70,38 @@ impl Integral {
         sums
     }
 
+    /// Returns the singular terms of the integral.
+    pub fn expansion(&self) -> Expansion {
+        let size = self.corners.iter().copied().fold(0.0, f64::max);
+        let zero = |corner: f64| corner < ZERO * size;
+        let (mean_root, most) = if self.close {
+            let roots = DISTANCES.map(|(share, distance)| share * distance);
+            (roots.iter().sum(), DISTANCES[2].1 * DISTANCES[2].1)
+        } else {
+            (0.5f64.sqrt(), 0.5)
+        };
+        let mut root = 0.0;
+        let mut least = f64::INFINITY;
+        for (&corner, sign) in self.corners.iter().zip([1.0, 1.0, -1.0, -1.0]) {
+            if zero(corner) {
+                root -= sign * mean_root;
+            } else {
+                least = least.min(corner);
+            }
+        }
+        Expansion {
+            root: self.weight * root,
+            logarithm: -0.5 * self.weight * self.overlap,
+            singularity: least * least / most,
+            size: self.weight.abs() * size,
+        }
+    }
+
     /// Returns the integral of 1/√(x² + s²) with its derivatives with respect to s²: the second
     /// difference of |x| asinh(|x|/s) - √(x² + s²). Terms of ln s cancel without overlap.
     #[inline]
     fn at(&self, square: f64) -> [f64; 3] {
-        let roots = self.corners.map(|corner| sqrt(corner * corner + square));
+        let roots = self.corners.map(|corner| (corner * corner + square).sqrt());
         let sides = [0, 1, 2, 3].map(|k| roots[k] + self.corners[k]);
         let logarithms = logarithms(sides);
         let mut sums = [0.0; 3];

@@ -6,6 +6,7 @@ mod elastic;
 mod equilibrium;
 mod geometry;
 mod integral;
+mod near;
 mod profile;
 mod row;
 mod shape;

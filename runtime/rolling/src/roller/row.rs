@@ -39,6 +39,24 @@ pub struct RollerRow {
     pub(crate) start: [[f64; 3]; 3],
 }
 
+/// Checks that a raceway is at least as wide as its rollers.
+fn check_raceway(ring: &str, width: Option<f64>, length: f64) -> Result<(), RollingError> {
+    let Some(width) = width else { return Ok(()) };
+    positive(&format!("width of the {ring} raceway"), width)?;
+    if width < length {
+        return Err(RollingError::input(
+            format!(
+                "the {ring} raceway has a width of {:.4} mm, less than the rollers of {:.4} mm",
+                width * 1e3,
+                length * 1e3
+            ),
+            format!("give a width of at least {:.4} mm, or an effective length of the contact", length * 1e3),
+        )
+        .of(format!("{ring}_raceway_width")));
+    }
+    Ok(())
+}
+
 /// Pressure of ISO 76 at which a line contact has a permanent deformation of 1e-4 of the diameter,
 /// Pa.
 pub(crate) const STATIC_PRESSURE: f64 = 4e9;
@@ -59,6 +77,9 @@ impl RollerRow {
                 format!("give a roller length of at least {:.4} mm", SHORTEST * g.roller_diameter * 1e3),
             )
             .of("roller_length"));
+        }
+        for (ring, width) in ["inner", "outer"].into_iter().zip(g.raceway_widths) {
+            check_raceway(ring, width, g.length)?;
         }
         positive("pitch diameter", g.pitch_diameter)?;
         g.rings.check()?;

@@ -6,6 +6,7 @@
 //! half-width is its own. The theory manual derives the energy on its page about rolling bearings.
 
 use super::integral::Integral;
+use super::near::{Near, Rule};
 use crate::linear::{cholesky, product, solve_lower};
 use std::f64::consts::PI;
 
@@ -33,9 +34,32 @@ pub struct Strip {
 pub struct Line {
     /// Strips, from one end of the line to the other without gaps.
     pub strips: Vec<Strip>,
-    /// Deflection by the images of the loads in both ends, as a share of the deflection of both
-    /// bodies by the loads; zero if both bodies extend beyond the line.
-    pub images: f64,
+    /// End faces of the roller and side faces of the raceway; none if both bodies extend beyond the
+    /// line.
+    pub faces: Vec<Face>,
+}
+
+/// Free face across a contact line, beyond its strips or at its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    /// Position from the middle of the contact line, m.
+    pub position: f64,
+    /// Deflection by the images of the loads in the face, as a share of the deflection of both
+    /// bodies by loads at the same distance.
+    pub share: f64,
+}
+
+impl Line {
+    /// A line with free faces at both ends; `share` is that of [`Face::share`].
+    pub fn with_free_ends(strips: Vec<Strip>, share: f64) -> Self {
+        let mut line = Self { strips, faces: Vec::new() };
+        if let (true, [Some(first), Some(last)]) = (share != 0.0, [line.strips.first(), line.strips.last()]) {
+            line.faces = [first.position - 0.5 * first.length, last.position + 0.5 * last.length]
+                .map(|position| Face { position, share })
+                .to_vec();
+        }
+        line
+    }
 }
 
 /// Loads and half-widths of strips.
@@ -78,14 +102,6 @@ pub fn graded_strips(length: f64, count: usize, radius: impl Fn(f64) -> f64) -> 
         Strip { position, length: end - start, radius: radius(position) }
     };
     (0..count).map(strip).collect()
-}
-
-/// Pair of strips whose interaction depends on their half-widths.
-#[derive(Clone, Debug, PartialEq)]
-struct Near {
-    first: usize,
-    second: usize,
-    integrals: Vec<Integral>,
 }
 
 /// Strips of all contact lines of a roller.
@@ -150,16 +166,19 @@ impl Strips {
         let modulus = PI * composite_modulus;
         let mut far = vec![0.0; count * count];
         let mut near = Vec::new();
+        let rule = Rule::new();
         let mut first = 0;
         for line in lines {
             let own = first..first + line.strips.len();
             first = own.end;
             for i in own.clone() {
                 for j in i..own.end {
-                    let (close, sum) = interaction(line, [i - own.start, j - own.start], composite_modulus);
+                    let pair = [i - own.start, j - own.start];
+                    let half_width = near_half_width(line, pair, composite_modulus);
+                    let (close, sum) = interaction(line, pair, half_width);
                     (far[i * count + j], far[j * count + i]) = (sum, sum);
                     if !close.is_empty() {
-                        near.push(Near { first: i, second: j, integrals: close });
+                        near.push(Near::new(&rule, [i, j], close, half_width));
                     }
                 }
             }
@@ -211,13 +230,7 @@ impl Strips {
                 continue;
             }
             let square = 0.5 * (at.squares[i] + at.squares[j]);
-            let mut sums = [0.0; 3];
-            for integral in &pair.integrals {
-                let terms = integral.evaluate(square);
-                for k in 0..3 {
-                    sums[k] += terms[k];
-                }
-            }
+            let sums = pair.evaluate(square);
             let (upper, lower) = (i * count + j, j * count + i);
             let value = work.direct[upper] + sums[0];
             (work.direct[upper], work.direct[lower]) = (value, value);
@@ -357,12 +370,16 @@ impl Strips {
     }
 }
 
+/// Returns the half-width of two strips of a line at [`LARGEST_PRESSURE`], m.
+fn near_half_width(line: &Line, [i, j]: [usize; 2], composite_modulus: f64) -> f64 {
+    2.0 * LARGEST_PRESSURE * line.strips[i].radius.max(line.strips[j].radius) / composite_modulus
+}
+
 /// Returns the interaction of two strips of a line: the integrals that depend on their half-widths,
 /// and the sum of all others.
-fn interaction(line: &Line, [i, j]: [usize; 2], composite_modulus: f64) -> (Vec<Integral>, f64) {
+fn interaction(line: &Line, [i, j]: [usize; 2], half_width: f64) -> (Vec<Integral>, f64) {
     let (a, b) = (&line.strips[i], &line.strips[j]);
     let ends = |strip: &Strip| [strip.position - 0.5 * strip.length, strip.position + 0.5 * strip.length];
-    let half_width = 2.0 * LARGEST_PRESSURE * a.radius.max(b.radius) / composite_modulus;
     // A quarter of the largest pressure is typical.
     let typical = (0.25 * half_width).powi(2);
     let mut near = Vec::new();
@@ -378,12 +395,9 @@ fn interaction(line: &Line, [i, j]: [usize; 2], composite_modulus: f64) -> (Vec<
         }
     };
     add(ends(b), 1.0);
-    if line.images != 0.0 {
-        let (first, last) = (&line.strips[0], &line.strips[line.strips.len() - 1]);
-        let [start, end] = ends(b);
-        for face in [ends(first)[0], ends(last)[1]] {
-            add([2.0 * face - end, 2.0 * face - start], line.images);
-        }
+    let [start, end] = ends(b);
+    for Face { position, share } in &line.faces {
+        add([2.0 * position - end, 2.0 * position - start], *share);
     }
     (near, sum)
 }
