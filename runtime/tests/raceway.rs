@@ -86,6 +86,7 @@ fn rollers(count: usize) -> RollingBearing {
         laminae: 21,
         rings: Material::STEEL,
         rollers: Material::STEEL,
+        raceway_widths: [None; 2],
     });
     RollingBearing::single(row.expect("sound rollers"))
 }

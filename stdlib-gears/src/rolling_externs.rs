@@ -74,13 +74,15 @@ calyx_abi::externs! {
         roller_length: f64, pitch_diameter: f64, clearance: f64, profile: String, crown_radius: Option<f64>,
         profile_positions: Vec<f64>, profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64,
         inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
+        inner_raceway_width: Option<f64>, outer_raceway_width: Option<f64>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
         let size = (count, roller_diameter, roller_length, pitch_diameter);
         let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance").linearized(linearized_at);
+        let profile = (profile, laminae, [inner_raceway_width, outer_raceway_width]);
         let materials = [ring_material, element_material];
-        cylindrical(context, mounting, (size, clearance), (profile, laminae), materials, &operation)
+        cylindrical(context, mounting, (size, clearance), profile, materials, &operation)
     }
 
     /// Needles are thin cylindrical rollers.
@@ -89,13 +91,15 @@ calyx_abi::externs! {
         roller_length: f64, pitch_diameter: f64, clearance: f64, profile: String, crown_radius: Option<f64>,
         profile_positions: Vec<f64>, profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64,
         inner_speed: f64, outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
+        inner_raceway_width: Option<f64>, outer_raceway_width: Option<f64>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
         let size = (count, roller_diameter, roller_length, pitch_diameter);
         let operation = Operation::new(&ring, azimuth, [inner_speed, outer_speed], "clearance").linearized(linearized_at);
+        let profile = (profile, laminae, [inner_raceway_width, outer_raceway_width]);
         let materials = [ring_material, element_material];
-        cylindrical(context, mounting, (size, clearance), (profile, laminae), materials, &operation)
+        cylindrical(context, mounting, (size, clearance), profile, materials, &operation)
     }
 
     Scene fn calyx_gears_tapered_roller_bearing(
@@ -105,6 +109,7 @@ calyx_abi::externs! {
         axial_preload: f64, profile: String, crown_radius: Option<f64>, profile_positions: Vec<f64>,
         profile_relief: Vec<f64>, laminae: f64, ring: String, azimuth: f64, inner_speed: f64,
         outer_speed: f64, ring_material: Option<Handle>, element_material: Option<Handle>, linearized_at: Option<[f64; 3]>,
+        inner_raceway_width: Option<f64>, outer_raceway_width: Option<f64>,
     ) -> Handle {
         let mounting = Mounting::new(context, name, body, to, at)?;
         let rib = rib(roller_diameter, pitch_diameter, contact_angle);
@@ -115,7 +120,8 @@ calyx_abi::externs! {
         let profile = profile_of(&profile, crown_radius, (&profile_positions, &profile_relief))?;
         let kind = RollerKind::Tapered { outer_angle: contact_angle, rib };
         let size = (count, roller_diameter, roller_length, pitch_diameter);
-        let row = rollers(context, kind, size, (profile, laminae), [ring_material, element_material])?;
+        let profile = (profile, laminae, [inner_raceway_width, outer_raceway_width]);
+        let row = rollers(context, kind, size, profile, [ring_material, element_material])?;
         warn_about_arrangement(context, &mounting, (&arrangement, row_distance), thrust.as_deref())?;
         let senses = (thrust.as_deref(), ring.as_str());
         let rows = arranged(row.into(), (&arrangement, row_distance), senses, axial_preload)?;
@@ -133,7 +139,7 @@ calyx_abi::externs! {
         let kind = RollerKind::Spherical { angle: contact_angle, outer_osculation, inner_osculation, clearance };
         let size = (count, roller_diameter, roller_length, pitch_diameter);
         let materials = [ring_material, element_material];
-        let row = rollers(context, kind, size, (Profile::Straight, laminae), materials)?;
+        let row = rollers(context, kind, size, (Profile::Straight, laminae, [None; 2]), materials)?;
         // Both rows have the centre of the outer sphere in common.
         let distance = pitch_diameter * contact_angle.tan();
         let rows = RollingBearing::pair(row, Arrangement::FaceToFace, distance, 0.0).map_err(rejected)?;
@@ -250,12 +256,12 @@ fn balls(
 }
 
 /// Creates a row of rollers: number, diameter, length and pitch diameter, profile and number of
-/// laminae, and materials of rings and rollers.
+/// laminae with the widths of both raceways, and materials of rings and rollers.
 fn rollers(
     context: &mut Context,
     kind: RollerKind,
     (count, roller_diameter, length, pitch_diameter): RollerSize,
-    (profile, laminae): (Profile, f64),
+    (profile, laminae, raceway_widths): RollerProfile,
     [rings, rollers]: [Option<Handle>; 2],
 ) -> Result<RollerRow, RuntimeError> {
     let geometry = RollerGeometry {
@@ -263,7 +269,7 @@ fn rollers(
         count: whole("count", count)?,
         roller_diameter,
         length,
-        raceway_widths: [None; 2],
+        raceway_widths,
         pitch_diameter,
         profile,
         laminae: whole("laminae", laminae)?,
@@ -276,12 +282,15 @@ fn rollers(
 /// Dimensions of a row of rollers: number, diameter, length and pitch diameter.
 type RollerSize = (f64, f64, f64, f64);
 
+/// Profile of rollers with the number of laminae, and the widths of the inner and the outer raceway.
+type RollerProfile = (Profile, f64, [Option<f64>; 2]);
+
 /// Adds a bearing with a row of cylindrical rollers.
 fn cylindrical(
     context: &mut Context,
     mounting: Mounting,
     (size, clearance): (RollerSize, f64),
-    profile: (Profile, f64),
+    profile: RollerProfile,
     materials: [Option<Handle>; 2],
     operation: &Operation<'_>,
 ) -> Result<Handle, RuntimeError> {

@@ -43,6 +43,7 @@ fn the_half_space_share_is_that_of_quadrature() {
             laminae: 21,
             rings: Material::STEEL,
             rollers: Material::STEEL,
+            raceway_widths: [None; 2],
         })
         .expect("sound rollers"),
     );

@@ -1,7 +1,6 @@
 //! Bearings whose outer raceway is the bore of an elastic body.
 
-use crate::system::{Bodies, System};
-use calyx_model::bearing::{Bearing, ElasticRaceway, HalfSpaceShare, NonlinearLoad, half_space_share};
+use calyx_model::bearing::{Bearing, ElasticRaceway, HalfSpaceShare, RollingElements, half_space_share};
 use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::EngineError;
 use calyx_structure::Raceway;
@@ -28,47 +27,43 @@ pub(crate) fn dense(matrix: MatRef<'_, f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| matrix[(row, column)])
 }
 
-/// Finds the modelled bearings whose rollers run in the bore of an elastic body.
-pub(crate) fn find(scene: &Mechanism, bodies: &Bodies, modelled: &[usize]) -> Vec<BearingInBore> {
+/// Finds the modelled bearings whose rollers run in the bore of an elastic body. `raceway_of`
+/// returns the raceway of a body with the compliance of its terms, if it has one.
+pub(crate) fn find(
+    scene: &Mechanism,
+    modelled: &[usize],
+    raceway_of: impl Fn(usize) -> Option<(Raceway, DMatrix<f64>)>,
+) -> Vec<BearingInBore> {
     let of = |&index: &usize| {
         let bearing: &Bearing = scene.bearings.get(index)?;
         let (elements, body) = (bearing.rolling()?, bearing.outer_body()?);
-        let (raceway, compliance) = match bodies {
-            Bodies::Plane(bodies) => {
-                let structure = bodies.structures.get(body)?.as_deref()?;
-                (structure.raceway()?, dense(structure.interface_compliance()?))
-            }
-            Bodies::Solid(bodies) => {
-                let structure = bodies.structures.get(body)?.as_deref()?;
-                (structure.raceway()?, dense(structure.interface_compliance()?))
-            }
-        };
+        let (raceway, compliance) = raceway_of(body)?;
         let shares = elements.bearing.rows().iter().map(|row| half_space_share(row, &raceway)).collect();
         Some(BearingInBore { bearing: index, body, raceway, compliance: Arc::new(compliance), shares })
     };
     modelled.iter().filter_map(of).collect()
 }
 
-impl System<'_> {
-    /// Returns the elastic raceway of a bearing by its index in the scene at a time (s); `None` for
-    /// one between rigid rings.
+impl BearingInBore {
+    /// Places the raceway at a time (s), with these elements of the bearing; `width` (m) is that of
+    /// the body in a plane model and 1 in three dimensions.
     ///
     /// # Errors
     /// Those of [`ElasticRaceway::at`].
-    pub fn elastic_raceway(&self, bearing: usize, time: f64) -> Result<Option<ElasticRaceway>, EngineError> {
-        let in_bore = self.raceways.iter().find(|in_bore| in_bore.bearing == bearing);
-        let load = in_bore.and_then(|_| self.nonlinear_load(bearing, time));
-        let (Some(in_bore), Some(NonlinearLoad::Rolling(elements))) = (in_bore, load) else {
-            return Ok(None);
-        };
-        let placed = ElasticRaceway::at(
-            &self.scene.bodies,
-            (&self.scene.bearings[bearing], &elements),
-            (in_bore.body, &in_bore.raceway, &in_bore.compliance),
-            &in_bore.shares,
-            self.width(in_bore.body),
+    pub fn at(
+        &self,
+        scene: &Mechanism,
+        elements: &RollingElements,
+        width: impl Fn(usize) -> f64,
+        time: f64,
+    ) -> Result<ElasticRaceway, EngineError> {
+        ElasticRaceway::at(
+            &scene.bodies,
+            (&scene.bearings[self.bearing], elements),
+            (self.body, &self.raceway, &self.compliance),
+            &self.shares,
+            width(self.body),
             time,
-        )?;
-        Ok(Some(placed))
+        )
     }
 }

@@ -3,10 +3,10 @@
 
 use crate::derived::DerivedResults;
 use crate::modal::Modes;
-use crate::raceways::{self, BearingInBore};
+use crate::raceways::{self, BearingInBore, dense};
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
-use calyx_model::bearing::{NonlinearLoad, Springs, Tangent, springs};
+use calyx_model::bearing::{ElasticRaceway, NonlinearLoad, Springs, Tangent, springs};
 use calyx_model::connection::{
     ElasticConnection, add_connection_mass, add_connection_stiffness, add_mode_coupling,
 };
@@ -25,7 +25,8 @@ use calyx_model::structure_building::{Structures, build_structures};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_structure::solid::SolidStructure;
-use calyx_structure::{AnyStructure, Structure};
+use calyx_structure::{AnyStructure, Raceway, Structure};
+use nalgebra::DMatrix;
 use std::sync::{Arc, OnceLock};
 
 pub use calyx_model::dof::Dof;
@@ -84,6 +85,20 @@ pub enum Bodies {
 }
 
 impl Bodies {
+    /// Returns the raceway in the bore of a body, by its index, with the compliance of its terms.
+    fn raceway(&self, body: usize) -> Option<(Raceway, DMatrix<f64>)> {
+        match self {
+            Bodies::Plane(bodies) => {
+                let structure = bodies.structures.get(body)?.as_deref()?;
+                Some((structure.raceway()?, dense(structure.interface_compliance()?)))
+            }
+            Bodies::Solid(bodies) => {
+                let structure = bodies.structures.get(body)?.as_deref()?;
+                Some((structure.raceway()?, dense(structure.interface_compliance()?)))
+            }
+        }
+    }
+
     /// Adds the structures, which must be of the kind that the plan requires.
     fn with(self, structures: Structures) -> Bodies {
         match self {
@@ -188,7 +203,7 @@ impl<'s> System<'s> {
         let (bearings, connections) = (plan.modelled_bearings(), plan.modelled_connections());
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
         let (spline_teeth, modes) = (spline_contacts(scene, plan), Modes::default());
-        let raceways = raceways::find(scene, &bodies, &bearings);
+        let raceways = raceways::find(scene, &bearings, |body| bodies.raceway(body));
         let mut system = System {
             scene,
             bodies,
@@ -264,6 +279,20 @@ impl<'s> System<'s> {
             true => nonlinear.with_elastic_rollers().at_time(time),
             false => nonlinear.at_time(time),
         })
+    }
+
+    /// Returns the elastic raceway of a bearing by its index in the scene at a time (s); `None` for
+    /// one between rigid rings.
+    ///
+    /// # Errors
+    /// Those of [`ElasticRaceway::at`].
+    pub fn elastic_raceway(&self, bearing: usize, time: f64) -> Result<Option<ElasticRaceway>, EngineError> {
+        let in_bore = self.raceways.iter().find(|in_bore| in_bore.bearing == bearing);
+        let load = in_bore.and_then(|_| self.nonlinear_load(bearing, time));
+        let (Some(in_bore), Some(NonlinearLoad::Rolling(elements))) = (in_bore, load) else {
+            return Ok(None);
+        };
+        in_bore.at(self.scene, &elements, |body| self.width(body), time).map(Some)
     }
 
     /// Returns the inertias of all bodies about their axes of rotation.

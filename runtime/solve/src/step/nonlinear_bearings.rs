@@ -20,6 +20,9 @@
 //!
 //! See `docs/theory/rolling-bearings.md`.
 
+mod raceways;
+mod unbalanced;
+
 use super::{RacewayResult, StepResult};
 use crate::system::System;
 use calyx_contact::problem::{ContactProblem, Solution};
@@ -27,8 +30,8 @@ use calyx_model::bearing::{
     BearingState, ElasticRaceway, NonlinearLoad, NonlinearState, Springs, Tangent, by_element,
 };
 use calyx_model::dof::Dof;
-use calyx_numerics::error::{EngineError, Subject};
-use nalgebra::{DMatrix, DVector};
+use calyx_numerics::error::EngineError;
+use nalgebra::DMatrix;
 use std::cell::Cell;
 
 /// Largest number of contact problems with the same grids.
@@ -319,63 +322,6 @@ impl<'a> NonlinearBearings<'a> {
         members.map(tangent).collect()
     }
 
-    /// Returns the growth of the gaps of cells by unit loads on the elastic raceways, by bearing;
-    /// `of_terms` returns that by unit forces on the terms of the series of a body.
-    pub(super) fn growths(
-        &self,
-        of_terms: impl Fn(usize) -> Result<DMatrix<f64>, EngineError>,
-    ) -> Result<Vec<Option<DMatrix<f64>>>, EngineError> {
-        let growth = |own: &Member| {
-            let raceway = own.raceway.as_ref();
-            raceway.map(|raceway| Ok(raceway.growth(&of_terms(raceway.body)?))).transpose()
-        };
-        self.members.iter().map(growth).collect()
-    }
-
-    /// Adds the rollers on elastic raceways to the cells of a contact problem.
-    fn put_raceways(
-        &self,
-        problem: &mut ContactProblem,
-        tangents: &[Tangent],
-        growths: &[Option<DMatrix<f64>>],
-        start: &[f64],
-    ) {
-        for ((own, tangent), growth) in self.members.iter().zip(tangents).zip(growths) {
-            if let (Some(raceway), Some(tangent), Some(growth)) = (&own.raceway, &tangent.raceway, growth) {
-                raceway.put(problem, (tangent, growth), &own.arms, start);
-            }
-        }
-    }
-
-    /// Returns the displacements of elastic raceways by the forces on cells, by bearing.
-    fn moved_by(&self, growths: &[Option<DMatrix<f64>>], forces: &[f64]) -> Vec<Vec<f64>> {
-        let mut moved = self.unmoved();
-        for (moved, growth) in moved.iter_mut().zip(growths) {
-            if let Some(growth) = growth {
-                let on_cells = DVector::from_row_slice(&forces[..growth.nrows().min(forces.len())]);
-                moved.copy_from_slice((growth.transpose() * on_cells).as_slice());
-            }
-        }
-        moved
-    }
-
-    /// Returns the displacements of elastic raceways without forces on cells.
-    fn unmoved(&self) -> Vec<Vec<f64>> {
-        self.members.iter().map(|own| vec![0.0; 2 * own.rollers()]).collect()
-    }
-
-    /// Returns the elastic raceways.
-    pub(super) fn raceways(&self, iteration: &NonlinearIteration) -> Vec<RacewayResult> {
-        let members = self.members.iter().zip(&iteration.states);
-        let elastic = members.filter(|(own, _)| own.raceway.is_some());
-        let result = |(own, state): (&Member, &NonlinearState)| RacewayResult {
-            bearing: own.bearing,
-            displacement: state.raceway.clone(),
-            loads: state.raceway_loads.iter().flat_map(|own| own.force).collect(),
-        };
-        elastic.map(result).collect()
-    }
-
     /// Replaces stiffness and load of a contact problem, whose motions are relative to `start`.
     fn put(&self, problem: &mut ContactProblem, tangents: &[Tangent], start: &[f64]) {
         let (mut stiffness, mut load) = (self.base.stiffness.clone(), self.base.load.clone());
@@ -552,44 +498,6 @@ impl<'a> NonlinearBearings<'a> {
         }
         Ok(())
     }
-
-    fn unbalanced(&self, iteration: &NonlinearIteration) -> EngineError {
-        let members = self.members.iter().zip(&iteration.states);
-        let worst = members.into_iter().find(|(own, _)| own.bearing == iteration.worst);
-        let Some((own, state)) = worst else {
-            return EngineError::new("E0726", "no deflection of the bearings balances the load", "");
-        };
-        let [x, y, z, ..] = state.evaluation.load;
-        let (force, highest) = (x.hypot(y).hypot(z), own.nonlinear.highest_load());
-        let name = &self.system.scene.bearings[own.bearing].name;
-        let (what, limit) = match own.nonlinear {
-            NonlinearLoad::Rolling(_) => ("rolling bearings", "its static load rating C0"),
-            NonlinearLoad::Curves(_) => ("bearings", "the largest force of its load curves"),
-        };
-        let message = format!(
-            "no deflection of the {what} balances the load: the search ended with {} on \"{name}\", {:.3} of {limit} = {}",
-            shown_force(force),
-            force / highest,
-            shown_force(highest)
-        );
-        let help = match own.nonlinear {
-            NonlinearLoad::Rolling(_) if force > highest => {
-                "check the unit of the load, or choose larger bearings: the static load rating is the limit of permanent deformation (ISO 76)"
-            }
-            NonlinearLoad::Rolling(_) => {
-                "support the body in every direction of its load: tapered roller bearings carry axial force in the sense of `thrust` only, cylindrical roller and needle bearings none"
-            }
-            NonlinearLoad::Curves(_) => {
-                "check the units of the load and of the curve, and support the body in every direction of its load"
-            }
-        };
-        EngineError::new("E0726", message, help).about(Subject::Bearing(own.bearing))
-    }
-}
-
-/// Formats a force in N or kN.
-fn shown_force(newtons: f64) -> String {
-    if newtons < 1e3 { format!("{newtons:.1} N") } else { format!("{:.2} kN", 1e-3 * newtons) }
 }
 
 impl Member {

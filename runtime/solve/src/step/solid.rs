@@ -197,17 +197,17 @@ impl ContactGeometry for Solid<'_> {
         let Some((structure, raceway)) = structure.and_then(|own| Some((own, own.raceway()?))) else {
             return Ok(DMatrix::zeros(0, 0));
         };
-        let cells = laid.iter().map(|(_, grid)| grid.cells.len()).sum();
+        let (stop, cells) = (&self.system.interrupt, laid.iter().map(|(_, grid)| grid.cells.len()).sum());
         let (mut growth, mut first) = (DMatrix::zeros(cells, raceway.terms()), 0);
         for (candidate, grid) in laid {
-            let pair = self.pair(candidate);
+            let (pair, count) = (self.pair(candidate), grid.cells.len());
             for side in (0..2).filter(|&side| pair.bodies[side].0 == body) {
                 let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
                 let segments: Vec<_> = grid.cells.iter().map(|cell| cell.segment(side)).collect();
-                let moved = structure.interface_displacements(chart, &segments, &self.system.interrupt)?;
-                growth.rows_mut(first, segments.len()).copy_from(&dense(moved.transpose()));
+                let moved = dense(structure.interface_displacements(chart, &segments, stop)?.transpose());
+                growth.rows_mut(first, count).copy_from(&moved);
             }
-            first += grid.cells.len();
+            first += count;
         }
         Ok(growth)
     }
