@@ -253,7 +253,7 @@ fn analyze(
 ) -> Result<(), RuntimeError> {
     check_unrestrained(host);
     check_loads(host, analysis, options.fidelity)?;
-    check_raceways(host)?;
+    check_raceways(host, analysis)?;
     let request = Request::new(&host.scene, &host.outputs, analysis, options);
     host.findings.extend(without_value(host, &request));
     let mut observer = host.observer.take();
@@ -323,7 +323,7 @@ pub fn check_plan(host: &mut ModelHost, interrupt: &Interrupt) -> Result<Plan, R
     if let Some(asked) = host.asked {
         check_loads(host, analysis.as_ref(), asked.fidelity)?;
     }
-    check_raceways(host)?;
+    check_raceways(host, analysis.as_ref())?;
     let unasked = host.overrides.fidelity.unwrap_or(Fidelity::Plane);
     let request = Request {
         scene: &host.scene,

@@ -3,6 +3,7 @@
 use crate::error::Severity;
 use crate::host::{Finding, ModelHost, shown};
 use calyx_abi::RuntimeError;
+use calyx_runtime::analyses::Analysis;
 use calyx_runtime::bearing::{Bearing, InBore};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::rolling::{Elements, Row};
@@ -16,7 +17,7 @@ const FIT: f64 = 0.01;
 ///
 /// # Errors
 /// E0687: a bearing is not coaxial with the bore.
-pub(crate) fn check_raceways(host: &mut ModelHost) -> Result<(), RuntimeError> {
+pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> Result<(), RuntimeError> {
     let mut found = Vec::new();
     for body in 0..host.scene.bodies.len() {
         let gear = host.body_gears.get(body).copied().flatten().and_then(|gear| host.gears.get(gear));
@@ -30,6 +31,11 @@ pub(crate) fn check_raceways(host: &mut ModelHost) -> Result<(), RuntimeError> {
             .collect();
         if inside.is_empty() {
             found.push(no_rollers(host, body));
+        } else if analysis.has_inertia() {
+            let name = &host.scene.bodies[body].name;
+            let message = format!("the raceway in the bore of \"{name}\" is rigid in a dynamic analysis");
+            let help = "find the loads of its rollers by a quasi-static analysis";
+            found.push(EngineError::new("E0700", message, help).about(Subject::Body(body)));
         }
         for bearing in inside {
             found.extend(bore.misfit(host, bearing)?);

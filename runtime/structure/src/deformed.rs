@@ -52,7 +52,7 @@ pub enum BodyLoads<'a> {
     Plane {
         /// Forces on its surfaces.
         surfaces: &'a [SurfaceLoad],
-        /// Forces on the displacements of its bore ([`Structure::interface_compliance`]), N/m;
+        /// Forces on the displacements of its bore ([`crate::Structure::interface_compliance`]), N/m;
         /// empty for a body without such.
         interface: &'a [f64],
     },
