@@ -282,7 +282,7 @@ fn rollers(
 /// Dimensions of a row of rollers: number, diameter, length and pitch diameter.
 type RollerSize = (f64, f64, f64, f64);
 
-/// Profile of rollers with the number of laminae, and the widths of the inner and the outer raceway.
+/// Profile of rollers with the number of laminae, and the widths of the inner and outer raceways.
 type RollerProfile = (Profile, f64, [Option<f64>; 2]);
 
 /// Adds a bearing with a row of cylindrical rollers.

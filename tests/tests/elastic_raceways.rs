@@ -82,8 +82,8 @@ fn rollers_balance_the_teeth() {
     }
 }
 
-/// The results of stiff gears, with rings of the same material, approach those of a rigid raceway as
-/// the compliance vanishes.
+/// The results of stiff gears, with rings of the same material, approach those of a rigid raceway
+/// as the compliance vanishes.
 #[test]
 fn a_stiff_gear_has_the_loads_of_a_rigid_raceway() {
     let difference = |modulus: f64, name: &str| {

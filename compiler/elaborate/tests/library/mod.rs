@@ -49,7 +49,7 @@ const ANY_DIMENSION: [(&str, &str); 4] =
     [("interpolate", "xs"), ("interpolate", "ys"), ("interpolate", "x"), ("column", "unit")];
 
 /// Functions that read tables from files.
-const OF_FILES: [&str; 15] = [
+const OF_FILES: [&str; 16] = [
     "read_table",
     "column",
     "nastran",
@@ -57,6 +57,7 @@ const OF_FILES: [&str; 15] = [
     "gmsh",
     "condensed_body",
     "attachment",
+    "bore_region",
     "opening",
     "radiated_power",
     "sound_power_level",
