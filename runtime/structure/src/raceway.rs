@@ -54,8 +54,8 @@ impl Raceway {
     }
 
     /// Returns the terms at an angle (rad) along a roller of a length (m) whose middle has an axial
-    /// coordinate (m): their means, and the derivatives along the axis of the lines that are nearest
-    /// to them in the mean square, 1/m. In a plane model the derivatives vanish.
+    /// coordinate (m): their means, and the derivatives along the axis of the lines that are
+    /// nearest to them in the mean square, 1/m. In a plane model the derivatives vanish.
     ///
     /// Conjugate to the mean is the uniformly distributed force of a roller, to the derivative the
     /// moment of a linear pressure.

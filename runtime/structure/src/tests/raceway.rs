@@ -180,7 +180,7 @@ fn displacements_beyond_the_half_plane_do_not_depend_on_the_distribution_of_forc
             // The ring's smooth displacement is averaged over the load: an error of second order.
             let expected = modulus * (narrow + (narrow - wide) / 3.0);
             let found = modulus * found;
-            // Half-planes move by 2.3 to 2.9 in these loads. The tolerance was set after the result.
+            // Half-planes move by 2.3 to 2.9 in these loads. The tolerance was set afterwards.
             assert!((found - expected).abs() < 0.1, "{harmonics} harmonics: {found} {expected}");
         }
     }
