@@ -9,8 +9,8 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::rolling::{Elements, Row};
 use calyx_runtime::structure::BoreSupport;
 
-/// Difference between the diameter of a bore and that of the raceway of the rollers, relative to
-/// it, from which it is reported.
+/// Part of a size by which a bore may exceed the raceway of its rollers, and these the bore, without
+/// a warning.
 const FIT: f64 = 0.01;
 
 /// Checks the raceways in the bores of gears, and adds warnings to the findings.
@@ -54,7 +54,7 @@ pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> R
 fn no_rollers(host: &ModelHost, body: usize) -> EngineError {
     let name = &host.scene.bodies[body].name;
     let message = format!(
-        "the bore of \"{name}\" is a raceway, and no cylindrical rollers run in it: it deforms like a free bore"
+        "the bore of \"{name}\" is a raceway, and no cylindrical rollers run in it: it deforms like a free bore, and bearings have rigid rings"
     );
     let help = "mount a `needle_bearing` or `cylindrical_roller_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"";
     EngineError::new("E0700", message, help).about(Subject::Body(body))
@@ -84,7 +84,8 @@ impl Bore {
             let diameter = Row::pitch_diameter(row) + rollers.geometry().roller_diameter;
             let middle = placed.z + placed.sense * row.position;
             let beyond = middle.abs() + 0.5 * rollers.geometry().length - 0.5 * self.width;
-            if (2.0 * self.radius - diameter).abs() > FIT * diameter {
+            // That rollers need a larger bore is reported with the sizes of all bearings.
+            if 2.0 * self.radius > (1.0 + FIT) * diameter {
                 found.push((
                     format!(
                         "the bore of \"{gear}\" has a diameter of {}, and the rollers of bearing \"{name}\" need a raceway of {}: a ring between them is not modelled",

@@ -129,8 +129,8 @@ impl BoreCoupling {
         self.spline_teeth.as_ref().map_or_else(Vec::new, |spline_teeth| spline_teeth.forces(in_body.as_ref()))
     }
 
-    /// Returns the displacements of the interface under loads on a tooth: displacements by loads; no
-    /// rows without an interface.
+    /// Returns the displacements of the interface under loads on a tooth: displacements by loads;
+    /// no rows without an interface.
     pub fn interface_displacements(&self, tooth: u32, forces: &Mat<f64>) -> Mat<f64> {
         match &self.interface {
             Some(interface) => {

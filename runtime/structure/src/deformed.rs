@@ -52,8 +52,8 @@ pub enum BodyLoads<'a> {
     Plane {
         /// Forces on its surfaces.
         surfaces: &'a [SurfaceLoad],
-        /// Forces on the displacements of its bore ([`crate::Structure::interface_compliance`]), N/m;
-        /// empty for a body without such.
+        /// Forces on the displacements of its bore, N/m, see
+        /// [`crate::Structure::interface_compliance`]; empty for a body without such.
         interface: &'a [f64],
     },
     /// Loads on a three-dimensional body.

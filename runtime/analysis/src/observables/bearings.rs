@@ -90,8 +90,8 @@ impl Equilibrium<'_> {
     }
 
     /// Returns the forces on the displacements of the bore of a body on which contact outside of
-    /// its structure acts, in the unit of the contact problem: of spline teeth with clearance, or of
-    /// rollers on the terms of a raceway. Empty for another bore.
+    /// its structure acts, in the unit of the contact problem: of spline teeth with clearance, or
+    /// of rollers on the terms of a raceway. Empty for another bore.
     pub(super) fn interface_forces(self, body: BodyId) -> Vec<f64> {
         let mut total = self.spline_clearance_forces(body);
         for raceway in &self.step.raceways {

@@ -1,14 +1,14 @@
 //! Outer raceways of roller bearings that are the bore of an elastic body.
 //!
-//! The rollers of a bearing press on the bore at their own angles, and each has its own displacement
-//! of the raceway `v`: radial, and its derivative along the axis. With the loads `f` of the rollers
-//! on it and the forces `p` of teeth it is `v = H p + C f`. The bore is a series
-//! ([`calyx_structure::Raceway`]), and `C` the compliance of the body in this series. The contact of
-//! a roller is that of half-spaces, whose displacement in the same series would count twice, so `C`
-//! is without it: both have the same displacements at short wavelengths, and their difference
-//! converges quickly with the number of terms.
+//! The rollers of a bearing press on the bore at their own angles. At each of them the raceway has
+//! a displacement `v`: radial, and its derivative along the axis. With the loads `f` of the rollers
+//! and the forces `p` of teeth, `v = H p + C f`. The displacement of the bore is a series
+//! ([`calyx_structure::Raceway`]), and `C` the compliance of the body in this series. The contact
+//! of a roller is that of half-spaces, whose displacement in the same series would count twice, so
+//! it is subtracted from `C`: body and half-space have the same displacements at short wavelengths,
+//! and their difference converges quickly with the number of terms.
 //!
-//! With linearized rollers, `f = c + B q - K v` at the deflection `q` of the bearing, the raceway is
+//! With linearized rollers, `f = c + B q - K v` at the deflection `q` of the bearing, `v` is
 //! eliminated from the contact problem: `v = M (H p + C (c + B q))` with `M = (I + C K)^-1`.
 //!
 //! See `docs/theory/rolling-bearings.md`.

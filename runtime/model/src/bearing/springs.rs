@@ -232,8 +232,8 @@ impl Bearing {
     }
 
     /// Returns the force of springs, stops and the given nonlinear load on the first race at a
-    /// deflection and at forces on the walls (N), along the bearing's axes, N and N m. The nonlinear
-    /// load is that at the fidelity and the time of the position.
+    /// deflection and at forces on the walls (N), along the bearing's axes, N and N m. The
+    /// nonlinear load is that at the fidelity and the time of the position.
     pub fn push(&self, deflection: &[f64; 6], walls: &[f64], nonlinear: Option<&NonlinearLoad>) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
         let mut push: [f64; 6] = std::array::from_fn(|k| own[k] - sprung[k]);

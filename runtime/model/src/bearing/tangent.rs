@@ -11,7 +11,7 @@ pub struct Tangent {
     pub stiffness: BearingMatrix,
     /// Force on the first race at zero deflection of the linearized bearing, N and N m.
     pub load: [f64; 6],
-    /// Elastic raceway, of which the rest is the elimination.
+    /// Rollers on an elastic raceway; stiffness and load are those after its elimination.
     pub raceway: Option<RacewayTangent>,
 }
 

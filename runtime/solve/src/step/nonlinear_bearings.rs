@@ -517,8 +517,8 @@ impl Member {
     }
 
     /// Returns the deflections of the solution of a contact problem with this tangent, and the
-    /// linearized loads, as [`deflections`] and [`loads`]. `moved` is the displacement of an elastic
-    /// raceway by the forces of cells.
+    /// linearized loads, as [`deflections`] and [`loads`]. `moved` is the displacement of an
+    /// elastic raceway by the forces of cells.
     fn linearized(&self, tangent: &Tangent, motion: &[f64], moved: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let deflection = self.deflection(motion);
         let (mut next, mut load) = (deflection.to_vec(), tangent.load_at(&deflection).to_vec());
