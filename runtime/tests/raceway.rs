@@ -151,7 +151,7 @@ fn half_space_bump(half: f64) -> f64 {
 
 /// Displacements of the whole mesh under forces per width, without mean motion of the bore.
 fn displacements(model: &PlaneModel, load: &[f64]) -> Vec<f64> {
-    let (forms, motions) = (bore_means(model, TEETH), model.rigid_body_modes());
+    let (forms, motions) = (bore_means(model), model.rigid_body_modes());
     let dot = |one: &[f64], other: &[f64]| one.iter().zip(other).map(|(a, b)| a * b).sum::<f64>();
     let seen = Matrix3::from_fn(|form, motion| dot(&forms[form], &motions[motion]));
     // Tractions of the frame balance the load.

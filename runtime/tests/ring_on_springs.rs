@@ -81,7 +81,7 @@ impl Prototype for Ring {
 fn of_whole() -> Vec<f64> {
     let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let (mass, mut stiffness) = (model.mass().to_dense(), model.stiffness().to_dense());
-    let forms = bore_means(&model, TEETH);
+    let forms = bore_means(&model);
     assert_eq!(forms.len(), 3);
     // The value of each form for the motions of a frame gives the frame motion of a bore
     // displacement.

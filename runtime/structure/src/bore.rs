@@ -61,27 +61,13 @@ pub enum BoreSupport {
 }
 
 impl BoreSupport {
-    /// Returns the number of unknowns that constrain the bore of a ring with separate tables for
-    /// sectors up to `coupled` apart; 0 for a rigid bore.
-    pub fn unknowns(self, in_plane: bool, sectors: u32, coupled: u32) -> usize {
-        let known = if in_plane { self.plane_window(sectors, coupled) } else { coupled };
-        let Some(wanted) = RequestedMeans::for_ring(self, sectors, known) else { return 0 };
+    /// Returns the number of unknowns that constrain the bore of a ring; 0 for a rigid bore.
+    pub fn unknowns(self, in_plane: bool) -> usize {
+        let Some(wanted) = RequestedMeans::for_ring(self) else { return 0 };
         let wanted = if in_plane { wanted.in_plane() } else { wanted };
         let ends = if in_plane { [0.0; 2] } else { [-1.0, 1.0] };
         let patterns = BoreConstraints::new(RevolutionSurface::cylinder(1.0, ends), wanted, in_plane);
         patterns.map_or(0, |patterns| patterns.places.len())
-    }
-
-    /// Returns true if loads act all around a plane ring with this support and are resolved through
-    /// its cuts.
-    pub fn couples_all_sectors(self) -> bool {
-        matches!(self, BoreSupport::Means { .. } | BoreSupport::Raceway { .. })
-    }
-
-    /// Returns the largest distance of sectors of a plane ring that are coupled without a series,
-    /// if those up to `coupled` apart have tables.
-    pub(super) fn plane_window(self, sectors: u32, coupled: u32) -> u32 {
-        if self.couples_all_sectors() { sectors } else { coupled }
     }
 
     /// Adapts an error in condensing a ring with this support: for a coarse bore it names the
@@ -96,11 +82,6 @@ impl BoreSupport {
         }
     }
 }
-
-/// Harmonics around the bore, and degree along it, that couple distant sectors. The truncation
-/// error is less than a hundredth of the coupling of neighbours (`tests/bore.rs`).
-const COUPLED_HARMONICS: u16 = 16;
-const COUPLED_DEGREE: u8 = 1;
 
 /// Linear forms of the displacements of one sector whose sums over the ring vanish.
 pub(super) struct BoreMeans {
@@ -127,8 +108,6 @@ pub(super) struct RequestedMeans {
     /// Harmonics, as in [`BoreSupport::Means`].
     pub harmonics: Option<u16>,
     pub degree: u8,
-    /// Highest harmonic of additional means that are released, if any.
-    pub coupled: Option<u16>,
     /// Spline teeth against which means are released. Unless the teeth are `with_clearance`, the
     /// rigid-body motion is released too.
     pub spline_teeth: Option<SplineTeeth>,
@@ -139,30 +118,27 @@ pub(super) struct RequestedMeans {
 }
 
 impl RequestedMeans {
-    /// Selects the means for a ring with tables for sectors up to `coupled` apart; more distant
-    /// ones are coupled through the bore. `None` for a rigid bore.
-    pub fn for_ring(support: BoreSupport, sectors: u32, coupled: u32) -> Option<Self> {
-        let means = |harmonics, degree| Self::of_means(harmonics, degree, sectors, coupled);
+    /// Selects the means for a ring; `None` for a rigid bore.
+    pub fn for_ring(support: BoreSupport) -> Option<Self> {
+        let means = Self::of_means(None, 0);
         match support {
             BoreSupport::Rigid => None,
-            BoreSupport::Means { harmonics, degree } => Some(means(harmonics, degree)),
+            BoreSupport::Means { harmonics, degree } => Some(Self::of_means(harmonics, degree)),
             BoreSupport::SplineTeeth(spline_teeth) => {
-                Some(Self { spline_teeth: Some(spline_teeth), ..means(None, 0) })
+                Some(Self { spline_teeth: Some(spline_teeth), ..means })
             }
             BoreSupport::SplineWithClearance { spline_teeth, .. } => {
-                Some(Self { spline_teeth: Some(spline_teeth), with_clearance: true, ..means(None, 0) })
+                Some(Self { spline_teeth: Some(spline_teeth), with_clearance: true, ..means })
             }
             BoreSupport::Raceway { harmonics, degree } => {
-                Some(Self { raceway: Some((harmonics, degree)), ..means(None, 0) })
+                Some(Self { raceway: Some((harmonics, degree)), ..means })
             }
         }
     }
 
     /// Selects the means for a bore with mean constraints.
-    pub fn of_means(harmonics: Option<u16>, degree: u8, sectors: u32, coupled: u32) -> Self {
-        let most = u16::try_from(sectors).unwrap_or(u16::MAX);
-        let coupled = (coupled < sectors / 2).then_some(COUPLED_HARMONICS.min(most));
-        Self { harmonics, degree, coupled, spline_teeth: None, with_clearance: false, raceway: None }
+    pub fn of_means(harmonics: Option<u16>, degree: u8) -> Self {
+        Self { harmonics, degree, spline_teeth: None, with_clearance: false, raceway: None }
     }
 
     /// Returns the selection for a plane model, without variation along the axis.
@@ -205,7 +181,6 @@ impl BoreConstraints {
         });
         let most_harmonics = [
             wanted.harmonics,
-            wanted.coupled,
             spline_teeth.map(|spline_teeth| spline_teeth.harmonics()),
             raceway.map(|raceway| raceway.harmonics),
         ];
@@ -213,11 +188,7 @@ impl BoreConstraints {
         let degree =
             spline_teeth.map_or(wanted.degree, |spline_teeth| spline_teeth.degree.max(wanted.degree));
         let degree = raceway.map_or(degree, |raceway| raceway.degree.max(degree));
-        let highest = match wanted.coupled {
-            Some(_) if !in_plane => degree.max(COUPLED_DEGREE),
-            _ => degree,
-        };
-        let series = Series::new(surface, most_harmonics, highest)?;
+        let series = Series::new(surface, most_harmonics, degree)?;
         let (mut constrained, mut free) = match (spline_teeth.filter(|_| !wanted.with_clearance), in_plane) {
             (None, true) => (vec![0, 1, 5], vec![]),
             (None, false) => ((0..6).collect::<Vec<_>>(), vec![]),
@@ -232,12 +203,9 @@ impl BoreConstraints {
             }
             let of_hold = wanted.harmonics.is_some_and(|harmonics| term.harmonic <= harmonics)
                 && term.degree <= wanted.degree;
-            let of_coupling = wanted.coupled.is_some_and(|harmonics| term.harmonic <= harmonics)
-                && term.degree <= COUPLED_DEGREE;
             if of_hold {
                 constrained.push(6 + index);
-            } else if of_coupling
-                || spline_teeth.is_some_and(|spline_teeth| spline_teeth.needs(term))
+            } else if spline_teeth.is_some_and(|spline_teeth| spline_teeth.needs(term))
                 || raceway.is_some_and(|raceway| raceway.needs(term))
             {
                 free.push(6 + index);

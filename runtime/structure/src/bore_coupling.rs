@@ -1,24 +1,19 @@
-//! Coupling of loads on arbitrarily distant sectors through the bore of a ring.
+//! Coupling of loads with what supports the bore of a ring.
 //!
-//! On a rigid bore, teeth a few pitches apart are nearly independent. On a compliant bore they are
-//! coupled all around: two opposite forces make the whole ring oval. Tables for every pair of teeth
-//! would be large although their variation is smooth. The ring is therefore first solved with a
-//! series of the bore's displacements fixed at zero, so that distant teeth are again nearly
-//! independent. Then the amplitudes are released: they follow from their constraint forces, a few
-//! numbers for each load, and the flexibility of the ring to such forces. The tables of near teeth
-//! include this part; for distant teeth it is the only part. (In plane models cuts are small, and
-//! distant teeth on a bore with mean constraints only are coupled exactly through them:
-//! [`super::elastic::FarCoupling`].)
+//! The ring is first solved with a series of the bore's displacements fixed at zero. Then the
+//! amplitudes are released: they follow from their constraint forces, a few numbers for each load,
+//! and the flexibility of the ring to such forces. The tables of near teeth and
+//! [`super::far_coupling::FarCoupling`] include this part; contact on the bore outside of the
+//! structure ([`super::bore_interface`]) uses it.
 //!
 //! If spline teeth support the amplitudes ([`super::spline_teeth`]), the released amplitudes depend
 //! on the position of the loaded tooth, and not only on the distance of the observed one. In this
-//! case the tables do not include this part: it is added for near teeth as for distant ones, from
-//! the indices of both.
+//! case neither includes this part: it is added for all pairs of teeth, from the indices of both.
 //!
 //! See `docs/theory/substructures.md`.
 
 use super::bore_interface::BoreInterface;
-use super::dense::{Interruptible, add_product, product};
+use super::dense::{Interruptible, product};
 use super::ring::{ReleasedMeans, SharedUnknowns};
 use super::spline_teeth::{SplineToothForce, SplineToothSet};
 use calyx_numerics::error::EngineError;
@@ -28,11 +23,11 @@ use faer::{Mat, MatRef};
 /// Coupling of teeth without a common table: a load has some equivalent forces, which displace the
 /// other tooth's sector.
 pub(crate) trait Coupling {
-    /// Adds the equivalent forces of loads, given as columns of weights on the table of a side.
-    fn add_coupling_forces(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>);
+    /// Returns the number of equivalent forces.
+    fn count(&self) -> usize;
 
-    /// Returns zero equivalent forces for a number of loads.
-    fn no_coupling_forces(&self, loads: usize) -> Mat<f64>;
+    /// Returns the equivalent forces by the unknowns of a table, for a loadable side.
+    fn by_loads(&self, side: usize) -> Option<&Mat<f64>>;
 
     /// Returns the compliance between loads on two teeth: rows by the observed ones.
     ///
@@ -88,7 +83,7 @@ impl BoreCoupling {
         }
     }
 
-    /// Returns true if the tables of near teeth include the coupling through the bore.
+    /// Returns true if the tables and the coupling of distant teeth include this one.
     pub fn is_in_tables(&self) -> bool {
         self.spline_teeth.is_none()
     }
@@ -171,15 +166,12 @@ impl BoreCoupling {
 }
 
 impl Coupling for BoreCoupling {
-    /// Adds the constraint forces of the bore under the loads.
-    fn add_coupling_forces(&self, forces: &mut Mat<f64>, side: usize, columns: MatRef<'_, f64>) {
-        if let Some(loads) = self.loads.get(side) {
-            add_product(forces.as_mut(), 1.0, loads.as_ref(), columns);
-        }
+    fn count(&self) -> usize {
+        self.shared.count
     }
 
-    fn no_coupling_forces(&self, loads: usize) -> Mat<f64> {
-        Mat::zeros(self.shared.count, loads)
+    fn by_loads(&self, side: usize) -> Option<&Mat<f64>> {
+        self.loads.get(side)
     }
 
     fn compliance(

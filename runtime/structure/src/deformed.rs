@@ -134,7 +134,7 @@ impl MeshedBody {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(&model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
-        let (constrained, means) = match RequestedMeans::for_ring(ring.support, sectors, sectors) {
+        let (constrained, means) = match RequestedMeans::for_ring(ring.support) {
             None => (bore, None),
             Some(wanted) => {
                 let means = BoreMeans::plane(&model, chain(&model, ring.bore)?, wanted, interrupt)?;
@@ -145,14 +145,7 @@ impl MeshedBody {
         let cuts = match_cuts(&assembled.positions, &first, &last, &constrained, TAU / f64::from(sectors))
             .ok_or_else(|| StructureError::CutsDiffer { cuts: ring.cuts.map(String::from) })?;
         let nodes = assembled.positions.clone();
-        // Cuts are small: the flexibility covers all sectors.
-        let sector = ConstrainedSector {
-            sectors,
-            cuts,
-            constrained: assembled.dofs_of(&constrained),
-            means,
-            window: sectors,
-        };
+        let sector = ConstrainedSector { sectors, cuts, constrained: assembled.dofs_of(&constrained), means };
         let ring =
             SolvedRing::new(assembled, sector, |error| ring.support.with_bore_context(error), interrupt)?;
         let chains = surfaces.iter().map(|name| chain(&model, name).cloned());
@@ -179,8 +172,8 @@ impl MeshedBody {
         };
         let sectors = ring.sectors.max(1);
         let bore = faces(ring.bore)?;
-        let means = match (web, RequestedMeans::for_ring(ring.support, sectors, ring.coupled)) {
-            (Some(web), _) => Some(BoreMeans::on_web(&model, bore, web, [sectors, ring.coupled], interrupt)?),
+        let means = match (web, RequestedMeans::for_ring(ring.support)) {
+            (Some(web), _) => Some(BoreMeans::on_web(&model, bore, web, sectors, interrupt)?),
             (None, Some(wanted)) => Some(BoreMeans::solid(&model, bore, wanted, interrupt)?),
             (None, None) => None,
         };
@@ -195,13 +188,7 @@ impl MeshedBody {
         let assembled =
             Assembled::solid(&model.mesh, interrupt, || model.stiffness_until(|| interrupt.check()))?;
         let nodes = assembled.positions.clone();
-        let sector = ConstrainedSector {
-            sectors,
-            cuts,
-            constrained: assembled.dofs_of(&constrained),
-            means,
-            window: ring.coupled,
-        };
+        let sector = ConstrainedSector { sectors, cuts, constrained: assembled.dofs_of(&constrained), means };
         let solved =
             SolvedRing::new(assembled, sector, |error| ring.support.with_bore_context(error), interrupt)?;
         let sets = surfaces.iter().map(|name| faces(name).cloned()).collect::<Result<_, StructureError>>()?;
@@ -238,7 +225,8 @@ impl MeshedBody {
         let (by_tooth, on_bore) = self.forces(loads);
         let shown: Vec<u32> = self.with_stresses(&by_tooth).0;
         let _room = self.reserve(shown.len(), by_tooth.len(), interrupt)?;
-        let moved = self.mesh.ring.displacements(&by_tooth, on_bore, &shown)?;
+        let solution = self.mesh.ring.under(&by_tooth, on_bore, interrupt)?;
+        let moved = self.mesh.ring.displacements(&solution, &shown)?;
         let sector = |(&tooth, column): (&u32, faer::ColRef<'_, f64>)| {
             interrupt.check().map_err(StructureError::Interrupted)?;
             let moved: Vec<f64> = column.iter().copied().collect();
@@ -259,10 +247,11 @@ impl MeshedBody {
         let (by_tooth, on_bore) = self.forces(loads);
         let others = self.with_stresses(&by_tooth).1;
         let _room = self.reserve(AT_A_TIME.min(others.len()), by_tooth.len(), interrupt)?;
+        let solution = self.mesh.ring.under(&by_tooth, on_bore, interrupt)?;
         let mut all = Vec::new();
         for some in others.chunks(AT_A_TIME) {
             interrupt.check().map_err(StructureError::Interrupted)?;
-            let moved = self.mesh.ring.displacements(&by_tooth, on_bore, some)?;
+            let moved = self.mesh.ring.displacements(&solution, some)?;
             let moving = some.iter().zip(moved.col_iter());
             let moving = moving.filter(|(_, column)| column.iter().any(|&moved| moved != 0.0));
             all.extend(moving.map(|(&tooth, column)| {

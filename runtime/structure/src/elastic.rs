@@ -22,12 +22,10 @@
 //!
 //! See `docs/theory/compliance.md`.
 
-mod far_coupling;
 mod influence;
 mod local;
 mod modified_surface;
 
-pub(crate) use far_coupling::FarCoupling;
 pub(crate) use local::{Local, NormalAngle};
 
 use super::bore::{BoreMeans, RequestedMeans};
@@ -35,6 +33,7 @@ use super::bore_coupling::BoreCoupling;
 use super::bspline::BSpline;
 use super::condense::{Assembled, Condensed, Support, condense, match_cuts};
 use super::dense::Interruptible;
+use super::far_coupling::{FarCoupling, FarResponse};
 use super::kernel::{Mollifier, MollifierSamples, PairQuadrature};
 use super::ring::{ReleasedMeans, RingFlexibility};
 use super::sampling::{EdgeCoordinate, SplitOptions, sample};
@@ -107,10 +106,9 @@ pub struct ElasticStructure {
     /// Mixed derivative of the table of a surface with itself at the first and the last sample, by
     /// surface and pair of directions.
     pub(super) twists: Vec<[f64; 2]>,
-    /// Coupling through the cuts between sectors beyond those offsets.
+    /// Coupling of sectors beyond those offsets.
     pub(super) far: Option<FarCoupling>,
-    /// Coupling through the bore where the cuts do not provide it, and coupling through spline
-    /// teeth.
+    /// Coupling through what supports the bore: spline teeth or contact outside of the structure.
     pub(super) bore: Option<BoreCoupling>,
 }
 
@@ -168,9 +166,7 @@ impl ElasticStructure {
         let nodes = |name: &str| Ok::<_, StructureError>(model.mesh.chain_nodes(chain(model, name)?));
         let (first, last, bore) = (nodes(ring.cuts[0])?, nodes(ring.cuts[1])?, nodes(ring.bore)?);
         let sectors = ring.sectors.max(1);
-        // If loads act all around the ring, the window extends halfway round.
-        let window = ring.support.plane_window(sectors, ring.coupled);
-        let (constrained, means) = match RequestedMeans::for_ring(ring.support, sectors, window) {
+        let (constrained, means) = match RequestedMeans::for_ring(ring.support) {
             None => (bore, None),
             Some(wanted) => {
                 let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
@@ -190,7 +186,7 @@ impl ElasticStructure {
         let condensed = condense(&assembled, &support, Some(&cuts), &loads, &rows, interrupt)?;
         let mut flexibility = match &condensed.stiffness {
             Some(stiffness) => {
-                let flexibility = RingFlexibility::new(stiffness, sectors, window, interrupt);
+                let flexibility = RingFlexibility::new(stiffness, sectors, ring.coupled, interrupt);
                 Some(flexibility.map_err(|error| ring.support.with_bore_context(error))?)
             }
             None => None,
@@ -201,13 +197,12 @@ impl ElasticStructure {
         };
         let coupling = |released| bore_coupling(released, &condensed, &prepared, (sectors, angle), interrupt);
         let bore = released.map(coupling).transpose()?;
-        let first = ring.coupled.saturating_add(1);
-        let known = flexibility.as_ref().filter(|_| ring.support.couples_all_sectors());
-        let bytes = known.map_or(0, |known| FarCoupling::bytes_of(&condensed, known, first));
-        let _room = interrupt.reserve_memory(bytes).map_err(StructureError::Interrupted)?;
-        let far = known.and_then(|known| FarCoupling::new(&condensed, &prepared, known, (sectors, first)));
-        let joined = flexibility.as_ref().map(|flexibility| (flexibility, ring.coupled));
-        let body = Self::assemble(model, sectors, prepared, &condensed, joined, interrupt)?;
+        let far = match &flexibility {
+            Some(flexibility) => FarResponse::new(&condensed, flexibility, interrupt)?,
+            None => None,
+        };
+        let far = far.map(|far| far_coupling(far, &prepared, sectors));
+        let body = Self::assemble(model, sectors, prepared, &condensed, flexibility.as_ref(), interrupt)?;
         Ok(Self { far, bore, ..body })
     }
 
@@ -249,7 +244,7 @@ impl ElasticStructure {
         teeth: u32,
         prepared: Vec<Prepared>,
         condensed: &Condensed,
-        joined: Option<(&RingFlexibility, u32)>,
+        ring: Option<&RingFlexibility>,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let surface_modulus = model.material.surface_modulus(model.plane);
@@ -271,8 +266,7 @@ impl ElasticStructure {
             far: None,
             bore: None,
         };
-        let ring = joined.map(|(ring, _)| ring);
-        for offset in 0..=joined.map_or(0, |(ring, coupled)| ring.window().min(coupled)) {
+        for offset in 0..=ring.map_or(0, RingFlexibility::window) {
             let tables = structure.tables(offset, &prepared, condensed, ring, interrupt)?;
             structure.offsets.push(tables);
         }
@@ -459,6 +453,24 @@ fn bore_coupling(
         row += rows;
     }
     Ok(coupling)
+}
+
+/// Returns the coupling of the loads and stress recovery points of distant sectors.
+fn far_coupling(response: FarResponse, prepared: &[Prepared], sectors: u32) -> FarCoupling {
+    let (mut coupling, [loads, rows]) = FarCoupling::new(response, sectors);
+    let (mut load, mut row) = (0, 0);
+    for surface in prepared {
+        for of_direction in &surface.loads {
+            let table = loads.as_ref().subcols(load, of_direction.len());
+            let by_unknown = surface.surface.spline.coefficients(table.transpose());
+            coupling.loads.push(by_unknown.transpose().to_owned());
+            load += of_direction.len();
+        }
+        let count = surface.stress_rows.len();
+        coupling.stress.push(rows.as_ref().subrows(row, count).to_owned());
+        row += count;
+    }
+    coupling
 }
 
 /// Returns spline coefficients of a table in both variables.

@@ -20,6 +20,7 @@ mod condense;
 pub(crate) mod deformed;
 pub(crate) mod elastic;
 mod error;
+mod far_coupling;
 pub mod half_plane;
 mod interface;
 pub(crate) mod kernel;

@@ -56,12 +56,11 @@ struct WebHarmonic<'a> {
 }
 
 impl RevolvedWeb {
-    /// Returns the number of unknowns of the joint in a ring with tables for sectors up to
-    /// `coupled` apart.
-    pub fn unknowns(&self, sectors: u32, coupled: u32) -> usize {
+    /// Returns the number of unknowns of the joint.
+    pub fn unknowns(&self) -> usize {
         let [_, outside] = self.section.outermost();
         let cylinder = RevolutionSurface::cylinder(outside.radius, outside.ends);
-        let patterns = BoreConstraints::new(cylinder, self.wanted(sectors, coupled), false);
+        let patterns = BoreConstraints::new(cylinder, self.wanted(), false);
         patterns.map_or(0, |patterns| patterns.places.len())
     }
 
@@ -75,8 +74,8 @@ impl RevolvedWeb {
         Ok(RevolutionModel { mesh, material: self.material })
     }
 
-    pub(super) fn wanted(&self, sectors: u32, coupled: u32) -> RequestedMeans {
-        RequestedMeans::of_means(Some(self.harmonics), self.degree, sectors, coupled)
+    pub(super) fn wanted(&self) -> RequestedMeans {
+        RequestedMeans::of_means(Some(self.harmonics), self.degree)
     }
 
     /// Returns the forces on the outer surface by amplitudes of the series there, N/m, N and N m:
@@ -106,14 +105,7 @@ impl RevolvedWeb {
             BoreSupport::Means { harmonics, degree } => {
                 let [inside, _] = self.section.outermost();
                 let cylinder = RevolutionSurface::cylinder(inside.radius, inside.ends);
-                let wanted = RequestedMeans {
-                    harmonics,
-                    degree,
-                    coupled: None,
-                    spline_teeth: None,
-                    with_clearance: false,
-                    raceway: None,
-                };
+                let wanted = RequestedMeans::of_means(harmonics, degree);
                 Some(BoreConstraints::new(cylinder, wanted, false).ok_or(StructureError::NoArea)?)
             }
         };
@@ -228,7 +220,7 @@ impl BoreMeans {
         model: &SolidModel,
         bore: &FaceSet,
         web: &RevolvedWeb,
-        [sectors, coupled]: [u32; 2],
+        sectors: u32,
         interrupt: &Interrupt,
     ) -> Result<Option<BoreMeans>, StructureError> {
         let [_, Station { ends: [from, to], .. }] = web.section.outermost();
@@ -241,7 +233,7 @@ impl BoreMeans {
         };
         let bore = FaceSet { faces: bore.faces.iter().filter(within).copied().collect(), chart: None };
         let Some(cylinder) = bore_surface(model, &bore) else { return Ok(None) };
-        let wanted = web.wanted(sectors, coupled);
+        let wanted = web.wanted();
         let Some(patterns) = BoreConstraints::new(cylinder, wanted, false) else { return Ok(None) };
         interrupt.check().map_err(StructureError::Interrupted)?;
         let forms = model.face_loads(&bore, |point| patterns.at(point.position));

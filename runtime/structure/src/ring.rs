@@ -17,6 +17,7 @@
 //!
 //! See `docs/theory/substructures.md`.
 
+mod chain;
 mod shared_unknowns;
 
 use super::bore_interface::BoreInterface;
@@ -25,9 +26,11 @@ use super::error::StructureError;
 pub use super::error::UnrestrainedRing;
 use super::spline_teeth::SplineToothSet;
 use calyx_numerics::interrupt::Interrupt;
+use chain::{Chain, ChainEnds};
 use faer::{Mat, MatRef};
 pub(crate) use shared_unknowns::SharedUnknowns;
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// If the independent part of a mean is a smaller share of it than this, the mean depends linearly
@@ -93,13 +96,8 @@ impl CutStiffness {
     }
 
     /// Returns the chain of `self` followed by `next`, with the cut between them condensed (report
-    /// eq. 2.80).
-    fn joined(&self, next: &Self, pitch: f64, interrupt: &Interrupt) -> Result<Self, StructureError> {
-        Ok(self.join(next, pitch, interrupt)?.0)
-    }
-
-    /// Returns the chain of `self` followed by `next`, and the dependence of the cut between them
-    /// on its ends and the shared unknowns. `pitch` is the angle of a sector.
+    /// eq. 2.80), and the dependence of that cut on the ends of the chain and the shared unknowns.
+    /// `pitch` is the angle of a sector.
     fn join(&self, next: &Self, pitch: f64, interrupt: &Interrupt) -> Result<(Self, Inner), StructureError> {
         let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
         let dense = Interruptible(&checkpoint);
@@ -125,26 +123,6 @@ impl CutStiffness {
         dense.add_product_lower(matrix.as_mut(), -1.0, coupling.transpose(), coupling.as_ref())?;
         let chain = Self::chain(matrix, self.shared.clone(), self.sectors + next.sectors);
         Ok((chain, Inner { factor, coupling }))
-    }
-
-    /// Returns the chain of `count >= 1` equal sectors, by doubling.
-    fn repeated(&self, count: u32, pitch: f64, interrupt: &Interrupt) -> Result<Self, StructureError> {
-        let mut power = self.clone();
-        let mut chain: Option<Self> = None;
-        let mut rest = count;
-        loop {
-            if rest & 1 == 1 {
-                chain = Some(match chain {
-                    None => power.clone(),
-                    Some(chain) => chain.joined(&power, pitch, interrupt)?,
-                });
-            }
-            rest >>= 1;
-            match chain {
-                Some(chain) if rest == 0 => return Ok(chain),
-                _ => power = power.joined(&power, pitch, interrupt)?,
-            }
-        }
     }
 }
 
@@ -180,13 +158,17 @@ impl Inner {
 }
 
 /// Flexibility of a ring: displacements of the cuts of every sector in a window, per unit force on
-/// the cuts of the first one.
-#[derive(Clone, Debug)]
+/// the cuts of the first one. Those of the other sectors are recovered on demand.
+#[derive(Clone)]
 pub struct RingFlexibility {
     /// Matrices by offset from the loaded sector. Rows are the first and last cut of the observed
     /// sector and the shared unknowns in its frame, columns those of the loaded one.
     by_offset: Vec<Mat<f64>>,
     shared: Arc<SharedUnknowns>,
+    sectors: u32,
+    /// Sectors outside the window, from behind it on to the loaded sector; `None` if there are
+    /// none.
+    outside: Option<Chain>,
 }
 
 /// Constrained mean displacements of the bore.
@@ -235,9 +217,10 @@ impl RingFlexibility {
         assert!(sectors >= 1, "a ring has sectors");
         let window = window.min(sectors / 2).min(sectors - 1);
         let (n, count) = (sector.cut_size(), sector.shared.count);
-        // Memory to join two chains, and for each sector of the window the eliminated cut, its
-        // cuts, its rows and its result.
-        let matrices = 12 + 4 * window as u64;
+        // Memory to join two chains, for each doubling two chains with the eliminated cut, and for
+        // each sector of the window the eliminated cut, its cuts, its rows and its result.
+        let doublings = (sectors - window).ilog2() + 1;
+        let matrices = 12 + 4 * u64::from(window + doublings);
         let bytes = matrices * (size_of::<f64>() * (2 * n + count).pow(2)) as u64;
         let _room = interrupt.reserve_memory(bytes).map_err(StructureError::Interrupted)?;
         let pitch = TAU / f64::from(sectors);
@@ -257,14 +240,17 @@ impl RingFlexibility {
             let place = |index: usize| if index < 2 * n { index % n } else { index - n };
             let size = 2 * n + count;
             let both = Mat::from_fn(size, size, |row, column| alone[(place(row), place(column))]);
-            return Ok(Self { by_offset: vec![both], shared: sector.shared.clone() });
+            return Ok(Self { by_offset: vec![both], shared: sector.shared.clone(), sectors, outside: None });
         }
         // The sectors outside the window, or its last one if there are none, extend from cut
         // `known` back to cut 0.
-        let outside = sectors - window - 1;
-        let (mut rest, known) = match outside {
-            0 => (sector.clone(), window),
-            _ => (sector.repeated(outside, pitch, interrupt)?, window + 1),
+        let outside = match sectors - window - 1 {
+            0 => None,
+            count => Some(Chain::sector(sector).repeated(count, pitch, interrupt)?),
+        };
+        let (mut rest, known) = match &outside {
+            None => (sector.clone(), window),
+            Some(outside) => (outside.stiffness.clone(), window + 1),
         };
         let mut passed = Vec::new();
         for _ in 1..known {
@@ -312,7 +298,7 @@ impl RingFlexibility {
             rows
         };
         let by_offset = (0..=window as usize).map(of_sector).collect();
-        Ok(Self { by_offset, shared: sector.shared.clone() })
+        Ok(Self { by_offset, shared: sector.shared.clone(), sectors, outside })
     }
 
     /// Returns the means that the shared unknowns from index `first` on constrain. `None` if there
@@ -359,6 +345,16 @@ impl RingFlexibility {
         Ok(Some(ReleasedMeans { shared, release, constraint_forces, spline_teeth: None, interface: None }))
     }
 
+    /// Returns the number of sectors of the ring.
+    pub fn sectors(&self) -> u32 {
+        self.sectors
+    }
+
+    /// Returns the degrees of freedom of one cut.
+    pub fn cut_size(&self) -> usize {
+        (self.at(0).nrows() - self.shared.count) / 2
+    }
+
     /// Returns the largest stored offset.
     pub fn window(&self) -> u32 {
         self.by_offset.len() as u32 - 1
@@ -368,6 +364,53 @@ impl RingFlexibility {
     /// its frame. `offset <= window()`.
     pub fn at(&self, offset: u32) -> MatRef<'_, f64> {
         self.by_offset[offset as usize].as_ref()
+    }
+
+    /// Returns the offsets of the sectors outside the window, ahead and behind.
+    pub fn offsets_outside(&self) -> Range<u32> {
+        let window = self.window();
+        window + 1..self.sectors.saturating_sub(window).max(window + 1)
+    }
+
+    /// Returns the cut displacements of the sectors outside the window, and the shared unknowns in
+    /// their frames, under forces on the cuts and the shared unknowns of the loaded sector: one
+    /// matrix for each of [`Self::offsets_outside`], with a column for each column of `forces`.
+    ///
+    /// # Errors
+    /// The computation is interrupted.
+    pub(crate) fn outside(
+        &self,
+        forces: MatRef<'_, f64>,
+        interrupt: &Interrupt,
+    ) -> Result<Vec<Mat<f64>>, StructureError> {
+        let Some(chain) = &self.outside else { return Ok(Vec::new()) };
+        let checkpoint = || interrupt.check().map_err(StructureError::Interrupted);
+        let dense = Interruptible(&checkpoint);
+        let (pitch, count) = (TAU / f64::from(self.sectors), self.shared.count);
+        let n = self.cut_size();
+        let offsets = self.offsets_outside();
+        let last = dense.product(self.at(0).subrows(0, n), forces)?;
+        let shared = dense.product(self.at(0).subrows(2 * n, count), forces)?;
+        let shared = |offset: u32| {
+            let mut rows = shared.clone();
+            self.shared.turn_rows(rows.as_mut(), f64::from(offset) * pitch);
+            rows
+        };
+        let mut cuts = vec![dense.product(self.at(self.window()).subrows(n, n), forces)?];
+        let first = cuts[0].clone();
+        let at_start = shared(offsets.start);
+        let ends = ChainEnds { first: first.as_ref(), last: last.as_ref(), shared: at_start.as_ref() };
+        chain.recover(ends, pitch, &mut cuts, interrupt)?;
+        cuts.push(last);
+        let of_sector = |offset: u32| {
+            let place = (offset - offsets.start) as usize;
+            let mut rows = Mat::zeros(forces.nrows(), forces.ncols());
+            rows.as_mut().subrows_mut(0, n).copy_from(&cuts[place]);
+            rows.as_mut().subrows_mut(n, n).copy_from(&cuts[place + 1]);
+            rows.as_mut().subrows_mut(2 * n, count).copy_from(shared(offset));
+            rows
+        };
+        Ok(offsets.clone().map(of_sector).collect())
     }
 }
 

@@ -4,8 +4,8 @@
 use super::bore_coupling::BoreCoupling;
 use super::bore_interface::BoreInterface;
 use super::bspline::BSpline;
-use super::elastic::FarCoupling;
 use super::elastic::{ElasticStructure, OffsetTables, Surface};
+use super::far_coupling::FarCoupling;
 use super::raceway::Raceway;
 use super::ring::SharedUnknowns;
 use super::sampling::EdgeCoordinate;
@@ -158,33 +158,38 @@ impl StoredBore<'_> {
 
 /// Serialized [`FarCoupling`].
 #[derive(Serialize, Deserialize)]
-struct StoredFar<'a> {
+pub(super) struct StoredFar<'a> {
     sectors: u32,
     first: u32,
-    /// Matrices by offset, loads, stress.
+    /// Compliances by offset, modes ahead and behind, loads, stress.
     #[serde(borrow)]
-    matrices: [Vec<Table<'a>>; 3],
+    matrices: [Vec<Table<'a>>; 5],
 }
 
 impl StoredFar<'_> {
-    fn of(far: &FarCoupling) -> Self {
+    pub fn of(far: &FarCoupling) -> Self {
         let tables = |matrices: &Vec<Mat<f64>>| matrices.iter().map(Table::from).collect();
-        let matrices = [&far.by_offset, &far.loads, &far.stress].map(tables);
+        let [ahead, behind] = &far.modes;
+        let matrices = [&far.by_offset, ahead, behind, &far.loads, &far.stress].map(tables);
         Self { sectors: far.sectors, first: far.first, matrices }
     }
 
-    fn coupling(&self) -> Option<FarCoupling> {
-        let [by_offset, loads, stress] = self
+    pub fn coupling(&self) -> Option<FarCoupling> {
+        let [by_offset, ahead, behind, loads, stress] = self
             .matrices
             .each_ref()
             .map(|tables| tables.iter().map(Table::matrix).collect::<Option<Vec<_>>>());
+        let (by_offset, modes, loads, stress) = (by_offset?, [ahead?, behind?], loads?, stress?);
+        let (count, shapes) = (by_offset.first()?.nrows(), modes[0].first()?.nrows());
+        let sized = |matrices: &[Mat<f64>], [rows, columns]: [usize; 2]| {
+            matrices.iter().all(|matrix| matrix.nrows() == rows && matrix.ncols() == columns)
+        };
+        let fits = sized(&by_offset, [count, count])
+            && modes.iter().all(|modes| modes.len() == by_offset.len() && sized(modes, [shapes, count]))
+            && loads.iter().all(|loads| loads.nrows() == count)
+            && stress.iter().all(|stress| stress.ncols() == shapes);
         let (sectors, first) = (self.sectors, self.first);
-        let far = FarCoupling { sectors, first, by_offset: by_offset?, loads: loads?, stress: stress? };
-        let size = far.by_offset.first().map_or(0, Mat::nrows);
-        let square = far.by_offset.iter().all(|matrix| matrix.nrows() == size && matrix.ncols() == size);
-        let fits = far.loads.iter().all(|loads| loads.nrows() == size)
-            && far.stress.iter().all(|stress| stress.ncols() == size);
-        (sectors > 0 && square && fits).then_some(far)
+        (sectors > 0 && fits).then_some(FarCoupling { sectors, first, by_offset, modes, loads, stress })
     }
 }
 

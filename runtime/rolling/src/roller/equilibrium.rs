@@ -14,6 +14,9 @@ const STEPS: usize = 80;
 const JOINT_STEPS: usize = 14;
 /// Residual relative to the sum of the forces on a roller.
 const TOLERANCE: f64 = 1e-13;
+/// A roller whose gap to the inner ring between laminae is so many times its approach to the outer
+/// one is clear of the inner ring with elastic contacts too.
+const CLEAR: f64 = 100.0;
 
 impl RollerRow {
     /// Computes the response of a roller with a centrifugal force, N. `start` has the state of the
@@ -27,6 +30,10 @@ impl RollerRow {
         if self.elastic.is_some() {
             // Elastic contacts change as laminae do.
             let (between, loaded) = self.between_laminae(ring, force);
+            if self.is_clear_of_inner_ring(ring, &between) {
+                *start = RollerStart::default();
+                return Response::default();
+            }
             laminae = loaded.then_some(between);
             first = Some(match (first, laminae, start.laminae) {
                 (Some(roller), Some(now), Some(before)) => [0, 1, 2].map(|k| roller[k] + now[k] - before[k]),
@@ -344,6 +351,22 @@ impl RollerRow {
         let mut loaded = false;
         plain.for_each_contact(&approaches, &roller, |_, _, load, _, _| loaded |= load > 0.0);
         (roller, loaded)
+    }
+
+    /// Returns true if a roller in equilibrium between laminae is so far from the inner ring that
+    /// it exerts no force on it: only its centrifugal force loads it, or nothing.
+    fn is_clear_of_inner_ring(&self, ring: &Local, between: &[f64; 3]) -> bool {
+        let plain = self.plain.as_deref().unwrap_or(self);
+        let approaches = plain.approaches(ring);
+        let contacts = plain.laminae.iter().map(|lamina| (&lamina.ring, &lamina.roller));
+        let contacts = contacts.chain(plain.rib.iter().map(|rib| (&rib.ring, &rib.roller)));
+        let [mut inner, mut outer] = [f64::NEG_INFINITY; 2];
+        for ((on_ring, roller), start) in contacts.zip(&approaches) {
+            let approach = start + dot(roller, between);
+            let highest = if on_ring == &[0.0; 3] { &mut outer } else { &mut inner };
+            *highest = highest.max(approach);
+        }
+        inner < -CLEAR * outer.max(0.0)
     }
 
     /// Newton's method for the displacement of a roller with elastic contact and the loads of its

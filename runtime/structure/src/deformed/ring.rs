@@ -15,7 +15,7 @@ use crate::ring::RingFlexibility;
 use calyx_fe::{Constraints, Solver, SparseVector};
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
 use faer::sparse::SparseColMat;
-use faer::{Mat, MatRef};
+use faer::{ColMut, Mat, MatRef};
 
 /// Ring that keeps its interior, in contrast to a condensed structure.
 pub(super) struct SolvedRing {
@@ -32,11 +32,21 @@ pub(super) struct SolvedRing {
     /// Solver of the interior, with fixed supports and both cuts fixed.
     inside: Solver,
     ring: RingFlexibility,
-    /// Coupling of sectors in addition to the ring's flexibility, and its equivalent forces by
-    /// those on cuts and means.
+    /// Coupling with what supports the bore, and its equivalent forces by those on cuts and means.
     bore: Option<(BoreCoupling, Mat<f64>)>,
     /// Memory reservation for the stiffness matrix.
     _room: MemoryReservation,
+}
+
+/// Displacements of the cuts of a ring under loads.
+pub(super) struct LoadedRing {
+    /// Displacements of the cuts and means of all sectors, one column each in the frame of the
+    /// sector.
+    unknowns: Mat<f64>,
+    /// Loaded sectors.
+    loaded: Vec<u32>,
+    /// Displacements of each loaded sector with fixed cuts.
+    alone: Mat<f64>,
 }
 
 /// Sector of a ring, and the support of the ring.
@@ -46,8 +56,6 @@ pub(super) struct ConstrainedSector {
     /// Fixed degrees of freedom.
     pub constrained: Vec<usize>,
     pub means: Option<BoreMeans>,
-    /// Largest distance of sectors that are coupled through their cuts.
-    pub window: u32,
 }
 
 impl SolvedRing {
@@ -58,11 +66,11 @@ impl SolvedRing {
         blamed: impl Fn(StructureError) -> StructureError,
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let ConstrainedSector { sectors, cuts, constrained, means, window } = sector;
+        let ConstrainedSector { sectors, cuts, constrained, means } = sector;
         let support = Support::for_ring(&constrained, means.as_ref());
         let condensed = condense(&assembled, &support, Some(&cuts), &[], &[], interrupt)?;
         let stiffness = condensed.stiffness.ok_or(StructureError::NoArea)?;
-        let mut ring = RingFlexibility::new(&stiffness, sectors, window, interrupt).map_err(&blamed)?;
+        let mut ring = RingFlexibility::new(&stiffness, sectors, 0, interrupt).map_err(&blamed)?;
         let released = means.as_ref().map(|means| means.release(&mut ring, interrupt));
         let released = released.transpose().map_err(blamed)?;
         let bore = released.flatten().map(|released| {
@@ -93,43 +101,45 @@ impl SolvedRing {
         })
     }
 
-    /// Returns displacements of sectors, one column each in the frame of the sector. The loads are
-    /// full vectors of forces on some sectors, in their own frames, and forces on the interface
-    /// of the bore, if any.
-    pub fn displacements(
+    /// Solves for the displacements of all cuts. The loads are full vectors of forces on some
+    /// sectors, in their own frames, and forces on the interface of the bore, if any.
+    pub fn under(
         &self,
         loads: &[(u32, Vec<f64>)],
         interface: &[f64],
-        wanted: &[u32],
-    ) -> Result<Mat<f64>, StructureError> {
+        interrupt: &Interrupt,
+    ) -> Result<LoadedRing, StructureError> {
         let dofs = self.stiffness.ncols();
         let forces = Mat::from_fn(dofs, loads.len(), |dof, column| loads[column].1[dof]);
         let alone = self.inside.solve(forces.as_ref())?;
         let on_cuts = self.on_cuts(&forces, &alone);
-        let answer = |sector: u32| {
-            let mut sum = Mat::zeros(on_cuts.nrows(), 1);
+        let own = product(self.ring.at(0), on_cuts.as_ref());
+        let others = self.ring.outside(on_cuts.as_ref(), interrupt)?;
+        let mut unknowns = Mat::zeros(on_cuts.nrows(), self.sectors as usize);
+        for (sector, mut sum) in (0..self.sectors).zip(unknowns.col_iter_mut()) {
             for (load, (loaded, _)) in loads.iter().enumerate() {
-                self.add_answer(&mut sum, sector, (*loaded, on_cuts.as_ref().subcols(load, 1)));
+                let ahead = self.sectors_ahead(*loaded, sector) as usize;
+                sum += ahead.checked_sub(1).map_or(&own, |place| &others[place]).col(load);
+                self.add_through_bore(sum.as_mut(), sector, (*loaded, on_cuts.as_ref().subcols(load, 1)));
             }
-            self.add_interface(&mut sum, sector, interface);
-            sum
-        };
-        let responses: Vec<Mat<f64>> = wanted.iter().map(|&sector| answer(sector)).collect();
-        // On a rigid bore, sectors far from all loads do not move.
-        let moves = |&at: &usize| responses[at].col(0).iter().any(|&value| value != 0.0);
-        let moving: Vec<usize> = (0..wanted.len()).filter(moves).collect();
-        let unknowns = Mat::from_fn(on_cuts.nrows(), moving.len(), |row, at| responses[moving[at]][(row, 0)]);
-        let mut cuts_moved = Mat::zeros(dofs, moving.len());
-        let rest = self.forces_inside(&unknowns, &mut cuts_moved);
-        cuts_moved += self.inside.solve(rest.as_ref())?;
-        let mut moved = Mat::zeros(dofs, wanted.len());
-        for (at, &column) in moving.iter().enumerate() {
-            moved.as_mut().col_mut(column).copy_from(cuts_moved.col(at));
+            self.add_interface(sum.as_mut(), sector, interface);
         }
+        let loaded = loads.iter().map(|&(sector, _)| sector).collect();
+        Ok(LoadedRing { unknowns, loaded, alone })
+    }
+
+    /// Returns the displacements of sectors, one column each in the frame of the sector.
+    pub fn displacements(&self, solution: &LoadedRing, wanted: &[u32]) -> Result<Mat<f64>, StructureError> {
+        let rows = solution.unknowns.nrows();
+        let unknowns =
+            Mat::from_fn(rows, wanted.len(), |row, at| solution.unknowns[(row, wanted[at] as usize)]);
+        let mut moved = Mat::zeros(self.stiffness.ncols(), wanted.len());
+        let rest = self.forces_inside(&unknowns, &mut moved);
+        moved += self.inside.solve(rest.as_ref())?;
         for (column, &sector) in wanted.iter().enumerate() {
-            if let Some(load) = loads.iter().position(|(loaded, _)| *loaded == sector) {
+            if let Some(load) = solution.loaded.iter().position(|&loaded| loaded == sector) {
                 let mut own = moved.as_mut().col_mut(column);
-                own += alone.col(load);
+                own += solution.alone.col(load);
             }
         }
         Ok(moved)
@@ -171,35 +181,33 @@ impl SolvedRing {
         (to % self.sectors + self.sectors - from % self.sectors) % self.sectors
     }
 
-    /// Adds the displacements of a sector's cuts and means, in its own frame, by forces on those of
-    /// another sector.
-    fn add_answer(&self, sum: &mut Mat<f64>, observer: u32, (loaded, forces): (u32, MatRef<'_, f64>)) {
-        let (ahead, behind) = (self.sectors_ahead(loaded, observer), self.sectors_ahead(observer, loaded));
-        let known = ahead.min(behind) <= self.ring.window();
-        if known {
-            let ring = self.ring.at(ahead.min(behind));
-            let ring = if ahead <= behind { ring } else { ring.transpose() };
-            add_product(sum.as_mut(), 1.0, ring, forces);
-        }
-        if let Some((bore, constraint_forces)) = &self.bore
-            && !(known && bore.is_in_tables())
-        {
-            let felt = product(constraint_forces.as_ref(), forces);
-            // A single load, without checkpoints.
-            if let Ok(amplitudes) = bore.amplitudes(observer, (loaded, &felt), &Interrupt::never()) {
-                add_product(sum.as_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
-            }
+    /// Adds the displacements of a sector's cuts and means, in its own frame, that spline teeth
+    /// cause under forces on those of another sector.
+    fn add_through_bore(
+        &self,
+        sum: ColMut<'_, f64>,
+        observer: u32,
+        (loaded, forces): (u32, MatRef<'_, f64>),
+    ) {
+        let Some((bore, constraint_forces)) = self.bore.as_ref().filter(|(bore, _)| !bore.is_in_tables())
+        else {
+            return;
+        };
+        let felt = product(constraint_forces.as_ref(), forces);
+        // A single load, without checkpoints.
+        if let Ok(amplitudes) = bore.amplitudes(observer, (loaded, &felt), &Interrupt::never()) {
+            add_product(sum.as_mat_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
         }
     }
 
     /// Adds the displacements of a sector's cuts and means by forces on the interface of the bore.
-    fn add_interface(&self, sum: &mut Mat<f64>, observer: u32, interface: &[f64]) {
+    fn add_interface(&self, sum: ColMut<'_, f64>, observer: u32, interface: &[f64]) {
         let Some((bore, constraint_forces)) = self.bore.as_ref().filter(|_| !interface.is_empty()) else {
             return;
         };
         let interface = MatRef::from_column_major_slice(interface, interface.len(), 1);
         if let Some(amplitudes) = bore.amplitudes_by_interface(observer, interface) {
-            add_product(sum.as_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
+            add_product(sum.as_mat_mut(), 1.0, constraint_forces.transpose(), amplitudes.as_ref());
         }
     }
 

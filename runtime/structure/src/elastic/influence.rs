@@ -1,13 +1,13 @@
 //! Influence functions of a condensed structure, evaluated from its tables: compliances between
 //! points of its surfaces, and stresses.
 
-use super::far_coupling::FarCoupling;
 use super::local::{Local, NormalAngle};
 use super::modified_surface::ModifiedStructure;
 use super::{ElasticStructure, Surface};
 use crate::bore_coupling::{BoreCoupling, Coupling};
 use crate::bspline::BSplineWeights;
-use crate::dense::mirror_lower;
+use crate::dense::{add_product, mirror_lower};
+use crate::far_coupling::FarCoupling;
 use crate::profile::Profile;
 use crate::raceway::Raceway;
 use crate::{Chart, ModifiedSurface, SplineToothForce, StressPoint, Structure, SurfaceLoad};
@@ -83,7 +83,7 @@ impl ElasticStructure {
         };
         let sides = if forward { [observe, load] } else { [load, observe] };
         let tables = self.offsets.get(ahead.min(behind) as usize);
-        if let Some(coupling) = self.coupling(tables.is_some()) {
+        for coupling in self.couplings(tables.is_some()) {
             self.add_through(coupling, forward, (observe, observers), (load, loads), block, interrupt)?;
         }
         let Some(tables) = tables else { return Ok(()) };
@@ -114,13 +114,11 @@ impl ElasticStructure {
         Ok(())
     }
 
-    /// Returns the coupling of two teeth in addition to their table, or in place of one.
-    fn coupling(&self, in_table: bool) -> Option<&dyn Coupling> {
-        match (&self.far, &self.bore) {
-            (Some(far), _) if !in_table => Some(far),
-            (_, Some(bore)) if !in_table || !bore.is_in_tables() => Some(bore),
-            _ => None,
-        }
+    /// Returns the couplings of two teeth in addition to their table, or in place of one.
+    fn couplings(&self, in_table: bool) -> impl Iterator<Item = &dyn Coupling> {
+        let far = self.far.as_ref().filter(|_| !in_table).map(|far| far as &dyn Coupling);
+        let bore = self.bore.as_ref().filter(|bore| !bore.is_in_tables());
+        far.into_iter().chain(bore.map(|bore| bore as &dyn Coupling))
     }
 
     /// Adds the coupling that [`Self::add_between`] adds to tables, computed in one of two
@@ -167,9 +165,11 @@ impl ElasticStructure {
         surface: u32,
         loads: impl ExactSizeIterator<Item = Local> + Clone,
     ) -> Mat<f64> {
-        let mut forces = coupling.no_coupling_forces(loads.len());
+        let mut forces = Mat::zeros(coupling.count(), loads.len());
         let places = self.surfaces.get(surface as usize).map_or(0, |surface| surface.spline.nodes().len());
         for direction in 0..self.directions {
+            let side = surface as usize * self.directions + direction;
+            let Some(table) = coupling.by_loads(side) else { continue };
             let mut columns = Mat::zeros(places, loads.len());
             for (column, load) in loads.clone().enumerate() {
                 let BSplineWeights { first, values } = load.weights;
@@ -177,11 +177,7 @@ impl ElasticStructure {
                     columns[(first + k, column)] = load.direction[direction] * value;
                 }
             }
-            coupling.add_coupling_forces(
-                &mut forces,
-                surface as usize * self.directions + direction,
-                columns.as_ref(),
-            );
+            add_product(forces.as_mut(), 1.0, table.as_ref(), columns.as_ref());
         }
         forces
     }
@@ -201,7 +197,7 @@ impl ElasticStructure {
             let ahead = self.sectors_ahead(chart.tooth, tooth);
             let behind = self.sectors_ahead(tooth, chart.tooth);
             let tables = self.offsets.get(ahead.min(behind) as usize);
-            if let Some(coupling) = self.coupling(tables.is_some()) {
+            for coupling in self.couplings(tables.is_some()) {
                 let felt = self.coupling_forces(coupling, chart.surface, [local].into_iter());
                 if let Some(through) = coupling.stresses(surface as usize, tooth, (chart.tooth, &felt)) {
                     let all = stress.iter_mut().zip(through.col(0).iter());
@@ -234,7 +230,7 @@ impl ElasticStructure {
         loads: impl Iterator<Item = (Chart, Local, f64)>,
     ) -> Vec<SplineToothForce> {
         let Some(bore) = &self.bore else { return Vec::new() };
-        let mut all = bore.no_coupling_forces(1);
+        let mut all = Mat::zeros(bore.count(), 1);
         for (chart, local, force) in loads {
             let constrained = self.coupling_forces(bore, chart.surface, [local].into_iter());
             all += bore.in_body(chart.tooth, &constrained) * faer::Scale(force);

@@ -128,8 +128,7 @@ pub(super) fn ring_sector(
     let constrained = assembled.dofs_of(&constrained);
     let matrices = (assembled.stiffness, model.mass());
     let sector = Sector::new(matrices, model.mesh.nodes.clone(), &constrained, count, Some(&cuts));
-    // Only the constrained means: the coupling of distant teeth needs no released ones here.
-    let Some(wanted) = RequestedMeans::for_ring(ring.support, count, count) else { return Ok(sector) };
+    let Some(wanted) = RequestedMeans::for_ring(ring.support) else { return Ok(sector) };
     let means = BoreMeans::plane(model, chain(model, ring.bore)?, wanted, interrupt)?;
     let means = means.ok_or(StructureError::NoArea)?;
     Ok(sector.with_mean_constraints(means.forms, means.shared))

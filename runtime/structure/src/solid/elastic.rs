@@ -31,6 +31,7 @@ use crate::condense::{Support, condense, match_cuts};
 use crate::dense::mirror_lower;
 use crate::elastic::NormalAngle;
 use crate::elastic::{OffsetTables, both_sides, starts};
+use crate::far_coupling::{FarCoupling, FarResponse};
 use crate::kernel::{MollifierSamples, PairQuadrature};
 use crate::sampling::EdgeCoordinate;
 use crate::surface::Surface;
@@ -114,6 +115,8 @@ pub struct ElasticSolid {
     /// rows for each point, Pa/N.
     pub(super) offsets: Vec<OffsetTables>,
     /// Coupling of sectors beyond those offsets.
+    pub(super) far: Option<FarCoupling>,
+    /// Coupling through what supports the bore: spline teeth or contact outside of the structure.
     pub(super) bore: Option<BoreCoupling>,
 }
 
@@ -168,8 +171,8 @@ impl ElasticSolid {
         (surfaces, options): (&[SolidSurfaceSource], &SolidSplitOptions),
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
-        let around = [ring.sectors.max(1), ring.coupled];
-        let means = BoreMeans::on_web(model, faces(model, ring.bore)?, web, around, interrupt)?;
+        let sectors = ring.sectors.max(1);
+        let means = BoreMeans::on_web(model, faces(model, ring.bore)?, web, sectors, interrupt)?;
         let means = Some(means.ok_or(StructureError::NoArea)?);
         Self::supported_ring(None, model, ring, (Vec::new(), means), (surfaces, options), interrupt)
     }
@@ -183,7 +186,7 @@ impl ElasticSolid {
         interrupt: &Interrupt,
     ) -> Result<Self, StructureError> {
         let bore = faces(model, ring.bore)?;
-        let support = match RequestedMeans::for_ring(ring.support, ring.sectors.max(1), ring.coupled) {
+        let support = match RequestedMeans::for_ring(ring.support) {
             None => (model.mesh.nodes_on(bore), None),
             Some(wanted) => {
                 let means = BoreMeans::solid(model, bore, wanted, interrupt)?;
@@ -217,8 +220,10 @@ impl ElasticSolid {
             .map_err(|error| ring.support.with_bore_context(error))?;
         let through = responses.bore.take();
         let bore = through.map(|through| bore_coupling(through, &prepared, modes.count(), (sectors, pitch)));
+        let far = responses.far.take();
+        let far = far.map(|far| far_coupling(far, &prepared, modes.count(), sectors));
         let body = Self::assemble(model, sectors, modes, prepared, &responses, interrupt)?;
-        Ok(Self { bore, ..body })
+        Ok(Self { far, bore, ..body })
     }
 
     /// Builds a body of a single mesh. `support` names a set of faces.
@@ -269,6 +274,7 @@ impl ElasticSolid {
             modes,
             surfaces: Vec::new(),
             offsets: Vec::new(),
+            far: None,
             bore: None,
         };
         for offset in 0..=responses.window() {
@@ -488,6 +494,19 @@ fn bore_coupling(
         coupling.loads.push(by_unknown(forces.as_ref().subcols(load, loads), &surface.known.spline, modes));
         coupling.stress.push(stresses.as_ref().subrows(row, rows).to_owned());
         (load, row) = (load + loads, row + rows);
+    }
+    coupling
+}
+
+/// Returns the coupling of the loads and stress recovery points of distant sectors.
+fn far_coupling(response: FarResponse, prepared: &[Prepared], modes: usize, sectors: u32) -> FarCoupling {
+    let (mut coupling, [loads, rows]) = FarCoupling::new(response, sectors);
+    let (mut load, mut row) = (0, 0);
+    for surface in prepared {
+        let own = loads.as_ref().subcols(load, surface.loads);
+        coupling.loads.push(by_unknown(own, &surface.known.spline, modes));
+        coupling.stress.push(rows.as_ref().subrows(row, surface.stress_rows).to_owned());
+        (load, row) = (load + surface.loads, row + surface.stress_rows);
     }
     coupling
 }

@@ -13,6 +13,7 @@ use super::{Mirror, SegmentLoad, SolidStructure, SurfaceSegment, SurfaceStress};
 use crate::bore_coupling::{BoreCoupling, Coupling};
 use crate::dense::{mirror_lower, product};
 use crate::elastic::NormalAngle;
+use crate::far_coupling::FarCoupling;
 use crate::raceway::Raceway;
 use crate::surface::Surface;
 use crate::{Chart, SplineToothForce};
@@ -27,6 +28,13 @@ impl ElasticSolid {
     /// Returns the number of sectors ahead, around the ring, from one tooth to another.
     fn sectors_ahead(&self, from: u32, to: u32) -> u32 {
         (to % self.teeth + self.teeth - from % self.teeth) % self.teeth
+    }
+
+    /// Returns the couplings of two teeth in addition to their table, or in place of one.
+    fn couplings(&self, in_table: bool) -> impl Iterator<Item = &dyn Coupling> {
+        let far = self.far.as_ref().filter(|_| !in_table).map(|far| far as &dyn Coupling);
+        let bore = self.bore.as_ref().filter(|bore| !bore.is_in_tables());
+        far.into_iter().chain(bore.map(|bore| bore as &dyn Coupling))
     }
 
     fn known(&self, chart: Chart) -> Option<&SurfaceTables> {
@@ -144,10 +152,6 @@ impl SolidStructure for ElasticSolid {
         let ahead = self.sectors_ahead(load.tooth, observe.tooth);
         let behind = self.sectors_ahead(observe.tooth, load.tooth);
         let tables = self.offsets.get(ahead.min(behind) as usize);
-        let bore = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables());
-        if tables.is_none() && bore.is_none() {
-            return Ok(());
-        }
         // Use the stored one of the two orientations: the observer ahead, or on the higher surface
         // of the same tooth, or the greater list of the same surface. Halfway round a ring with an
         // even number of teeth each is ahead of the other; the higher tooth decides.
@@ -181,14 +185,15 @@ impl SolidStructure for ElasticSolid {
             }
             None => Mat::zeros(second_points.len(), first_points.len()),
         };
-        if let Some(bore) = bore {
+        for coupling in self.couplings(tables.is_some()) {
             let felt = |known: &SurfaceTables, chart: Chart, points: &[SurfaceSegment]| {
-                let table = bore.loads.get(chart.surface as usize);
+                let table = coupling.by_loads(chart.surface as usize);
                 table.map(|table| self.points(known, points).columns(table, interrupt)).transpose()
             };
             let felt = felt(known[0], first, first_points)?.zip(felt(known[1], second, second_points)?);
-            let Some((by_first, by_second)) = felt else { return Ok(()) };
-            let through = bore.compliance((first.tooth, &by_first), (second.tooth, &by_second), interrupt)?;
+            let Some((by_first, by_second)) = felt else { continue };
+            let through =
+                coupling.compliance((first.tooth, &by_first), (second.tooth, &by_second), interrupt)?;
             values += through.transpose();
         }
         if same && order.is_eq() {
@@ -219,10 +224,10 @@ impl SolidStructure for ElasticSolid {
             let behind = self.sectors_ahead(tooth, chart.tooth);
             let tables = self.offsets.get(ahead.min(behind) as usize);
             let forces = self.points(loaded, segments).loads(forces);
-            if let Some(bore) = self.bore.as_ref().filter(|bore| tables.is_none() || !bore.is_in_tables()) {
-                let through = bore.loads.get(chart.surface as usize).and_then(|table| {
-                    let constrained = product(table.as_ref(), forces.as_ref());
-                    bore.stresses(surface as usize, tooth, (chart.tooth, &constrained))
+            for coupling in self.couplings(tables.is_some()) {
+                let through = coupling.by_loads(chart.surface as usize).and_then(|table| {
+                    let felt = product(table.as_ref(), forces.as_ref());
+                    coupling.stresses(surface as usize, tooth, (chart.tooth, &felt))
                 });
                 through.iter().for_each(|through| components += through);
             }
@@ -242,7 +247,7 @@ impl SolidStructure for ElasticSolid {
 
     fn spline_tooth_forces(&self, loads: &[SegmentLoad]) -> Vec<SplineToothForce> {
         let Some(bore) = &self.bore else { return Vec::new() };
-        let mut all = bore.no_coupling_forces(1);
+        let mut all = Mat::zeros(bore.count(), 1);
         for load in loads {
             let table = self.known(load.chart).zip(bore.loads.get(load.chart.surface as usize));
             let Some((loaded, table)) = table else { continue };
@@ -297,8 +302,9 @@ impl SolidStructure for ElasticSolid {
             [&tables.compliance, &tables.stress_ahead, &tables.stress_behind].into_iter().flatten().flatten()
         });
         let entries: usize = tables.map(|table| table.nrows() * table.ncols()).sum();
-        let bore = self.bore.as_ref().map_or(0, BoreCoupling::bytes);
-        self.surfaces.iter().map(known).sum::<usize>() + entries * size_of::<f64>() + bore
+        let couplings = self.bore.as_ref().map_or(0, BoreCoupling::bytes)
+            + self.far.as_ref().map_or(0, FarCoupling::bytes);
+        self.surfaces.iter().map(known).sum::<usize>() + entries * size_of::<f64>() + couplings
     }
 
     fn stored(&self) -> Option<Vec<u8>> {

@@ -6,12 +6,13 @@ use super::mirror_symmetry::MirrorMap;
 use crate::StructureError;
 use crate::condense::{Assembled, Condensed, Cuts, Support, condense};
 use crate::dense::Interruptible;
-use crate::elastic::{Response, response};
+use crate::elastic::{Response, response, starts};
+use crate::far_coupling::FarResponse;
 use crate::ring::{ReleasedMeans, RingFlexibility};
 use calyx_fe::SparseVector;
 use calyx_fe::solid::SolidModel;
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
-use faer::Mat;
+use faer::{Mat, MatRef};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -25,7 +26,9 @@ pub(super) struct Responses {
     loads: usize,
     rows: usize,
     parts: Vec<Part>,
-    /// Coupling of loads through a compliant bore.
+    /// Responses of sectors beyond the window.
+    pub far: Option<FarResponse>,
+    /// Coupling of loads with what supports the bore.
     pub bore: Option<BoreResponse>,
 }
 
@@ -99,7 +102,8 @@ impl Responses {
                 })
             };
             let bore = released.map(response).transpose()?;
-            return Ok(Self { bore, ..Self::of(vec![Part::whole(condensed, ring, exchange)], exchange) });
+            let responses = Self::of(vec![Part::whole(condensed, ring, exchange)], exchange);
+            return Ok(Self { bore, ..responses.with_far(interrupt)? });
         };
         // The folded vectors of both halves together are as large as those of the whole.
         let folded = exchange.rooms.iter().map(MemoryReservation::bytes).sum();
@@ -116,11 +120,52 @@ impl Responses {
             .zip([false, true])
             .map(of_half)
             .collect::<Result<_, StructureError>>()?;
-        Ok(Self::of(parts, exchange))
+        Self::of(parts, exchange).with_far(interrupt)
     }
 
     fn of(parts: Vec<Part>, exchange: &LoadsAndRows) -> Self {
-        Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts, bore: None }
+        Self { loads: exchange.loads.len(), rows: exchange.rows.len(), parts, far: None, bore: None }
+    }
+
+    /// Adds the responses of the sectors outside the window.
+    fn with_far(self, interrupt: &Interrupt) -> Result<Self, StructureError> {
+        let own = |part: &Part| match &part.ring {
+            Some(ring) => FarResponse::new(&part.condensed, ring, interrupt),
+            None => Ok(None),
+        };
+        let by_part = self.parts.iter().map(own).collect::<Result<Option<Vec<_>>, _>>()?;
+        let Some(by_part) = by_part else { return Ok(self) };
+        let far = self.combined(&by_part);
+        Ok(Self { far, ..self })
+    }
+
+    /// Returns the responses of distant sectors to all loads: the parts have separate modes.
+    fn combined(&self, by_part: &[FarResponse]) -> Option<FarResponse> {
+        let first = by_part.first()?.first;
+        let of_loads = starts(by_part.iter().map(|far| far.loads.nrows()));
+        let of_modes = starts(by_part.iter().map(|far| far.rows.ncols()));
+        let mut loads = Mat::zeros(*of_loads.last()?, self.loads);
+        let mut rows = Mat::zeros(self.rows, *of_modes.last()?);
+        for (place, (part, far)) in self.parts.iter().zip(by_part).enumerate() {
+            for (column, &load) in part.loads.iter().enumerate() {
+                let mut target = loads.as_mut().col_mut(load).subrows_mut(of_loads[place], far.loads.nrows());
+                target.copy_from(far.loads.col(column));
+            }
+            for (row, own) in part.rows.iter().enumerate() {
+                if let Some((own, sign)) = *own {
+                    let mut target =
+                        rows.as_mut().row_mut(row).subcols_mut(of_modes[place], far.rows.ncols());
+                    target.copy_from(far.rows.row(own) * faer::Scale(sign));
+                }
+            }
+        }
+        let distances = 0..by_part[0].by_offset.len();
+        let diagonal = |of: &dyn Fn(&FarResponse, usize) -> MatRef<'_, f64>| -> Vec<Mat<f64>> {
+            distances.clone().map(|place| block_diagonal(by_part.iter().map(|far| of(far, place)))).collect()
+        };
+        let by_offset = diagonal(&|far, place| far.by_offset[place].as_ref());
+        let modes = [0, 1].map(|side| diagonal(&|far, place| far.modes[side][place].as_ref()));
+        Some(FarResponse { first, by_offset, loads, modes, rows })
     }
 
     /// Returns the largest distance of a sector from a loaded one in the responses.
@@ -159,4 +204,15 @@ impl Responses {
         }
         Ok(all)
     }
+}
+
+/// Returns a matrix with blocks along its diagonal.
+fn block_diagonal<'a>(blocks: impl Iterator<Item = MatRef<'a, f64>>) -> Mat<f64> {
+    let mut all = Mat::zeros(0, 0);
+    for block in blocks {
+        let (rows, columns) = (all.nrows(), all.ncols());
+        all.resize_with(rows + block.nrows(), columns + block.ncols(), |_, _| 0.0);
+        all.as_mut().submatrix_mut(rows, columns, block.nrows(), block.ncols()).copy_from(block);
+    }
+    all
 }

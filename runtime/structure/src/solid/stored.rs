@@ -6,7 +6,7 @@ use super::axial_modes::AxialModes;
 use super::elastic::{ElasticSolid, SurfaceTables};
 use super::surface_metric::SurfaceMetric;
 use crate::sampling::EdgeCoordinate;
-use crate::stored::{StoredBore, StoredOffset, from_bytes, spline, to_bytes};
+use crate::stored::{StoredBore, StoredFar, StoredOffset, from_bytes, spline, to_bytes};
 use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -23,6 +23,8 @@ struct StoredSolid<'a> {
     surfaces: Vec<StoredSurface>,
     #[serde(borrow)]
     offsets: Vec<StoredOffset<'a>>,
+    #[serde(borrow)]
+    far: Option<StoredFar<'a>>,
     #[serde(borrow)]
     bore: Option<StoredBore<'a>>,
 }
@@ -57,6 +59,7 @@ impl ElasticSolid {
             modes: self.modes.clone(),
             surfaces: self.surfaces.iter().map(surface).collect(),
             offsets: self.offsets.iter().map(StoredOffset::of).collect(),
+            far: self.far.as_ref().map(StoredFar::of),
             bore: self.bore.as_ref().map(StoredBore::of),
         })
     }
@@ -89,6 +92,10 @@ impl ElasticSolid {
             Some(bore) => Some(bore.coupling()?),
             None => None,
         };
+        let far = match &stored.far {
+            Some(far) => Some(far.coupling()?),
+            None => None,
+        };
         Some(Self {
             teeth: stored.teeth,
             surface_modulus: stored.surface_modulus,
@@ -97,6 +104,7 @@ impl ElasticSolid {
             surfaces: stored.surfaces.into_iter().zip(surfaces).map(known).collect::<Option<_>>()?,
             offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
             modes,
+            far,
             bore,
         })
     }

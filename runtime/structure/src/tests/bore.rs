@@ -50,8 +50,8 @@ pub(super) struct Direct {
 
 /// Linear forms of the displacements of a ring's mesh that give the mean motion of its bore, one
 /// per row.
-pub fn bore_means(model: &PlaneModel, sectors: u32) -> Vec<Vec<f64>> {
-    let wanted = RequestedMeans::of_means(None, 0, sectors, sectors);
+pub fn bore_means(model: &PlaneModel) -> Vec<Vec<f64>> {
+    let wanted = RequestedMeans::of_means(None, 0);
     let bore = model.mesh.chain("bore").unwrap();
     let means = BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     means.forms.iter().map(|form| form.to_full(model.dof_count())).collect()
@@ -182,22 +182,21 @@ fn condensed_sectors_on_a_bore_constrained_in_the_mean_agree_with_the_whole_mesh
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations[0], at, along, 0.0)).collect();
     // Terms that are constrained and then released give the same result as terms that are never
     // constrained.
-    for (harmonics, coupled) in
-        [(None, None), (Some(0), None), (Some(1), None), (Some(4), None), (None, Some(4)), (Some(2), Some(3))]
-    {
-        let means = |model: &PlaneModel, coupled| {
+    for (harmonics, raceway) in [
+        (None, None),
+        (Some(0), None),
+        (Some(1), None),
+        (Some(4), None),
+        (None, Some((4, 0))),
+        (Some(2), Some((3, 0))),
+    ] {
+        let means = |model: &PlaneModel, raceway| {
             let bore = model.mesh.chain("bore").unwrap();
-            let wanted = RequestedMeans {
-                harmonics,
-                degree: 0,
-                coupled,
-                spline_teeth: None,
-                with_clearance: false,
-                raceway: None,
-            };
+            let wanted =
+                RequestedMeans { harmonics, degree: 0, spline_teeth: None, with_clearance: false, raceway };
             BoreMeans::plane(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
-        let of_sector = means(&sector, coupled);
+        let of_sector = means(&sector, raceway);
         let support = Support::Means { constrained: &[], means: &of_sector };
         let condensed =
             condense(&equations[0], &support, Some(&cuts), &loads, &loads, &Interrupt::never()).unwrap();
@@ -206,7 +205,7 @@ fn condensed_sectors_on_a_bore_constrained_in_the_mean_agree_with_the_whole_mesh
                 .unwrap();
         assert_eq!(
             ring.release(of_sector.constrained, None, &Interrupt::never()).unwrap().is_some(),
-            coupled.is_some()
+            raceway.is_some()
         );
         let direct = Direct::new(&equations[1], &whole.rigid_body_modes(), &means(&whole, None).forms);
         agree([&equations[0], &equations[1]], (&condensed, &ring), &direct, &points, pitch);
@@ -266,20 +265,14 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
     ];
     let loads: Vec<_> = points.iter().map(|&(at, along)| force(&equations[0], at, along, 0.0)).collect();
     let constrained = equations[0].dofs_of(&absent(sector));
-    for (harmonics, coupled) in [(None, None), (Some(2), None), (Some(1), Some(2))] {
-        let means = |model: &SolidModel, coupled| {
+    for (harmonics, raceway) in [(None, None), (Some(2), None), (Some(1), Some((2, 1)))] {
+        let means = |model: &SolidModel, raceway| {
             let bore = model.mesh.face_set("bore").unwrap();
-            let wanted = RequestedMeans {
-                harmonics,
-                degree: 1,
-                coupled,
-                spline_teeth: None,
-                with_clearance: false,
-                raceway: None,
-            };
+            let wanted =
+                RequestedMeans { harmonics, degree: 1, spline_teeth: None, with_clearance: false, raceway };
             BoreMeans::solid(model, bore, wanted, &Interrupt::never()).unwrap().unwrap()
         };
-        let of_sector = means(sector, coupled);
+        let of_sector = means(sector, raceway);
         let support = Support::Means { constrained: &constrained, means: &of_sector };
         let condensed =
             condense(&equations[0], &support, Some(&cuts), &loads, &loads, &Interrupt::never()).unwrap();
@@ -288,7 +281,7 @@ fn solid_rings_agree(teeth: u32, sector: &SolidModel, whole: &SolidModel) {
                 .unwrap();
         assert_eq!(
             ring.release(of_sector.constrained, None, &Interrupt::never()).unwrap().is_some(),
-            coupled.is_some()
+            raceway.is_some()
         );
         let direct = Direct::beside(
             &equations[1],
@@ -335,7 +328,7 @@ impl PlainRing {
         let equations = Assembled::plane(&model);
         let nodes = |name: &str| model.mesh.chain_nodes(model.mesh.chain(name).unwrap());
         let pitch = TAU / f64::from(sectors);
-        let (bore, means) = match RequestedMeans::for_ring(support, sectors, sectors) {
+        let (bore, means) = match RequestedMeans::for_ring(support) {
             None => (nodes("bore"), None),
             Some(wanted) => {
                 let bore = model.mesh.chain("bore").unwrap();
@@ -519,17 +512,10 @@ fn a_series_beyond_the_mesh_is_refused() {
     let cuts =
         match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &[], FRAC_PI_2).unwrap();
     let bore = model.mesh.chain("bore").unwrap();
-    let wanted = RequestedMeans {
-        harmonics: Some(9),
-        degree: 0,
-        coupled: None,
-        spline_teeth: None,
-        with_clearance: false,
-        raceway: None,
-    };
+    let wanted = RequestedMeans::of_means(Some(9), 0);
     let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
     let support = Support::Means { constrained: &[], means: &means };
     let condensed = condense(&equations, &support, Some(&cuts), &[], &[], &Interrupt::never()).unwrap();
     let ring = RingFlexibility::new(condensed.stiffness.as_ref().unwrap(), 4, 1, &Interrupt::never());
-    assert_eq!(ring.unwrap_err(), crate::StructureError::CoarseBore);
+    assert_eq!(ring.err(), Some(crate::StructureError::CoarseBore));
 }

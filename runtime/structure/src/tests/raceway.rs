@@ -22,7 +22,7 @@ fn a_raceway_moves_as_on_the_whole_mesh() {
     let (sector, _) = toothed_sector(TEETH, 1.0, SMALL);
     let whole = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let ring = Ring::plane(&sector, RACEWAY, TEETH, &PLANE_POINTS).unwrap();
-    let means = plane_means(&whole, RACEWAY, TEETH, TEETH);
+    let means = plane_means(&whole, RACEWAY);
     assert_eq!(means.constrained, 3);
     let equations = Assembled::plane(&whole);
     let constrained: Vec<SparseVector> = means.forms[..means.constrained].to_vec();
@@ -137,7 +137,7 @@ fn displacements_beyond_the_half_plane_do_not_depend_on_the_distribution_of_forc
     let whole = PlaneModel::new(toothed_ring(TEETH, FINE), STEEL, Plane::Strain);
     let equations = Assembled::plane(&whole);
     let modulus = STEEL.youngs_modulus / (1.0 - STEEL.poissons_ratio.powi(2));
-    let means = plane_means(&whole, RACEWAY, 1, 1);
+    let means = plane_means(&whole, RACEWAY);
     let constrained: Vec<SparseVector> = means.forms[..means.constrained].to_vec();
     let direct = Direct::new(&equations, &whole.rigid_body_modes(), &constrained);
     let bore = whole.mesh.chain("bore").unwrap();
@@ -174,7 +174,7 @@ fn displacements_beyond_the_half_plane_do_not_depend_on_the_distribution_of_forc
     let bumps = [0.04, 0.08].map(|half| table(&|angle| bump(half, angle), half_plane_bump(half)));
     for harmonics in [20, 28, 42] {
         let support = BoreSupport::Raceway { harmonics, degree: 0 };
-        let means = plane_means(&whole, support, 1, 1);
+        let means = plane_means(&whole, support);
         let found = table(&|angle| series(&means, angle), half_plane_series(harmonics));
         for ((narrow, wide), found) in bumps[0].iter().zip(&bumps[1]).zip(found) {
             // The ring's smooth displacement is averaged over the load: an error of second order.

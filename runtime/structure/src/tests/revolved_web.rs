@@ -31,7 +31,6 @@ fn stiffness(web: &RevolvedWeb) -> [f64; 6] {
     let wanted = RequestedMeans {
         harmonics: Some(web.harmonics),
         degree: web.degree,
-        coupled: None,
         spline_teeth: None,
         with_clearance: false,
         raceway: None,
@@ -134,8 +133,7 @@ fn a_ring_on_a_web_is_the_whole() {
     let pitch = TAU / f64::from(sectors);
     let cuts = match_cuts(&equations.positions, &nodes("cut_first"), &nodes("cut_last"), &[], pitch).unwrap();
     let bore = model.mesh.face_set("bore").unwrap();
-    let means =
-        BoreMeans::on_web(&model, bore, &web, [sectors, sectors / 2], &Interrupt::never()).unwrap().unwrap();
+    let means = BoreMeans::on_web(&model, bore, &web, sectors, &Interrupt::never()).unwrap().unwrap();
     assert_eq!(means.constrained, 0);
     // Node of the load, or the nearest one.
     let node = model.mesh.nodes.iter().position(|&at| {
@@ -164,7 +162,7 @@ fn a_ring_on_a_web_is_the_whole() {
 
     let whole = rim(radii, sectors, true);
     let bore = whole.mesh.face_set("bore").unwrap();
-    let means = BoreMeans::on_web(&whole, bore, &web, [1, 0], &Interrupt::never()).unwrap().unwrap();
+    let means = BoreMeans::on_web(&whole, bore, &web, 1, &Interrupt::never()).unwrap().unwrap();
     let count = whole.dof_count();
     let forms = Mat::from_fn(means.forms.len(), count, |_, _| 0.0);
     let forms = means.forms.iter().enumerate().fold(forms, |mut forms, (row, form)| {

@@ -26,7 +26,7 @@ fn spline_teeth_move_as_on_the_whole_mesh() {
     let (sector, _) = toothed_sector(TEETH, 1.0, SMALL);
     let whole = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
     let ring = Ring::plane(&sector, with_clearance(FIVE), TEETH, &PLANE_POINTS).unwrap();
-    let means = plane_means(&whole, with_clearance(FIVE), TEETH, TEETH);
+    let means = plane_means(&whole, with_clearance(FIVE));
     assert_eq!(means.constrained, 3);
     let equations = Assembled::plane(&whole);
     let constrained: Vec<SparseVector> = means.forms[..means.constrained].to_vec();
@@ -76,7 +76,7 @@ struct Whole {
 impl Whole {
     fn new(spline_teeth: SplineTeeth) -> Self {
         let model = PlaneModel::new(toothed_ring(TEETH, SMALL), STEEL, Plane::Strain);
-        let means = plane_means(&model, with_clearance(spline_teeth), TEETH, TEETH);
+        let means = plane_means(&model, with_clearance(spline_teeth));
         let equations = Assembled::plane(&model);
         let size = equations.stiffness.nrows();
         let spline_teeth = (0..usize::from(spline_teeth.count))

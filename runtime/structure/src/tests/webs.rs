@@ -45,7 +45,6 @@ impl Disc {
         let wanted = RequestedMeans {
             harmonics: Some(3),
             degree: 3,
-            coupled: None,
             spline_teeth: None,
             with_clearance: false,
             raceway: None,
@@ -126,7 +125,6 @@ fn widening_of_a_thick_ring() {
     let wanted = RequestedMeans {
         harmonics: Some(0),
         degree: 0,
-        coupled: None,
         spline_teeth: None,
         with_clearance: false,
         raceway: None,

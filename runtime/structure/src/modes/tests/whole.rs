@@ -37,7 +37,7 @@ fn of_whole(support: Option<BoreSupport>) -> Vec<f64> {
     let half = solve_lower(factor.as_ref(), dense(&assembled.stiffness));
     let mut matrix = solve_lower(factor.as_ref(), half.transpose().to_owned());
     if let Some(BoreSupport::Means { harmonics, degree }) = support {
-        let wanted = RequestedMeans::of_means(harmonics, degree, TEETH, TEETH);
+        let wanted = RequestedMeans::of_means(harmonics, degree);
         let means = BoreMeans::plane(&model, bore, wanted, &Interrupt::never()).unwrap().unwrap();
         let forms: Vec<Vec<f64>> = means.forms.iter().map(|form| form.to_full(model.dof_count())).collect();
         let forms = Mat::from_fn(free.len(), forms.len(), |row, column| forms[column][free[row]]);

@@ -2,6 +2,8 @@
 
 pub mod bodies;
 #[cfg(test)]
+mod far_coupling;
+#[cfg(test)]
 mod influence;
 #[cfg(test)]
 mod lofted;
