@@ -37,8 +37,7 @@ impl GearPrototype {
         let [tip, _] = self.roundings(options);
         let surfaces = self.flanks_with(tip, &self.modifications)?.map(|flank| flank as Arc<dyn Profile>);
         let shape = self.tooth_shape(options)?;
-        let (surfaces, coupled) = (surfaces.to_vec(), self.coupled_teeth());
-        Ok(AnalyticStructure::new(surfaces, &shape, coupled, self.material, Plane::Strain))
+        Ok(AnalyticStructure::new(surfaces.to_vec(), &shape, self.material, Plane::Strain))
     }
 
     /// Rigid flanks, without compliance.
@@ -59,7 +58,7 @@ impl GearPrototype {
     pub(crate) fn analytic_solid(&self, options: &StructureOptions) -> Result<AnalyticSolid, EngineError> {
         let surfaces = self.surfaces(options)?.map(|surface| surface as Arc<dyn Surface>);
         let (shape, face) = (self.tooth_shape(options)?, [self.face_width, self.twist_per_length()]);
-        Ok(AnalyticSolid::new(surfaces.to_vec(), &shape, face, self.coupled_teeth(), self.material))
+        Ok(AnalyticSolid::new(surfaces.to_vec(), &shape, face, self.material))
     }
 
     /// Rigid flanks in three dimensions, without compliance.

@@ -33,13 +33,12 @@ impl GearPrototype {
             elements: mesh.elements.len(),
             dofs: 2 * (mesh.nodes.len() - constrained.len()),
             cut: 2 * cut,
-            means: support.unknowns(true, teeth, window),
+            means: support.unknowns(true),
             loads: FLANKS * directions * split.samples,
             stresses: if options.stresses { FLANKS * fillet * STRESS_POINTS_PER_EDGE } else { 0 },
             components: 1,
             window,
             mirrored: false,
-            far: if support.couples_all_sectors() { (teeth / 2).saturating_sub(window) } else { 0 },
         })
     }
 
@@ -62,8 +61,8 @@ impl GearPrototype {
         let (teeth, window) = (self.gear.teeth(), self.coupled_teeth());
         let stresses = FLANKS * fillet * per_edge * (layers * per_layer + 1);
         let means = match self.rim.revolved_web(teeth, self.material) {
-            Some(web) => web.unknowns(teeth, window),
-            None => self.rim.support.unknowns(false, teeth, window),
+            Some(web) => web.unknowns(),
+            None => self.rim.support.unknowns(false),
         };
         Some(StructureSize {
             sectors: teeth,
@@ -76,7 +75,6 @@ impl GearPrototype {
             components: 3,
             window,
             mirrored: self.helix.is_spur() && means == 0,
-            far: 0,
         })
     }
 }

@@ -235,7 +235,6 @@ mod tests {
         stresses: 936,
         components: 3,
         window: 3,
-        far: 0,
         mirrored: true,
     };
 

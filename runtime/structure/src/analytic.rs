@@ -102,17 +102,15 @@ struct Local {
 
 impl AnalyticStructure {
     /// Builds the structure. `surfaces` are the flanks of tooth 0; apart from modifications, the
-    /// second is the mirror image of the first. `coupled` is the largest distance of teeth that
-    /// influence each other.
+    /// second is the mirror image of the first.
     pub fn new(
         surfaces: Vec<Arc<dyn Profile>>,
         shape: &ToothShape,
-        coupled: u32,
         material: Material,
         plane: Plane,
     ) -> AnalyticStructure {
         let tooth = Tooth::new(shape, material, plane);
-        let ring = FoundationRing::new(&shape.ring, coupled, material, plane);
+        let ring = FoundationRing::new(&shape.ring, material, plane);
         let teeth = shape.ring.sectors.max(1);
         let middle = surfaces.first().map(|profile| tooth.local(profile.as_ref(), 0.5 * profile.length()));
         let reference_length = middle.map_or(shape.ring.radius, |local| local.depth);

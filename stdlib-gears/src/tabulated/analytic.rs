@@ -50,7 +50,7 @@ impl TabulatedGear {
             .map(|v| Section::new(&tooth, &flanks, v).dimensions(self.bore(), options.stresses))
             .collect();
         let flanks = flanks.map(|flank| flank as Arc<dyn SectionedSurface>);
-        Ok(TaperedSolid::new(flanks, &sections, part(&tooth), self.coupled_teeth(), self.data.material))
+        Ok(TaperedSolid::new(flanks, &sections, part(&tooth), self.data.material))
     }
 }
 

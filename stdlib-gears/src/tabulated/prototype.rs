@@ -380,13 +380,12 @@ impl Prototype for TabulatedGear {
             elements: mesh.elements.len(),
             dofs: 3 * (mesh.nodes.len() - constrained.len()),
             cut: 3 * cut,
-            means: self.data.support.unknowns(false, teeth, window),
+            means: self.data.support.unknowns(false),
             loads: FLANKS * split.samples * split.polynomials(layers, order),
             stresses: if options.stresses { stresses } else { 0 },
             components: 3,
             window,
             mirrored: false,
-            far: 0,
         })
     }
 

@@ -40,9 +40,6 @@ pub struct FoundationRing {
 /// would coincide within rounding.
 const NEARLY_RIGID: f64 = 1e-7;
 
-/// Flexibility of teeth that are too far apart for coupling.
-const UNCOUPLED: [[f64; 3]; 3] = [[0.0; 3]; 3];
-
 /// Flexibility of a ring between two of its teeth.
 #[derive(Clone, Copy, Debug)]
 pub struct ToothCoupling<'a> {
@@ -104,14 +101,13 @@ impl RingShape {
 }
 
 impl FoundationRing {
-    /// Builds the ring. `coupled` is the largest distance of coupled teeth.
-    pub fn new(shape: &RingShape, coupled: u32, material: Material, plane: Plane) -> FoundationRing {
+    /// Builds the ring.
+    pub fn new(shape: &RingShape, material: Material, plane: Plane) -> FoundationRing {
         let RingShape { radius, fixed_radius, half_arc, lean, sectors } = *shape;
         let harmonics = RingHarmonics::new(fixed_radius / radius, material, plane);
         // For teeth that point inwards, axial forces and moments have the opposite sign.
         let sense = if fixed_radius > radius { -1.0 } else { 1.0 };
-        let coupled = coupled.min(sectors / 2);
-        let mut between = vec![[[0.0; 3]; 3]; coupled as usize + 1];
+        let mut between = vec![[[0.0; 3]; 3]; sectors as usize / 2 + 1];
         let last = (PHASE / half_arc).ceil() as u32;
         for n in 0..=last {
             let around = f64::from(n);
@@ -164,7 +160,7 @@ impl FoundationRing {
             _ if behind < ahead || (behind == ahead && other_tooth < one_tooth) => Order::Behind,
             _ => Order::Ahead,
         };
-        ToothCoupling { between: self.between.get(apart).unwrap_or(&UNCOUPLED), order }
+        ToothCoupling { between: &self.between[apart], order }
     }
 
     /// Returns the memory, in bytes.
@@ -332,15 +328,15 @@ mod tests {
     /// E = 1, so that compliances are dimensionless.
     const UNIT: Material = Material { youngs_modulus: 1.0, poissons_ratio: 0.3, density: 0.0 };
 
-    fn ring(radius_ratio: f64, half_arc: f64, coupled: u32) -> FoundationRing {
+    fn ring(radius_ratio: f64, half_arc: f64) -> FoundationRing {
         let shape = RingShape { radius: 1.0, fixed_radius: radius_ratio, half_arc, lean: 1.0, sectors: 24 };
-        FoundationRing::new(&shape, coupled, UNIT, Plane::Strain)
+        FoundationRing::new(&shape, UNIT, Plane::Strain)
     }
 
     /// Returns compliances times E' of axial force, transverse force and moment (times the square
     /// of the arc), and of force with moment (times the arc).
     fn own(radius_ratio: f64, half_arc: f64) -> [f64; 4] {
-        let (ring, modulus, arc) = (ring(radius_ratio, half_arc, 0), 1.0 / 0.91, 2.0 * half_arc);
+        let (ring, modulus, arc) = (ring(radius_ratio, half_arc), 1.0 / 0.91, 2.0 * half_arc);
         let of =
             |one: usize, other: usize| modulus * compliance(&ring, (0, &FORCES[one]), (0, &FORCES[other]));
         [of(0, 0), of(1, 1), arc * arc * of(2, 2), arc * of(1, 2)]
@@ -418,7 +414,7 @@ mod tests {
         let (lean, thickness, half_arc) = (0.7, 3e-3, 2e-3);
         let of = |lean: f64, half_arc: f64| {
             let shape = RingShape { radius: 1.0, fixed_radius: 1.0 - thickness, half_arc, lean, sectors: 24 };
-            let ring = FoundationRing::new(&shape, 0, UNIT, Plane::Strain);
+            let ring = FoundationRing::new(&shape, UNIT, Plane::Strain);
             [[0, 0], [1, 1], [2, 2], [1, 2]]
                 .map(|[one, other]: [usize; 2]| compliance(&ring, (0, &FORCES[one]), (0, &FORCES[other])))
         };
@@ -435,7 +431,7 @@ mod tests {
     /// it decreases with the distance.
     #[test]
     fn teeth_feel_each_other_alike() {
-        let ring = ring(0.6, 0.08, 12);
+        let ring = ring(0.6, 0.08);
         for (i, one) in FORCES.iter().enumerate() {
             for (j, other) in FORCES.iter().enumerate() {
                 for apart in 0..24 {
@@ -461,7 +457,7 @@ mod tests {
     /// The whole table is positive definite: no loads on any teeth have negative strain energy.
     #[test]
     fn no_loads_gain_work() {
-        let ring = ring(0.55, 0.1, 12);
+        let ring = ring(0.55, 0.1);
         let loads: Vec<(u32, RootLoad)> =
             (0..24).flat_map(|tooth| FORCES.map(|load| (tooth, load))).collect();
         let matrix = nalgebra::DMatrix::from_fn(72, 72, |i, j| {

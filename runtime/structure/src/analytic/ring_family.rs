@@ -49,18 +49,16 @@ type Answer = [[f64; 3]; 2];
 
 impl RingFamily {
     /// Builds the rings of sections at equal distances. `part` is the part of the full circle that
-    /// the teeth take in the developed sections, and `coupled` the largest distance of coupled
-    /// teeth.
-    pub fn new(shapes: &[RingShape], part: f64, coupled: u32, material: Material) -> RingFamily {
+    /// the teeth take in the developed sections.
+    pub fn new(shapes: &[RingShape], part: f64, material: Material) -> RingFamily {
         let sections = shapes.len();
         let sectors = shapes.first().map_or(1, |shape| shape.sectors.max(1));
-        let coupled = coupled.min(sectors / 2) as usize;
         let ratio = |shape: &RingShape| shape.fixed_radius / shape.radius;
         let harmonics: Vec<RingHarmonics> =
             shapes.iter().map(|shape| RingHarmonics::new(ratio(shape), material, Plane::Strain)).collect();
         let shortest = shapes.iter().map(|shape| shape.half_arc).fold(f64::INFINITY, f64::min);
         let last = (PHASE / shortest * part).ceil() as u32;
-        let mut entries = vec![vec![Entry::default(); sections * sections]; coupled + 1];
+        let mut entries = vec![vec![Entry::default(); sections * sections]; sectors as usize / 2 + 1];
         for n in 0..=last {
             let around = f64::from(n) / part;
             let answers: Vec<Answer> = harmonics
@@ -92,15 +90,15 @@ impl RingFamily {
         RingFamily { entries, sections, sectors }
     }
 
-    /// Returns the relation of two teeth; `None` if they are too far apart for coupling.
-    pub fn relation(&self, one: u32, other: u32) -> Option<Relation> {
+    /// Returns the relation of two teeth.
+    pub fn relation(&self, one: u32, other: u32) -> Relation {
         let ahead = (other + self.sectors - one % self.sectors) % self.sectors;
         let behind = self.sectors - ahead;
         let apart = ahead.min(behind) as usize;
         // If two teeth are opposite, the one with the larger number counts as ahead.
         let is_behind = behind < ahead || (behind == ahead && other < one);
         let (is_same, is_ahead) = (ahead == 0, ahead > 0 && !is_behind);
-        (apart < self.entries.len()).then_some(Relation { apart, is_ahead, is_same })
+        Relation { apart, is_ahead, is_same }
     }
 
     /// Returns the displacements of the roots of a tooth by a load on a tooth behind it, or on
@@ -179,7 +177,7 @@ mod tests {
         (one, first, at): (u32, &RootLoad, At),
         (other, second, to): (u32, &RootLoad, At),
     ) -> f64 {
-        let Some(relation) = family.relation(one, other) else { return 0.0 };
+        let relation = family.relation(one, other);
         if relation.is_same || relation.is_ahead {
             RingFamily::compliance(&family.moved(relation, first, at), second, to)
         } else {
@@ -202,8 +200,8 @@ mod tests {
     #[test]
     fn in_one_section_it_is_the_foundation_ring() {
         for (number, shape) in shapes(24).into_iter().enumerate() {
-            let family = RingFamily::new(&[shape], 1.0, 3, UNIT);
-            let ring = FoundationRing::new(&shape, 3, UNIT, Plane::Strain);
+            let family = RingFamily::new(&[shape], 1.0, UNIT);
+            let ring = FoundationRing::new(&shape, UNIT, Plane::Strain);
             let at = At { section: 0, weight: 0.0 };
             for first in &LOADS {
                 for second in &LOADS {
@@ -229,7 +227,7 @@ mod tests {
                 half_arc: part * shape.half_arc,
                 ..shape
             });
-            let family = RingFamily::new(&shapes.collect::<Vec<_>>(), part, 12, UNIT);
+            let family = RingFamily::new(&shapes.collect::<Vec<_>>(), part, UNIT);
             let mut loads = Vec::new();
             for tooth in 0..24 {
                 for (section, weight) in [(0, 0.0), (0, 0.3), (1, 1.0)] {
@@ -262,7 +260,7 @@ mod tests {
                 lean: 1.0,
                 sectors: 24,
             };
-            let family = RingFamily::new(&[shape], part, 3, UNIT);
+            let family = RingFamily::new(&[shape], part, UNIT);
             let moment = RootLoad { moment: part, ..RootLoad::default() };
             [&LOADS[0], &LOADS[1], &moment].map(|load| compliance(&family, (0, load, at), (0, load, at)))
         };

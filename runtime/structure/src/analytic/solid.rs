@@ -72,12 +72,11 @@ struct Place {
 impl AnalyticSolid {
     /// Builds the body. `surfaces` are the flanks of tooth 0 over arc lengths of the profile and
     /// distances from mid-face; `twist` is the counter-clockwise rotation of sections per length
-    /// along z, rad/m. `coupled` is the largest distance of coupled teeth.
+    /// along z, rad/m.
     pub fn new(
         surfaces: Vec<Arc<dyn Surface>>,
         shape: &ToothShape,
         [face_width, twist]: [f64; 2],
-        coupled: u32,
         material: Material,
     ) -> AnalyticSolid {
         let tooth = Tooth::new(shape, material, Plane::Strain);
@@ -88,7 +87,7 @@ impl AnalyticSolid {
         AnalyticSolid {
             surfaces,
             tooth,
-            ring: FoundationRing::new(&shape.ring, coupled, material, Plane::Strain),
+            ring: FoundationRing::new(&shape.ring, material, Plane::Strain),
             teeth: shape.ring.sectors.max(1),
             face: Face::new(face_width, twist, spread),
             mirrors: [-0.5, 0.5].map(|part| mirror(part * face_width)),
@@ -337,13 +336,12 @@ mod tests {
         let plane = AnalyticStructure::new(
             vec![Arc::new(slab(1.0)), Arc::new(slab(-1.0))],
             &shape,
-            3,
             material,
             Plane::Strain,
         );
         let walls: [Arc<dyn Surface>; 2] =
             [1.0, -1.0].map(|side| Arc::new(Wall(slab(side), WIDTH)) as Arc<dyn Surface>);
-        (plane, AnalyticSolid::new(walls.to_vec(), &shape, [WIDTH, 0.0], 3, material))
+        (plane, AnalyticSolid::new(walls.to_vec(), &shape, [WIDTH, 0.0], material))
     }
 
     /// Returns slices of a face with different lengths.

@@ -144,12 +144,10 @@ impl TaperedSolid {
     /// Builds the body. `flanks` are those of tooth 0, counter-clockwise and clockwise, and
     /// `sections` the sections at equal distances from one end of the face to the other. In the
     /// developed sections all teeth take `part` of the full circle: the cosine of the pitch angle.
-    /// `coupled` is the largest distance of coupled teeth.
     pub fn new(
         flanks: [Arc<dyn SectionedSurface>; 2],
         sections: &[ToothSection],
         part: f64,
-        coupled: u32,
         material: Material,
     ) -> TaperedSolid {
         let [_, face] = flanks[0].range();
@@ -171,7 +169,7 @@ impl TaperedSolid {
         TaperedSolid {
             mirrors: [0, 1].map(|side| sides[0].mirror(side, middle)).to_vec(),
             beams: BeamFamily::new(sections, material),
-            rings: RingFamily::new(&rings, part, coupled, material),
+            rings: RingFamily::new(&rings, part, material),
             stations: sections.iter().filter_map(|section| section.critical).collect(),
             teeth: rings.first().map_or(1, |ring| ring.sectors.max(1)),
             modulus: material.surface_modulus(Plane::Strain),
@@ -350,23 +348,21 @@ impl SolidStructure for TaperedSolid {
             return Ok(());
         }
         let is_same = observe.tooth % self.teeth == load.tooth % self.teeth;
-        let ring = self.rings.relation(observe.tooth, load.tooth).map(|relation| {
-            let of = |places: &[Place], is_needed: bool| {
-                if is_needed { self.moved(relation, places) } else { Vec::new() }
-            };
-            RingBlock {
-                relation,
-                observers: of(&observers, is_same || relation.is_ahead),
-                loads: of(&loads, is_same || !relation.is_ahead),
-            }
-        });
+        let relation = self.rings.relation(observe.tooth, load.tooth);
+        let of = |places: &[Place], is_needed: bool| {
+            if is_needed { self.moved(relation, places) } else { Vec::new() }
+        };
+        let ring = RingBlock {
+            relation,
+            observers: of(&observers, is_same || relation.is_ahead),
+            loads: of(&loads, is_same || !relation.is_ahead),
+        };
         let columns = loads.len();
         for (i, observer) in observers.iter().enumerate() {
             interrupt.check()?;
             let all = if is_own { i + 1 } else { columns };
             for (j, loaded) in loads[..all].iter().enumerate() {
-                let mut slices =
-                    ring.as_ref().map_or(0.0, |ring| ring.compliance((i, observer), (j, loaded)));
+                let mut slices = ring.compliance((i, observer), (j, loaded));
                 if is_same {
                     slices += Self::between(observer, loaded);
                 }

@@ -44,7 +44,7 @@ fn slabs(constrained: f64, unit: f64, material: Material) -> AnalyticStructure {
     let flank = |side| Arc::new(Slab { from, length: unit, half, side }) as Arc<dyn Profile>;
     let depths = (0..=10).map(|k| [0.1 * unit * f64::from(k), half]).collect();
     let shape = ToothShape { sense: 1.0, depths, ring: shape, section: None };
-    AnalyticStructure::new(vec![flank(1.0), flank(-1.0)], &shape, 3, material, Plane::Strain)
+    AnalyticStructure::new(vec![flank(1.0), flank(-1.0)], &shape, material, Plane::Strain)
 }
 
 const FLANK: Chart = Chart { tooth: 4, surface: 0 };
