@@ -19,6 +19,7 @@ mod flank_charts;
 mod forced_response;
 mod former_names;
 mod gear_data;
+mod idler;
 mod language;
 mod library;
 mod mesh_work;

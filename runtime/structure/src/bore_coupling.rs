@@ -45,7 +45,7 @@ pub(crate) trait Coupling {
     fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>>;
 }
 
-/// Coupling through the bore. See the module documentation. The equivalent forces of a load are its
+/// Coupling with what supports the bore. See the module documentation. The equivalent forces of a load are its
 /// constraint forces on the bore, in the frame of its own sector.
 pub(crate) struct BoreCoupling {
     /// Number of equal sectors around the ring.
