@@ -21,6 +21,10 @@ fn main() {
         instance.set("steps", 600)?;
         instance.set("cells", 8)
     });
+    measure("the same on 4 times 20 rollers in elastic bores", "planetary.cx", 24, |instance| {
+        instance.set("planet_bearings", "rollers")?;
+        instance.set("steps", 24)
+    });
     let plane = measure("spur_dynamics.cx, 10,000 steps in time", "spur_dynamics.cx", 10_000, |instance| {
         instance.set("run_up", (50.0, "ms"))?;
         instance.set("steps", 10_000)

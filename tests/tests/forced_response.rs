@@ -395,7 +395,7 @@ analyze(\"quasi_static\", over = gears.mesh_cycle(set.sun_meshes[0], 4), fidelit
             let near = |expected: f64, tolerance: f64| (found / expected - 1.0).abs() < tolerance;
             assert!(near(at_rest, 0.02), "{what} at {speed} rpm: {found:e}, at rest {at_rest:e}");
             // The response is linear: a patch does not change its size with the vibration.
-            assert!(near(integrated, 0.07), "{what} at {speed} rpm: {found:e}, integrated {integrated:e}");
+            assert!(near(integrated, 0.09), "{what} at {speed} rpm: {found:e}, integrated {integrated:e}");
         }
         let largest = |name: &str, sideband: bool| {
             let amplitudes = &rotating.points[0].amplitudes[index(&rotating, name)];

@@ -38,7 +38,10 @@ fn a_small_bore_has_no_effect_on_an_idler() {
         for (name, [expected, _]) in &free {
             let [found, _] = rigid[name];
             println!("{fidelity}, {name}: {found:e}, {expected:e}");
-            assert!((found / expected - 1.0).abs() < tolerance, "{fidelity}, {name}: {found:e}, {expected:e}");
+            assert!(
+                (found / expected - 1.0).abs() < tolerance,
+                "{fidelity}, {name}: {found:e}, {expected:e}"
+            );
         }
     }
 }

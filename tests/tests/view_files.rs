@@ -202,7 +202,9 @@ fn meshes_are_the_solved_ones() {
         let fields = fields_of(&model, fidelity);
         let files = Files::of(&fields);
         let (shapes, position) = (files.shapes(), read(&files.position));
-        let meshes = position.header["meshes"].as_array().expect("a list");
+        // Distant teeth have displacements only.
+        let meshes = position.header["meshes"].as_array().expect("a list").iter();
+        let meshes: Vec<_> = meshes.filter(|mesh| !mesh["stresses"].is_null()).collect();
         let sectors: Vec<_> = fields
             .bodies
             .iter()
@@ -246,8 +248,7 @@ fn meshes_are_the_solved_ones() {
 }
 
 /// On a free bore, teeth far from the load move too: they have displacements without stresses, which
-/// are those of their neighbours at the common cuts. Where the tables of the structure end, its
-/// series agrees with them within a hundredth.
+/// are those of their neighbours at the common cuts.
 #[test]
 #[ignore = "long; part of .ci/full"]
 fn distant_teeth_have_the_displacements_of_their_neighbours() {
@@ -277,7 +278,7 @@ fn distant_teeth_have_the_displacements_of_their_neighbours() {
             let same = ahead.iter().position(|there| length(minus(*there, here)) < 1e-7);
             let Some(same) = same else { continue };
             common += 1;
-            assert!(length(minus(by_tooth[&next][same], *by)) < 1e-2 * largest, "tooth {tooth}");
+            assert!(length(minus(by_tooth[&next][same], *by)) < 1e-6 * largest, "tooth {tooth}");
         }
         assert!(common > 20, "tooth {tooth}: {common}");
     }

@@ -34,6 +34,8 @@ const SHOWN_SOLID: u32 = 6;
 /// more, the corners of their elements are output: all nodes would take megabytes a position. All
 /// sectors of a body have the same points, so that neighbours meet at every one of them.
 const MOST_NODES: usize = 50_000;
+/// Displacements of a sector, relative to the largest one of a cut, that are visible.
+const VISIBLE: f64 = 1e-3;
 /// Number of sectors without stresses that are computed at a time.
 const AT_A_TIME: usize = 16;
 
@@ -235,7 +237,7 @@ impl MeshedBody {
         shown.iter().zip(moved.col_iter()).map(sector).collect()
     }
 
-    /// Returns the other sectors of the body that move, in order.
+    /// Returns the other sectors of the body that move visibly, in order.
     ///
     /// # Errors
     /// As for [`Self::deformed`].
@@ -253,7 +255,7 @@ impl MeshedBody {
             interrupt.check().map_err(StructureError::Interrupted)?;
             let moved = self.mesh.ring.displacements(&solution, some)?;
             let moving = some.iter().zip(moved.col_iter());
-            let moving = moving.filter(|(_, column)| column.iter().any(|&moved| moved != 0.0));
+            let moving = moving.filter(|(_, column)| column.norm_max() > VISIBLE * solution.largest);
             all.extend(moving.map(|(&tooth, column)| {
                 let moved: Vec<f64> = column.iter().copied().collect();
                 DisplacedSector { tooth, displacements: self.mesh.displacements(tooth, &moved) }

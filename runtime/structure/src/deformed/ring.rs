@@ -43,6 +43,8 @@ pub(super) struct LoadedRing {
     /// Displacements of the cuts and means of all sectors, one column each in the frame of the
     /// sector.
     unknowns: Mat<f64>,
+    /// Largest displacement of a cut.
+    pub largest: f64,
     /// Loaded sectors.
     loaded: Vec<u32>,
     /// Displacements of each loaded sector with fixed cuts.
@@ -125,7 +127,8 @@ impl SolvedRing {
             self.add_interface(sum.as_mut(), sector, interface);
         }
         let loaded = loads.iter().map(|&(sector, _)| sector).collect();
-        Ok(LoadedRing { unknowns, loaded, alone })
+        let largest = unknowns.as_ref().subrows(0, 2 * self.cut_size()).norm_max();
+        Ok(LoadedRing { unknowns, largest, loaded, alone })
     }
 
     /// Returns the displacements of sectors, one column each in the frame of the sector.
