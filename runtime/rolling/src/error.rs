@@ -87,3 +87,8 @@ pub(crate) fn finite(name: &str, value: f64) -> Result<(), RollingError> {
     )
     .of(name.replace(' ', "_")))
 }
+
+/// Rounds a number for a message: digits that stem from the conversion of its unit are dropped.
+pub(crate) fn for_message(number: f64) -> f64 {
+    (number * 1e6).round() / 1e6
+}

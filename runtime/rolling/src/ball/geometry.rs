@@ -1,6 +1,6 @@
 //! Geometry of a row of balls.
 
-use crate::error::{RollingError, finite, positive};
+use crate::error::{RollingError, finite, for_message, positive};
 use crate::hertz::point::PointContact;
 use crate::material::{Material, composite_modulus};
 use libm::{acos, cos, sin};
@@ -109,7 +109,7 @@ impl BallRow {
         finite("clearance", clearance)?;
         if !(0.0..FRAC_PI_2).contains(&angle) {
             return Err(RollingError::input(
-                format!("the contact angle of the ball bearing is {}°", angle.to_degrees()),
+                format!("the contact angle of the ball bearing is {}°", for_message(angle.to_degrees())),
                 "give a contact angle of at least 0° and less than 90°",
             )
             .of("contact_angle"));
@@ -125,7 +125,10 @@ impl BallRow {
         let spread = reach[0] + reach[1];
         if clearance >= 2.0 * spread * cos(angle) {
             return Err(RollingError::input(
-                format!("with a clearance of {} mm, the balls cannot touch both grooves", clearance * 1e3),
+                format!(
+                    "with a clearance of {} mm, the balls cannot touch both grooves",
+                    for_message(clearance * 1e3)
+                ),
                 format!("reduce the clearance to less than {:.4} mm", 2e3 * spread * cos(angle)),
             )
             .of("clearance"));
@@ -187,7 +190,7 @@ impl BallRow {
             return Err(RollingError::input(
                 format!(
                     "an interference of {} mm would indent the raceways: the pressure exceeds 4200 MPa",
-                    -clearance * 1e3
+                    for_message(-clearance * 1e3)
                 ),
                 format!("reduce the interference to at most {:.4} mm", allowed * 1e3),
             )

@@ -1,7 +1,7 @@
 //! Geometry of a row of rollers.
 
 use super::profile::Profile;
-use crate::error::RollingError;
+use crate::error::{RollingError, for_message};
 use crate::material::Material;
 use std::f64::consts::FRAC_PI_2;
 
@@ -100,7 +100,7 @@ pub(super) fn check_angle(angle: f64, zero: bool) -> Result<(), RollingError> {
     }
     let least = if zero { "at least" } else { "more than" };
     Err(RollingError::input(
-        format!("the contact angle of the roller bearing is {}°", angle.to_degrees()),
+        format!("the contact angle of the roller bearing is {}°", for_message(angle.to_degrees())),
         format!("give a contact angle of {least} 0° and less than 90°"),
     )
     .of("contact_angle"))

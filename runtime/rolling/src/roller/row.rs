@@ -4,7 +4,7 @@ use super::contact_model::ContactModel;
 use super::elastic::Elastic;
 use super::geometry::{Lamina, RibContact, RollerGeometry, RollerKind};
 use crate::ball::Motion;
-use crate::error::{RollingError, finite, positive};
+use crate::error::{RollingError, finite, for_message, positive};
 use crate::hertz::line;
 use crate::material::composite_modulus;
 use std::f64::consts::PI;
@@ -185,7 +185,7 @@ impl RollerRow {
             return Err(RollingError::input(
                 format!(
                     "an interference of {} mm would indent the raceways: the pressure exceeds 4000 MPa",
-                    -clearance * 1e3
+                    for_message(-clearance * 1e3)
                 ),
                 format!(
                     "reduce the interference to at most {:.4} mm",

@@ -1,7 +1,7 @@
 //! Contact lines of cylindrical, tapered and spherical rollers.
 
 use super::geometry::{Lamina, Rib, RibContact, RollerGeometry, RollerKind, check_angle};
-use crate::error::{RollingError, finite, positive};
+use crate::error::{RollingError, finite, for_message, positive};
 use crate::material::composite_modulus;
 use calyx_numerics::quadrature::gauss_legendre;
 use libm::{cos, sin, tan};
@@ -182,7 +182,7 @@ impl RollerGeometry {
             return Err(RollingError::input(
                 format!(
                     "the rib touches the roller end {} mm from its axis, outside the end",
-                    rib.height * 1e3
+                    for_message(rib.height * 1e3)
                 ),
                 format!("give a height of at most {:.4} mm", 0.45e3 * self.roller_diameter),
             )
@@ -192,7 +192,7 @@ impl RollerGeometry {
             return Err(RollingError::input(
                 format!(
                     "the roller end has a radius of {} mm, less than that of the roller",
-                    rib.end_radius * 1e3
+                    for_message(rib.end_radius * 1e3)
                 ),
                 "give a larger radius of the roller end, usually 0.9 of the distance to the apex",
             )
