@@ -78,34 +78,41 @@ pub fn mean_inverse_distance(offset: [f64; 2], first: [f64; 2], second: [f64; 2]
 /// Returns the potential of a uniform rectangle, `∬ dA / r`, m, at a point `at` in the coordinates
 /// of the rectangle: from its centre, along its sides of half-lengths `half`, and above its plane
 /// (Love 1929; in the plane Johnson's eq. 3.25).
+///
+/// With the corners at `u_i`, `v_j` from the foot of the point, it is the second difference of
+/// `u asinh(v / a) + v asinh(u / b) - z atan(u v / (z r))`, `a² = u² + z²`, `b² = v² + z²`. The
+/// terms of the two corners of a side have one logarithm and one angle in common.
 pub fn rectangle_potential(half: [f64; 2], [x, y, z]: [f64; 3]) -> f64 {
     let z = z.abs();
-    let mut sum = 0.0;
-    for (sign_x, u) in [(1.0, x + half[0]), (-1.0, x - half[0])] {
-        for (sign_y, v) in [(1.0, y + half[1]), (-1.0, y - half[1])] {
-            sum += sign_x * sign_y * corner_potential(u, v, z);
-        }
-    }
-    sum
+    let (u, v) = ([x + half[0], x - half[0]], [y + half[1], y - half[1]]);
+    let r = u.map(|u| v.map(|v| (u * u + v * v + z * z).sqrt()));
+    let along_v = |i: usize| u[i] * log_ratio(v, r[i], u[i] * u[i] + z * z);
+    let along_u = |j: usize| v[j] * log_ratio(u, [r[0][j], r[1][j]], v[j] * v[j] + z * z);
+    let angle =
+        if z > 0.0 { z * (angle_between(u[0], v, r[0], z) - angle_between(u[1], v, r[1], z)) } else { 0.0 };
+    along_v(0) - along_v(1) + along_u(0) - along_u(1) - angle
 }
 
-/// Returns the potential of the rectangle between the foot of a point and a corner at `u`, `v`
-/// (signed): odd in both.
-fn corner_potential(u: f64, v: f64, z: f64) -> f64 {
-    let sign = if (u < 0.0) == (v < 0.0) { 1.0 } else { -1.0 };
-    let (u, v) = (u.abs(), v.abs());
-    if u == 0.0 || v == 0.0 {
+/// Returns `asinh(s_0 / a) - asinh(s_1 / a)` for points at `s` along a side, `r` from the observer,
+/// with the square of `a`, the distance of the observer from the line of the side. Zero for `a = 0`,
+/// where the factor of the result is.
+fn log_ratio(s: [f64; 2], r: [f64; 2], square: f64) -> f64 {
+    if square == 0.0 {
         return 0.0;
     }
-    let r = (u * u + v * v + z * z).sqrt();
-    let angle = if z > 0.0 { z * (u * v / (z * r)).atan() } else { 0.0 };
-    // asinh(a / sqrt(b² + z²)), without cancellation.
-    let along = |a: f64, b: f64| {
-        let away = (b * b + z * z).sqrt();
-        let ratio = a / away;
-        (ratio + ratio * ratio / (1.0 + r / away)).ln_1p()
+    // (s_0 + r_0) / (s_1 + r_1) without cancellation; s_0 is the larger one.
+    let ratio = match (s[0] >= 0.0, s[1] >= 0.0) {
+        (true, true) => (s[0] + r[0]) / (s[1] + r[1]),
+        (false, false) => (r[1] - s[1]) / (r[0] - s[0]),
+        _ => (s[0] + r[0]) * (r[1] - s[1]) / square,
     };
-    sign * (u * along(v, u) + v * along(u, v) - angle)
+    ratio.ln()
+}
+
+/// Returns `atan(u v_0 / (z r_0)) - atan(u v_1 / (z r_1))`, between -π and π.
+fn angle_between(u: f64, v: [f64; 2], r: [f64; 2], z: f64) -> f64 {
+    let [one, other] = [0, 1].map(|k| [z * r[k], u * v[k]]);
+    (one[1] * other[0] - one[0] * other[1]).atan2(one[0] * other[0] + one[1] * other[1])
 }
 
 /// Two intervals of one direction, described by the distribution of the differences of their
