@@ -81,7 +81,7 @@ impl FarResponse {
         let shares = dense.product(vectors.transpose(), bounds.as_ref())?;
         let loads = interpolation(&chosen, shares);
         let forces = columns(on_cuts, &chosen);
-        let bytes = size_of::<f64>() * unknowns * chosen.len() * (2 * offsets.len() + 1);
+        let bytes = size_of::<f64>() * unknowns * chosen.len() * (3 * offsets.len() + 1);
         let _room = interrupt.reserve_memory(bytes as u64).map_err(StructureError::Interrupted)?;
         let displaced = ring.outside(forces.as_ref(), interrupt)?;
         let half = (ring.sectors() / 2 + 1 - offsets.start) as usize;

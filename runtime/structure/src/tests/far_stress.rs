@@ -30,8 +30,11 @@ pub(super) fn turned(model: &PlaneModel, load: &SparseVector, angle: f64) -> Vec
     there
 }
 
-/// Returns the displacements of a whole mesh under a load.
-fn solution(whole: &PlaneModel, support: BoreSupport) -> Box<dyn Fn(&[f64]) -> Vec<f64>> {
+/// Displacements by a load.
+type Solution = Box<dyn Fn(&[f64]) -> Vec<f64>>;
+
+/// Returns the displacements of a whole mesh.
+fn solution(whole: &PlaneModel, support: BoreSupport) -> Solution {
     let (equations, bore) = (Assembled::plane(whole), whole.mesh.chain("bore").unwrap());
     let Some(wanted) = RequestedMeans::for_ring(support) else {
         let mut fixed = Constraints::new();
