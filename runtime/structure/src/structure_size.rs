@@ -1,9 +1,9 @@
 //! Size of the equations of a ring of sectors, predicted from the numbers of its mesh before
 //! assembly.
 
-/// Number of loads, and of modes, that couple distant sectors of a solid ring: the largest in most
-/// gears.
-const SELECTED: usize = 50;
+/// Number of loads, and of modes, that couple distant sectors of a plane and of a solid ring: the
+/// largest in most gears.
+const SELECTED: [usize; 2] = [12, 50];
 
 /// Size of a structure that is condensed from one repeated sector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ impl StructureSize {
         let (rows, window) = (self.stresses * self.components, self.window as usize);
         let tables = self.loads * ((window + 1) * self.loads + (2 * window + 1) * rows);
         let far = (self.sectors as usize / 2).saturating_sub(window);
-        let selected = SELECTED.min(self.cut);
+        let selected = SELECTED[usize::from(self.components > 1)].min(self.cut);
         let beyond = if far > 0 { selected * (3 * far * selected + self.loads + rows) } else { 0 };
         size_of::<f64>() * (tables + beyond + self.means * (self.loads + rows + self.means))
     }

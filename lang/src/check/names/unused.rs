@@ -58,12 +58,26 @@ impl Resolver<'_> {
                 let Some(function) = self.names.functions.get(id.0 as usize) else { return Effect::None };
                 match function.decl {
                     _ if function.is_component() => Effect::Adds,
+                    Some(decl) if function.file != FileId(0) && self.returns_part(decl) => Effect::Adds,
                     Some(decl) if function.file != FileId(0) && self.returns_record(decl) => Effect::Creates,
                     _ => Effect::None,
                 }
             }
             _ => Effect::None,
         }
+    }
+
+    /// Returns true if a function returns a part of the model, such as a body, as engine functions
+    /// that build the scene do.
+    fn returns_part(&self, decl: &FunctionDecl) -> bool {
+        let Some(TypeKind::Name(name)) = decl.result.as_ref().map(|result| &result.kind) else {
+            return false;
+        };
+        self.names.externs.iter().any(|found| {
+            let result = found.decl.result.as_ref().map(|result| &result.kind);
+            matches!(result, Some(TypeKind::Name(other)) if other.name == name.name)
+                && of_extern(found.decl) == Effect::Adds
+        })
     }
 
     fn returns_record(&self, decl: &FunctionDecl) -> bool {
