@@ -37,8 +37,8 @@ use std::sync::{Arc, Mutex, OnceLock};
 /// Hash of this library's source. It is part of every key, so cached gear structures are only used
 /// by the version that meshed them.
 pub(crate) const SOURCE: &str = env!("CALYX_SOURCE");
-/// Largest distance, in pitches, of teeth with tables for each pair of them. It has no effect on the
-/// results; with 0 or 1 runs take longer.
+/// Largest distance, in pitches, of teeth with tables for each pair of them. It has no effect on
+/// results. Tables are evaluated faster than the coupling of more distant teeth.
 pub(crate) const COUPLED_TEETH: u32 = 3;
 /// Sampling points of recovered stress per element edge along a fillet.
 pub(crate) const STRESS_POINTS_PER_EDGE: usize = 4;

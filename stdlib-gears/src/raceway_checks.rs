@@ -9,8 +9,8 @@ use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::rolling::{Elements, Row};
 use calyx_runtime::structure::BoreSupport;
 
-/// Part of a size by which a bore may exceed the raceway of its rollers, and these the bore, without
-/// a warning.
+/// Part of a size by which a bore may exceed the raceway of its rollers, and these the bore,
+/// without a warning.
 const FIT: f64 = 0.01;
 
 /// Checks the raceways in the bores of gears, and adds warnings to the findings.
@@ -56,7 +56,7 @@ fn no_rollers(host: &ModelHost, body: usize) -> EngineError {
     let message = format!(
         "the bore of \"{name}\" is a raceway, and no cylindrical rollers run in it: it deforms like a free bore, and bearings have rigid rings"
     );
-    let help = "mount a `needle_bearing` or `cylindrical_roller_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"";
+    let help = "mount a `needle_bearing` or `cylindrical_roller_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"; in `gears.planetary`, give `pin_needles`";
     EngineError::new("E0700", message, help).about(Subject::Body(body))
 }
 

@@ -45,8 +45,8 @@ pub(crate) trait Coupling {
     fn stresses(&self, surface: usize, tooth: u32, loaded: (u32, &Mat<f64>)) -> Option<Mat<f64>>;
 }
 
-/// Coupling with what supports the bore. See the module documentation. The equivalent forces of a load are its
-/// constraint forces on the bore, in the frame of its own sector.
+/// Coupling with what supports the bore. See the module documentation. The equivalent forces of a
+/// load are its constraint forces on the bore, in the frame of its own sector.
 pub(crate) struct BoreCoupling {
     /// Number of equal sectors around the ring.
     pub sectors: u32,

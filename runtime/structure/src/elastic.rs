@@ -201,7 +201,7 @@ impl ElasticStructure {
             Some(flexibility) => FarResponse::new(&condensed, flexibility, interrupt)?,
             None => None,
         };
-        let far = far.map(|far| far_coupling(far, &prepared, sectors));
+        let far = far.map(|far| far.coupling(sectors, |loads, rows| by_surface(loads, rows, &prepared)));
         let body = Self::assemble(model, sectors, prepared, &condensed, flexibility.as_ref(), interrupt)?;
         Ok(Self { far, bore, ..body })
     }
@@ -439,38 +439,26 @@ fn bore_coupling(
     let dense = Interruptible(&checkpoint);
     let forces = dense.product(released.constraint_forces.as_ref(), condensed.on_cuts.as_ref())?;
     let stresses = dense.product(condensed.rows_cuts.as_ref(), released.constraint_forces.transpose())?;
-    let mut coupling = BoreCoupling::new(released, sectors, pitch);
-    let (mut load, mut row) = (0, 0);
-    for surface in prepared {
-        for loads in &surface.loads {
-            let table = forces.as_ref().subcols(load, loads.len());
-            let by_unknown = surface.surface.spline.coefficients(table.transpose());
-            coupling.loads.push(by_unknown.transpose().to_owned());
-            load += loads.len();
-        }
-        let rows = surface.stress_rows.len();
-        coupling.stress.push(stresses.as_ref().subrows(row, rows).to_owned());
-        row += rows;
-    }
-    Ok(coupling)
+    let [loads, stress] = by_surface(&forces, &stresses, prepared);
+    Ok(BoreCoupling { loads, stress, ..BoreCoupling::new(released, sectors, pitch) })
 }
 
-/// Returns the coupling of the loads and stress recovery points of distant sectors.
-fn far_coupling(response: FarResponse, prepared: &[Prepared], sectors: u32) -> FarCoupling {
-    let (mut coupling, [loads, rows]) = FarCoupling::new(response, sectors);
+/// Divides responses to all loads, one column each, and those of all stress rows by surface: the
+/// former by the unknowns of the table of each side.
+fn by_surface(loads: &Mat<f64>, rows: &Mat<f64>, prepared: &[Prepared]) -> [Vec<Mat<f64>>; 2] {
+    let (mut by_unknown, mut stress) = (Vec::new(), Vec::new());
     let (mut load, mut row) = (0, 0);
     for surface in prepared {
         for of_direction in &surface.loads {
             let table = loads.as_ref().subcols(load, of_direction.len());
-            let by_unknown = surface.surface.spline.coefficients(table.transpose());
-            coupling.loads.push(by_unknown.transpose().to_owned());
+            by_unknown.push(surface.surface.spline.coefficients(table.transpose()).transpose().to_owned());
             load += of_direction.len();
         }
         let count = surface.stress_rows.len();
-        coupling.stress.push(rows.as_ref().subrows(row, count).to_owned());
+        stress.push(rows.as_ref().subrows(row, count).to_owned());
         row += count;
     }
-    coupling
+    [by_unknown, stress]
 }
 
 /// Returns spline coefficients of a table in both variables.

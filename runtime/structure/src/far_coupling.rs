@@ -11,9 +11,9 @@
 //! F_d B = F_d B_J C,   B^T F_d B = C^T (B_J^T F_d B_J) C
 //! ```
 //!
-//! (an interpolative decomposition). Few modes, likewise, represent the displacements of all distant
-//! sectors, from which their stresses follow. Loads and modes are selected by Gram-Schmidt
-//! orthogonalization with pivoting.
+//! (an interpolative decomposition). A few modes represent the displacements of all distant sectors,
+//! from which their stresses follow. Loads and modes are selected by Gram-Schmidt orthogonalization
+//! with pivoting.
 //!
 //! See `docs/theory/substructures.md`.
 
@@ -101,6 +101,18 @@ impl FarResponse {
         let rows = dense.product(condensed.rows_cuts.as_ref(), shapes.as_ref())?;
         Ok(Some(Self { first: offsets.start, by_offset, loads, modes: [ahead, behind], rows }))
     }
+
+    /// Returns the coupling on a ring of a number of sectors. `by_surface` divides loads and stress
+    /// rows by surface, the loads by the unknowns of tables.
+    pub fn coupling(
+        self,
+        sectors: u32,
+        by_surface: impl FnOnce(&Mat<f64>, &Mat<f64>) -> [Vec<Mat<f64>>; 2],
+    ) -> FarCoupling {
+        let [loads, stress] = by_surface(&self.loads, &self.rows);
+        let Self { first, by_offset, modes, .. } = self;
+        FarCoupling { sectors, first, by_offset, modes, loads, stress }
+    }
 }
 
 fn columns(matrix: MatRef<'_, f64>, chosen: &[usize]) -> Mat<f64> {
@@ -118,7 +130,7 @@ fn interpolation(chosen: &[usize], shares: Mat<f64>) -> Mat<f64> {
     coefficients
 }
 
-/// Returns the factor by which shared unknowns, which are forces, are as large as the displacements
+/// Returns the factor that scales shared unknowns, which are forces, to the size of the displacements
 /// of cuts with `n` degrees of freedom each.
 fn shared_scale(unknowns: &Mat<f64>, n: usize) -> f64 {
     let moved = unknowns.as_ref().subrows(0, 2 * n).norm_max();
@@ -192,12 +204,6 @@ pub(crate) struct FarCoupling {
 }
 
 impl FarCoupling {
-    /// Builds the coupling without loads and stresses; returns those of the response too.
-    pub fn new(response: FarResponse, sectors: u32) -> (Self, [Mat<f64>; 2]) {
-        let FarResponse { first, by_offset, loads, modes, rows } = response;
-        (Self { sectors, first, by_offset, modes, loads: Vec::new(), stress: Vec::new() }, [loads, rows])
-    }
-
     /// Returns the index of the distance between an observer's sector and a tooth, and whether the
     /// observer is ahead. `None` for near teeth.
     fn distance(&self, observer: u32, tooth: u32) -> Option<(usize, bool)> {

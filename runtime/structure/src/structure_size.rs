@@ -1,9 +1,9 @@
 //! Size of the equations of a ring of sectors, predicted from the numbers of its mesh before
 //! assembly.
 
-/// Number of loads, and of modes, that couple distant sectors of a plane and of a solid ring: the
-/// largest in most gears.
-const SELECTED: [usize; 2] = [12, 50];
+/// Estimated number of loads, and of modes, that couple distant sectors of a plane and of a solid
+/// ring.
+const SELECTED: [usize; 2] = [16, 80];
 
 /// Size of a structure that is condensed from one repeated sector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,7 +96,7 @@ mod tests {
     fn sectors_share_their_cuts() {
         assert_eq!(SIZE.body_dofs(), 20 * 8_700);
         assert_eq!(SIZE.condensed(), 606);
-        let beyond = 50 * (3 * 7 * 50 + 300 + 1_200);
+        let beyond = 80 * (3 * 7 * 80 + 300 + 1_200);
         assert_eq!(SIZE.bytes(), 8 * (300 * (4 * 300 + 7 * 1_200) + beyond + 6 * (300 + 1_200 + 6)));
     }
 
@@ -107,6 +107,6 @@ mod tests {
         let ratio = large.operations() / SIZE.operations();
         assert!((1.0..2.5).contains(&ratio), "{ratio}");
         let ratio = large.bytes() as f64 / SIZE.bytes() as f64;
-        assert!((1.0..2.0).contains(&ratio), "{ratio}");
+        assert!((1.0..3.5).contains(&ratio), "{ratio}");
     }
 }

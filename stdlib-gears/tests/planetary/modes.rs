@@ -1,7 +1,7 @@
 //! Modes of planetary sets, compared with the lumped-parameter model (Lin and Parker), and the
 //! effect of flexible rims.
 
-use super::set::{DISTANCE, SUN_SPEED, SUN_TEETH, Set, SetOptions, ring};
+use super::set::{DISTANCE, PLANET_TEETH, SUN_SPEED, SUN_TEETH, Set, SetOptions, external, ring};
 use calyx_gears::lumped_planetary::LumpedPlanetary;
 use calyx_gears::lumped_scene::LumpedSet;
 use calyx_runtime::bearing::{Bearing, axisymmetric};
@@ -75,11 +75,16 @@ fn of(kind: ModeKind, modes: &[(ModeKind, f64)]) -> Vec<f64> {
     modes.iter().filter(|mode| mode.0 == kind).map(|mode| mode.1).collect()
 }
 
-/// With rigidly supported bores and rims, only the teeth are elastic. Both models agree mode by mode
-/// except for the coupling of a gear's meshes through its rim, which the lumped model neglects.
+/// With rigid supports close to the teeth, only the teeth are elastic, and the meshes of a gear are
+/// independent: both models agree mode by mode to rounding.
 #[test]
 fn rigid_rims_vibrate_as_a_lumped_set_does() {
-    let set = all_free();
+    let mut set = all_free();
+    set.scene.bodies[set.sun.0].prototype = external(SUN_TEETH, 4.45e-3, 32e-3);
+    for planet in &set.planets {
+        set.scene.bodies[planet.0].prototype = external(PLANET_TEETH, 4.45e-3, 43.4e-3);
+    }
+    set.scene.bodies[set.ring.0].prototype = ring(147e-3, BoreSupport::Rigid);
     let system = set.system();
     for part in [0.15, 0.6] {
         let (found, [ours, theirs]) = both(&set, &system, part);
@@ -90,7 +95,8 @@ fn rigid_rims_vibrate_as_a_lumped_set_does() {
             let (ours, theirs) = (of(kind, &ours), of(kind, &theirs));
             assert_eq!([ours.len(), theirs.len()], [count; 2], "{kind:?}");
             for (ours, theirs) in ours.iter().zip(&theirs) {
-                assert!((ours / theirs - 1.0).abs() < 1e-2, "{kind:?}: {ours} {theirs}");
+                // The coupling of distant teeth, which vanishes here, has a rounding error of 1e-8.
+                assert!((ours / theirs - 1.0).abs() < 1e-7, "{kind:?}: {ours} {theirs}");
             }
             let alike = |pair: &[f64]| (pair[1] / pair[0] - 1.0).abs() < 1e-9;
             assert!(kind != ModeKind::Translational || ours.chunks(2).all(alike), "{ours:?}");

@@ -50,7 +50,8 @@ fn steel() -> Material {
     Material::new(206e9, 0.3, 7850.0).expect("steel")
 }
 
-fn external(teeth: u32, thickness: f64, bore: f64) -> Arc<GearPrototype> {
+/// Sun or planet with a rigid bore; lengths in m.
+pub fn external(teeth: u32, thickness: f64, bore: f64) -> Arc<GearPrototype> {
     let module = 25.4e-3 / 8.857;
     let pitch_radius = 0.5 * f64::from(teeth) * module;
     let rack = Rack::new(module, 24.6_f64.to_radians(), 0.2 * module).expect("a rack");

@@ -94,8 +94,8 @@ pub fn rectangle_potential(half: [f64; 2], [x, y, z]: [f64; 3]) -> f64 {
 }
 
 /// Returns `asinh(s_0 / a) - asinh(s_1 / a)` for points at `s` along a side, `r` from the observer,
-/// with the square of `a`, the distance of the observer from the line of the side. Zero for `a = 0`,
-/// where the factor of the result is.
+/// with the square of `a`, the distance of the observer from the line of the side. For `a = 0` the
+/// result is 0: there its factor vanishes.
 fn log_ratio(s: [f64; 2], r: [f64; 2], square: f64) -> f64 {
     if square == 0.0 {
         return 0.0;

@@ -31,7 +31,7 @@ use crate::condense::{Support, condense, match_cuts};
 use crate::dense::mirror_lower;
 use crate::elastic::NormalAngle;
 use crate::elastic::{OffsetTables, both_sides, starts};
-use crate::far_coupling::{FarCoupling, FarResponse};
+use crate::far_coupling::FarCoupling;
 use crate::kernel::{MollifierSamples, PairQuadrature};
 use crate::sampling::EdgeCoordinate;
 use crate::surface::Surface;
@@ -221,7 +221,9 @@ impl ElasticSolid {
         let through = responses.bore.take();
         let bore = through.map(|through| bore_coupling(through, &prepared, modes.count(), (sectors, pitch)));
         let far = responses.far.take();
-        let far = far.map(|far| far_coupling(far, &prepared, modes.count(), sectors));
+        let by_surface =
+            |loads: &Mat<f64>, rows: &Mat<f64>| by_surface(loads, rows, &prepared, modes.count());
+        let far = far.map(|far| far.coupling(sectors, by_surface));
         let body = Self::assemble(model, sectors, modes, prepared, &responses, interrupt)?;
         Ok(Self { far, bore, ..body })
     }
@@ -487,28 +489,22 @@ fn bore_coupling(
     (sectors, pitch): (u32, f64),
 ) -> BoreCoupling {
     let BoreResponse { released, forces, stresses } = through;
-    let mut coupling = BoreCoupling::new(released, sectors, pitch);
-    let (mut load, mut row) = (0, 0);
-    for surface in prepared {
-        let (loads, rows) = (surface.loads, surface.stress_rows);
-        coupling.loads.push(by_unknown(forces.as_ref().subcols(load, loads), &surface.known.spline, modes));
-        coupling.stress.push(stresses.as_ref().subrows(row, rows).to_owned());
-        (load, row) = (load + loads, row + rows);
-    }
-    coupling
+    let [loads, stress] = by_surface(&forces, &stresses, prepared, modes);
+    BoreCoupling { loads, stress, ..BoreCoupling::new(released, sectors, pitch) }
 }
 
-/// Returns the coupling of the loads and stress recovery points of distant sectors.
-fn far_coupling(response: FarResponse, prepared: &[Prepared], modes: usize, sectors: u32) -> FarCoupling {
-    let (mut coupling, [loads, rows]) = FarCoupling::new(response, sectors);
+/// Divides responses to all loads, one column each, and those of all stress rows by surface: the
+/// former by the unknowns of its table.
+fn by_surface(loads: &Mat<f64>, rows: &Mat<f64>, prepared: &[Prepared], modes: usize) -> [Vec<Mat<f64>>; 2] {
+    let (mut of_loads, mut stress) = (Vec::new(), Vec::new());
     let (mut load, mut row) = (0, 0);
     for surface in prepared {
         let own = loads.as_ref().subcols(load, surface.loads);
-        coupling.loads.push(by_unknown(own, &surface.known.spline, modes));
-        coupling.stress.push(rows.as_ref().subrows(row, surface.stress_rows).to_owned());
+        of_loads.push(by_unknown(own, &surface.known.spline, modes));
+        stress.push(rows.as_ref().subrows(row, surface.stress_rows).to_owned());
         (load, row) = (load + surface.loads, row + surface.stress_rows);
     }
-    coupling
+    [of_loads, stress]
 }
 
 /// Applies a map to the block of each pair of polynomials.
