@@ -18,7 +18,9 @@ use crate::prototype::GearPrototype;
 use crate::rack::Rack;
 use crate::shaper::Shaper;
 use crate::web::Web;
+use calyx_runtime::fidelity::StructureOptions;
 use calyx_runtime::material::Material;
+use calyx_runtime::structure::raceway::HIGHEST_DEGREE;
 use calyx_runtime::structure::{BoreSupport, SplineTeeth};
 use std::sync::Arc;
 
@@ -150,6 +152,17 @@ impl Rim {
             }
             (None, BoreSupport::Raceway { harmonics, .. }) => BoreSupport::Raceway { harmonics, degree: 0 },
             (None, BoreSupport::Rigid) => BoreSupport::Rigid,
+        }
+    }
+
+    /// Support of a three-dimensional model.
+    pub(crate) fn support_in_space(&self, options: &StructureOptions) -> BoreSupport {
+        match self.support {
+            BoreSupport::Raceway { harmonics, degree } => BoreSupport::Raceway {
+                harmonics,
+                degree: (degree + options.raceway_degrees).min(HIGHEST_DEGREE),
+            },
+            support => support,
         }
     }
 

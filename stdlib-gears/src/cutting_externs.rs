@@ -24,7 +24,6 @@ use crate::stated_thickness::{Limit, ThicknessStatements};
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError, math};
 use calyx_runtime::structure::BoreSupport;
-use calyx_runtime::structure::raceway::HIGHEST_DEGREE;
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -96,9 +95,11 @@ calyx_abi::externs! {
     }
 
     Pure fn calyx_gears_simple_rim(
-        context, diameter: f64, inner_diameter: f64, bore: String, bore_harmonics: f64, bore_axial_degree: f64,
+        context, diameter: f64, inner_diameter: f64, bore: String, bore_harmonics: f64,
+        bore_axial_degree: Option<f64>,
     ) -> Handle {
-        let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, bore_axial_degree])?;
+        let degree = bore_axial_degree.unwrap_or(if bore == "raceway" { RACEWAY_DEGREE } else { 1.0 });
+        let support = bore_support(&bore, ["bore_harmonics", "bore_axial_degree"], [bore_harmonics, degree])?;
         let (place, host) = (context.place, host(context)?);
         let rim = Rim::new(diameter, inner_diameter).map_err(|error| host.rejected(error.into(), place))?;
         Ok(keep(&mut host.rims, rim.supported_by(support)))
@@ -285,6 +286,10 @@ pub(crate) fn whole_orders(names: [&'static str; 2], orders: [f64; 2]) -> Result
 /// Highest harmonic of the series of a raceway unless another one is given: twice the number of
 /// rollers of common bearings.
 const RACEWAY_HARMONICS: u16 = 40;
+/// Degree of the polynomials along a raceway unless another one is given.
+const RACEWAY_DEGREE: f64 = 2.0;
+/// Highest degree in a model. Error estimates have higher ones.
+const MOST_RACEWAY_DEGREE: f64 = 3.0;
 
 /// Support of a rim. The circumferential and axial orders are those of the constraint in addition
 /// to the rigid-body motion.
@@ -301,9 +306,14 @@ pub(crate) fn bore_support(
             Ok(BoreSupport::Means { harmonics: Some(harmonics as u16), degree: degree as u8 })
         }
         ("raceway", harmonics) => {
-            if degree > f64::from(HIGHEST_DEGREE) {
-                let message = format!("`{}` of a raceway is at most {HIGHEST_DEGREE}", names[1]);
-                return Err(refusal("E0649", names[1], &message, "1 resolves the tilt of rollers"));
+            if degree > MOST_RACEWAY_DEGREE {
+                let message = format!("`{}` of a raceway is at most {MOST_RACEWAY_DEGREE}", names[1]);
+                return Err(refusal(
+                    "E0649",
+                    names[1],
+                    &message,
+                    "2 resolves the bending of a raceway along its axis",
+                ));
             }
             let harmonics = if harmonics == 0.0 { RACEWAY_HARMONICS } else { harmonics as u16 };
             Ok(BoreSupport::Raceway { harmonics, degree: degree as u8 })

@@ -196,7 +196,7 @@ impl GearPrototype {
             sectors: self.gear.teeth(),
             cuts: CUTS,
             bore: "bore",
-            support: self.rim.support,
+            support: self.rim.support_in_space(options),
             coupled: self.coupled_teeth(),
         };
         let web = self.rim.revolved_web(self.gear.teeth(), self.material);
@@ -251,7 +251,7 @@ impl GearPrototype {
         self.teeth_and_tool("solid gear on a rim")
             .numbers(&[self.material.youngs_modulus, self.material.poissons_ratio, self.rim.fixed_radius])
             .numbers(&self.rim.web_numbers())
-            .numbers(&Rim::support_numbers(self.rim.support))
+            .numbers(&Rim::support_numbers(self.rim.support_in_space(options)))
             .numbers(&[self.face_width, twist])
             .text(options.template.name())
             .numbers(&[options.refinement, options.matching_depth])

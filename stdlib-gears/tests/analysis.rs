@@ -34,6 +34,7 @@ const SMALLEST: StructureOptions = StructureOptions {
     matching_depth: 1.0,
     stresses: true,
     sharp_edges: false,
+    raceway_degrees: 0,
 };
 
 /// Pair of gears, its positions, and all observables as outputs.

@@ -75,6 +75,7 @@ const MESH: StructureOptions = StructureOptions {
     matching_depth: 1.0,
     stresses: true,
     sharp_edges: false,
+    raceway_degrees: 0,
 };
 const PLANE: Setting = Setting {
     fidelity: "plane",

@@ -154,6 +154,8 @@ pub struct StructureOptions {
     /// Makes surfaces end sharply at their nominal ends, without rounded edges; contact is confined
     /// to them.
     pub sharp_edges: bool,
+    /// Additional degrees of the polynomials along elastic raceways, for error estimates.
+    pub raceway_degrees: u8,
 }
 
 impl Default for StructureOptions {
@@ -168,6 +170,7 @@ impl Default for StructureOptions {
             matching_depth: 1.0,
             stresses: true,
             sharp_edges: false,
+            raceway_degrees: 0,
         }
     }
 }

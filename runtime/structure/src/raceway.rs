@@ -17,7 +17,9 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Highest degree of the polynomials along a raceway.
-pub const HIGHEST_DEGREE: u8 = 3;
+pub const HIGHEST_DEGREE: u8 = 5;
+/// Number of Gauss points along a roller, exact for the highest degree times a line.
+const POINTS: usize = 4;
 
 /// Raceway of rollers in a bore about the z axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -63,8 +65,7 @@ impl Raceway {
         let width = self.ends[1] - self.ends[0];
         let zeta = |z: f64| if width > 0.0 { (2.0 * z - self.ends[0] - self.ends[1]) / width } else { 0.0 };
         let mut along = [[0.0; 2]; HIGHEST_DEGREE as usize + 1];
-        // Exact for the highest degree times a line.
-        for (node, weight) in gauss_legendre(usize::from(HIGHEST_DEGREE)) {
+        for (node, weight) in gauss_legendre(POINTS) {
             let from_middle = 0.5 * length * node;
             for (sum, value) in along.iter_mut().zip(legendre(zeta(z + from_middle))) {
                 sum[0] += 0.5 * weight * value;
@@ -117,8 +118,12 @@ impl Raceway {
 
 /// Returns the Legendre polynomials up to [`HIGHEST_DEGREE`] at a coordinate.
 fn legendre(zeta: f64) -> [f64; HIGHEST_DEGREE as usize + 1] {
-    let square = zeta * zeta;
-    [1.0, zeta, 0.5 * (3.0 * square - 1.0), 0.5 * zeta * (5.0 * square - 3.0)]
+    let mut values = [1.0, zeta, 0.0, 0.0, 0.0, 0.0];
+    for n in 1..usize::from(HIGHEST_DEGREE) {
+        let k = n as f64;
+        values[n + 1] = ((2.0 * k + 1.0) * zeta * values[n] - k * values[n - 1]) / (k + 1.0);
+    }
+    values
 }
 
 /// Raceway before the ring is solved.
@@ -127,4 +132,24 @@ pub(super) struct RacewayForms {
     pub raceway: Raceway,
     /// Coefficients by all amplitudes of the bore, constrained ones first.
     pub coefficients: Mat<f64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_along_a_raceway_are_those_of_legendre() {
+        let expected = [1.0, 0.5, -0.125, -0.4375, -0.289_062_5, 0.089_843_75];
+        for (value, expected) in legendre(0.5).iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-15, "{value} {expected}");
+        }
+        // Means along a roller as long as the raceway: all but the constant vanish.
+        let raceway = Raceway { radius: 1.0, ends: [-1.0, 1.0], harmonics: 0, degree: HIGHEST_DEGREE };
+        let [means, slopes] = raceway.terms_along(0.3, 0.0, 2.0);
+        for (degree, (mean, slope)) in means.iter().zip(&slopes).enumerate() {
+            let [one, line] = [0, 1].map(|own| f64::from(u8::from(degree == own)));
+            assert!((mean - one).abs() < 1e-14 && (slope - line).abs() < 1e-14, "{degree}: {mean} {slope}");
+        }
+    }
 }

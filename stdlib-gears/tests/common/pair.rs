@@ -355,6 +355,7 @@ pub const COARSE: StructureOptions = StructureOptions {
     matching_depth: 1.0,
     stresses: true,
     sharp_edges: false,
+    raceway_degrees: 0,
 };
 
 /// System of the scene on a coarse mesh.

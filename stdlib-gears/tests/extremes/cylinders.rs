@@ -148,6 +148,7 @@ const DEFAULT: StructureOptions = StructureOptions {
     matching_depth: 1.0,
     stresses: true,
     sharp_edges: false,
+    raceway_degrees: 0,
 };
 
 fn solve(scene: &Scene) -> Result<StepResult, EngineError> {

@@ -34,6 +34,8 @@ const OF_HIGHER_ORDER: [f64; 2] = [1.3, 1.6];
 /// more of them then along every direction. Quadratic elements have as many degrees of freedom then
 /// as cubic ones.
 const FINER_SOLID: f64 = 1.5;
+/// Additional degrees of the polynomials along raceways: the next ones of the same symmetry.
+const RACEWAY_DEGREES: u8 = 2;
 
 /// Mesh for a comparison.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,10 +58,14 @@ impl MeshVariant {
     /// order: quadratic ones with cubic ones, and cubic ones with more quadratic ones, which are
     /// equally expensive. The same number of quadratic elements would show no error of the layers
     /// that recovered stress is fitted to. Linear elements lock, so they show no error of quadratic
-    /// ones.
+    /// ones. All have higher polynomials along raceways.
     pub(super) fn of(fidelity: Fidelity, structure: StructureOptions) -> [MeshVariant; 2] {
         match fidelity {
             Fidelity::Solid(_) => {
+                let structure = StructureOptions {
+                    raceway_degrees: structure.raceway_degrees + RACEWAY_DEGREES,
+                    ..structure
+                };
                 let other = match structure.order < CUBIC {
                     true => MeshVariant {
                         structure: of_order(structure, structure.order + 1),
@@ -131,6 +137,7 @@ mod tests {
         let own = StructureOptions { order, axial_order, ..StructureOptions::default() };
         let [MeshVariant { structure, .. }, finer] = MeshVariant::of(Fidelity::Solid(Template::Medium), own);
         assert_eq!((finer.structure.order, finer.structure.refinement), (order, FINER_SOLID));
+        assert_eq!([structure, finer.structure].map(|other| other.raceway_degrees), [RACEWAY_DEGREES; 2]);
         [Some(structure.order), structure.axial_order]
     }
 

@@ -139,8 +139,6 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
             None => all.push(mirror),
         }
     }
-    let (upright, inclined): (Vec<Images>, Vec<Images>) =
-        all.into_iter().map(|mirror| Images::new(mirror, patch.frame)).partition(Images::is_upright);
     let half_space = HalfSpace { softness: direct };
     // The half-space term depends on the difference of two cells' positions. The image term of an
     // upright mirror depends on the difference across and the sum of both positions along the
@@ -148,54 +146,23 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
     let cells = patch.cells;
     let [across, along] = [0, 1].map(|axis| Intervals::of(cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
-    let mut direct_known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
-    let given = |i: usize, j: usize| direct_known.get(i, j, || half_space.influence(&cells[i], &cells[j]));
-    // On general axes the columns differ from slice to slice. The decision must not depend on
-    // rounding, as the columns that cells share do.
-    if cells.iter().all(|cell| cell.slope == [0.0; 2]) {
-        add_pairs(n, block, interrupt, given)?;
-    } else {
-        add_influence(cells, &half_space, given, block, interrupt)?;
-    }
-    if !upright.is_empty() {
-        let rows = along.pairs(|one, other| one + other);
-        let mut known = RelationCache::new([across.pairs(apart), rows], n);
-        let all = |i: usize, j: usize| -> f64 {
-            upright.iter().map(|images| images.influence(&cells[i], &cells[j])).sum()
+    let mut known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
+    let given = |i: usize, j: usize| known.get(i, j, || half_space.influence(&cells[i], &cells[j]));
+    add_influence(cells, &half_space, given, block, interrupt)?;
+    for mirror in all {
+        let images = Images::new(mirror, patch.frame);
+        let relations = || match images.is_upright() {
+            true => along.pairs(|one, other| one + other),
+            false => along.each_pair(),
         };
-        add_pairs(n, block, interrupt, |i, j| known.get(i, j, || all(i, j)))?;
-    }
-    // Rounding decides whether a mirror is level, so it must not decide how images are evaluated.
-    for images in &inclined {
-        let mut known =
-            images.is_level.then(|| RelationCache::new([across.pairs(apart), along.each_pair()], n));
+        let alike = images.is_upright() || images.is_level;
+        let mut known = alike.then(|| RelationCache::new([across.pairs(apart), relations()], n));
         let find = |i: usize, j: usize| images.influence(&cells[i], &cells[j]);
         let pair = |i: usize, j: usize| match &mut known {
             Some(known) => known.get(i, j, || find(i, j)),
             None => find(i, j),
         };
-        add_influence(cells, images, pair, block, interrupt)?;
-    }
-    Ok(())
-}
-
-/// Adds the influence between all pairs of `n` cells to a symmetric block, row-major. Each row is a
-/// checkpoint.
-fn add_pairs(
-    n: usize,
-    block: &mut [f64],
-    interrupt: &Interrupt,
-    mut pair: impl FnMut(usize, usize) -> f64,
-) -> Result<(), EngineError> {
-    for i in 0..n {
-        interrupt.check()?;
-        for j in 0..=i {
-            let value = pair(i, j);
-            block[i * n + j] += value;
-            if j < i {
-                block[j * n + i] += value;
-            }
-        }
+        add_influence(cells, &images, pair, block, interrupt)?;
     }
     Ok(())
 }

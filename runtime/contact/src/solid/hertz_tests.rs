@@ -105,8 +105,7 @@ impl Press {
 }
 
 /// Entries between the cells in contact and those of the slices at the ends are those of the whole
-/// matrix, apart from rounding: the terms of distant cells cancel, so that it is relative to the
-/// diagonal.
+/// matrix, apart from the interpolation of distant strips, whose ends depend on the cells wanted.
 fn check_entries_in_contact(patch: &PatchCells, grid: &Grid, problem: &ContactProblem, active: &[usize]) {
     let n = grid.cells.len();
     let mut wanted = vec![false; n];
@@ -118,7 +117,7 @@ fn check_entries_in_contact(patch: &PatchCells, grid: &Grid, problem: &ContactPr
     for (entry, (some, all)) in some.iter().zip(&problem.compliance).enumerate() {
         if wanted[entry / n] && wanted[entry % n] {
             let diagonal = problem.compliance[entry / n * (n + 1)];
-            assert!((some - all).abs() < 1e-13 * diagonal, "{} {}: {some:e} {all:e}", entry / n, entry % n);
+            assert!((some - all).abs() < 1e-10 * diagonal, "{} {}: {some:e} {all:e}", entry / n, entry % n);
         }
     }
 }

@@ -13,6 +13,9 @@ use std::collections::BTreeMap;
 const ROUNDING: f64 = (1_u64 << 44) as f64;
 /// Least number of cells that share an interval; with fewer, grouping does not save work.
 const FEW: usize = 4;
+/// Largest number of relative positions per cell that are stored. Grids of lattices with cells that
+/// edges grade have more, and their allocation would take longer than it saves.
+const MOST_RELATIONS: usize = 64;
 
 /// Intervals of some cells along one axis.
 pub(super) struct Intervals {
@@ -92,11 +95,11 @@ pub(super) struct RelationCache<'a> {
 }
 
 impl<'a> RelationCache<'a> {
-    /// Creates the table for a number of cells. It stores at most as many entries as the cells have
-    /// pairs; others are recomputed.
+    /// Creates the table for a number of cells. Where cells have so many relative positions that
+    /// few pairs of them are alike, it stores none.
     pub fn new(pairs: [Pairs<'a>; 2], cells: usize) -> Self {
         let room = pairs[0].relations * pairs[1].relations;
-        let known = if room <= cells * cells { vec![f64::NAN; room] } else { Vec::new() };
+        let known = if room <= MOST_RELATIONS * cells { vec![f64::NAN; room] } else { Vec::new() };
         Self { pairs, known }
     }
 

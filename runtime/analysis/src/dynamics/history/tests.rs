@@ -34,6 +34,7 @@ const FEW: StructureOptions = StructureOptions {
     matching_depth: 1.0,
     stresses: false,
     sharp_edges: false,
+    raceway_degrees: 0,
 };
 
 /// Massless disc with prescribed modes.
