@@ -45,6 +45,7 @@ fn on_bearings() -> Scene {
 }
 
 #[test]
+#[ignore = "takes a minute: .ci/full runs it"]
 fn peaks_of_the_transfer_function_are_the_natural_frequencies() {
     let mut scene = on_bearings();
     let system_scene = scene.clone();

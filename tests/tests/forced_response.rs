@@ -268,6 +268,7 @@ output second_force := gears.mesh_force(second);
 
 /// Two mesh frequencies above the resonances.
 #[test]
+#[ignore = "takes a minute: .ci/full runs it"]
 fn two_mesh_frequencies_agree_with_time_integration() {
     agrees_with_time_integration(7000.0);
 }
@@ -367,6 +368,7 @@ output forces := [gears.mesh_force(mesh) for mesh in set.sun_meshes];
 /// and the transmission error has none. Both equal those of the set with a carrier at rest, but for
 /// Coriolis forces, which are about 2 / 71 of the inertia forces.
 #[test]
+#[ignore = "takes a minute: .ci/full runs it"]
 fn a_rotating_carrier_gives_the_vibration_of_one_at_rest() {
     for speed in [200.0, 700.0] {
         let response = |carrier_rests: bool| {

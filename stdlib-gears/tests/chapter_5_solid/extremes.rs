@@ -82,6 +82,7 @@ fn rims_from_thin_to_solid() {
 }
 
 #[test]
+#[ignore = "takes a minute: .ci/full runs it"]
 fn contraction_from_none_to_nearly_all() {
     let ratios = [0.0, 0.3, 0.49];
     let errors =
@@ -93,6 +94,7 @@ fn contraction_from_none_to_nearly_all() {
 
 /// The tip of the second tool is fully rounded: its tooth has no tip land.
 #[test]
+#[ignore = "takes a minute: .ci/full runs it"]
 fn sharp_and_round_tools() {
     for tip_radius in [0.004, 0.0497] {
         solve(Pair { tip_radius, ..CHAPTER_5 }, 1, 3);
