@@ -30,8 +30,8 @@ analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = \"
     ))
 }
 
-/// If its meshes were independent, the transmission errors with a bore of 6 mm would be 2.5 times as
-/// large: each mesh alone would twist that material.
+/// If its meshes were independent, the transmission errors with a bore of 6 mm would be 2.5 times
+/// as large: each mesh alone would twist that material.
 #[test]
 fn a_small_bore_has_no_effect_on_an_idler() {
     for fidelity in ["analytic", "plane", "medium"] {

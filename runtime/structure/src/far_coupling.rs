@@ -11,9 +11,9 @@
 //! F_d B = F_d B_J C,   B^T F_d B = C^T (B_J^T F_d B_J) C
 //! ```
 //!
-//! (an interpolative decomposition). A few modes represent the displacements of all distant sectors,
-//! from which their stresses follow. Loads and modes are selected by Gram-Schmidt orthogonalization
-//! with pivoting.
+//! (an interpolative decomposition). A few modes represent the displacements of all distant
+//! sectors, from which their stresses follow. Loads and modes are selected by Gram-Schmidt
+//! orthogonalization with pivoting.
 //!
 //! See `docs/theory/substructures.md`.
 
@@ -130,8 +130,8 @@ fn interpolation(chosen: &[usize], shares: Mat<f64>) -> Mat<f64> {
     coefficients
 }
 
-/// Returns the factor that scales shared unknowns, which are forces, to the size of the displacements
-/// of cuts with `n` degrees of freedom each.
+/// Returns the factor that scales shared unknowns, which are forces, to the size of the
+/// displacements of cuts with `n` degrees of freedom each.
 fn shared_scale(unknowns: &Mat<f64>, n: usize) -> f64 {
     let moved = unknowns.as_ref().subrows(0, 2 * n).norm_max();
     let shared = unknowns.as_ref().subrows(2 * n, unknowns.nrows() - 2 * n).norm_max();
