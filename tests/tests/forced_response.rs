@@ -41,7 +41,6 @@ analyze(\"quasi_static\", over = gears.times(0 s, 60 s / {speed} / 20, 65), fide
     )
 }
 
-/// Root mean square of the variation about the mean.
 /// Returns the root mean square of the lowest harmonics of values over one period.
 fn rms_of_harmonics(values: &[f64], highest: usize) -> f64 {
     let count = values.len() as f64;
@@ -55,6 +54,7 @@ fn rms_of_harmonics(values: &[f64], highest: usize) -> f64 {
     (1..=highest).map(|harmonic| 0.5 * amplitude(harmonic).powi(2)).sum::<f64>().sqrt()
 }
 
+/// Root mean square of the variation about the mean.
 fn rms(values: &[f64]) -> f64 {
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     (values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()

@@ -13,8 +13,8 @@ use std::collections::BTreeMap;
 const ROUNDING: f64 = (1_u64 << 44) as f64;
 /// Least number of cells that share an interval; with fewer, grouping does not save work.
 const FEW: usize = 4;
-/// Largest number of relative positions per cell that are stored. Grids of lattices with cells that
-/// edges grade have more, and their allocation would take longer than it saves.
+/// Largest number of relative positions per cell that are stored. Lattices have fewer. Next to tip
+/// edges, where the columns of slices differ, there are more, and few pairs of cells are alike.
 const MOST_RELATIONS: usize = 64;
 
 /// Intervals of some cells along one axis.
