@@ -11,6 +11,7 @@ mod impacts;
 mod load_path;
 mod raceway;
 mod ring_on_springs;
+mod seat_raceways;
 mod solids;
 mod tolerance;
 mod whole_equations;

@@ -150,9 +150,10 @@ calyx_abi::externs! {
     /// Position of an attachment in the coordinates of its body. Adds nothing to the scene.
     Scene fn calyx_gears_attachment_position(
         context, name: String, body: Handle, region: Handle, how: String, harmonics: Vec<f64>, axis: [f64; 3],
-        position: Option<[f64; 3]>,
+        raceway_harmonics: Option<f64>, raceway_degree: f64, position: Option<[f64; 3]>,
     ) -> [f64; 3] {
-        let requested = requested(context, name, region, (how, harmonics, axis), position)?;
+        let raceway = (raceway_harmonics, raceway_degree);
+        let requested = requested(context, name, region, (how, harmonics, axis, raceway), position)?;
         let index = elastic_body(context, body)?;
         let mut source = host(context)?.elastic_bodies[index].source.clone();
         source.attach(&requested).map_err(|error| blamed(externs::engine(error)))
@@ -178,9 +179,11 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_attached_body(
         context, name: String, body: Handle, region: Handle, how: String, harmonics: Vec<f64>, axis: [f64; 3],
-        position: Option<[f64; 3]>, fixed: bool, frame: SymbolicTransform,
+        raceway_harmonics: Option<f64>, raceway_degree: f64, position: Option<[f64; 3]>, fixed: bool,
+        frame: SymbolicTransform,
     ) -> Handle {
-        let requested = requested(context, name, region, (how, harmonics, axis), position)?;
+        let raceway = (raceway_harmonics, raceway_degree);
+        let requested = requested(context, name, region, (how, harmonics, axis, raceway), position)?;
         let index = elastic_body(context, body)?;
         let expression = frame.0.clone();
         let motion = BodyPlacement::motion(frame, context.params.clone());
@@ -432,7 +435,7 @@ fn requested(
     context: &mut Context,
     name: String,
     region: Handle,
-    (how, harmonics, axis): (String, Vec<f64>, [f64; 3]),
+    (how, harmonics, axis, raceway): (String, Vec<f64>, [f64; 3], (Option<f64>, f64)),
     position: Option<[f64; 3]>,
 ) -> Result<RequestedAttachment, RuntimeError> {
     let connection = match how.as_str() {
@@ -442,6 +445,13 @@ fn requested(
             let harmonics = harmonics.into_iter().map(|order| whole(("E0991", "harmonics"), order, 0));
             Connection::Fourier { axis, harmonics: harmonics.collect::<Result<_, _>>()? }
         }
+        "raceway" => Connection::Raceway {
+            harmonics: raceway
+                .0
+                .map(|number| Ok::<_, RuntimeError>(whole(("E0991", "raceway_harmonics"), number, 2)? as u16))
+                .transpose()?,
+            degree: whole(("E0991", "raceway_degree"), raceway.1, 0)? as u8,
+        },
         _ => Connection::Rigid,
     };
     externs::before_analysis(context, format_args!("the attachment \"{name}\""))?;

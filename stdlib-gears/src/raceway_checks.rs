@@ -1,10 +1,11 @@
-//! Gears whose bore is the raceway of a bearing: whether rollers run in it, and whether they fit.
+//! Gears whose bore and elastic bodies whose seats are raceways of bearings: whether rollers run in
+//! them, and whether they fit.
 
 use crate::error::Severity;
 use crate::host::{Finding, ModelHost, shown};
 use calyx_abi::RuntimeError;
 use calyx_runtime::analyses::Analysis;
-use calyx_runtime::bearing::{Bearing, InBore};
+use calyx_runtime::bearing::{Bearing, InBore, RacewayCylinder, Support};
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::rolling::{Elements, Row};
 use calyx_runtime::structure::BoreSupport;
@@ -12,6 +13,9 @@ use calyx_runtime::structure::BoreSupport;
 /// Part of a size by which a bore may exceed the raceway of its rollers, and these the bore,
 /// without a warning.
 const FIT: f64 = 0.01;
+/// Diameter of a seat relative to the raceway of its rollers from which an outer ring between them
+/// is no longer thin.
+const THICK_RING: f64 = 1.5;
 
 /// Checks the raceways in the bores of gears, and adds warnings to the findings.
 ///
@@ -22,23 +26,18 @@ pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> R
     for body in 0..host.scene.bodies.len() {
         let gear = host.body_gears.get(body).copied().flatten().and_then(|gear| host.gears.get(gear));
         let Some(gear) = gear.and_then(|gear| gear.cylindrical()) else { continue };
-        if !matches!(gear.rim.support, BoreSupport::Raceway { .. }) {
-            continue;
+        if matches!(gear.rim.support, BoreSupport::Raceway { .. }) {
+            let half = 0.5 * gear.face_width;
+            let cylinder = RacewayCylinder::bore(body, gear.rim.fixed_radius);
+            found.extend(Bore { cylinder, ends: [-half, half], of_gear: true }.check(host, analysis)?);
         }
-        let bore = Bore { body, radius: gear.rim.fixed_radius, width: gear.face_width };
-        let inside: Vec<usize> = (0..host.scene.bearings.len())
-            .filter(|&bearing| host.scene.bearings[bearing].outer_body() == Some(body))
-            .collect();
-        if inside.is_empty() {
-            found.push(no_rollers(host, body));
-        } else if analysis.has_inertia() {
-            let name = &host.scene.bodies[body].name;
-            let message = format!("the raceway in the bore of \"{name}\" is rigid in a dynamic analysis");
-            let help = "find the loads of its rollers by a quasi-static analysis";
-            found.push(EngineError::new("E0700", message, help).about(Subject::Body(body)));
-        }
-        for bearing in inside {
-            found.extend(bore.misfit(host, bearing)?);
+    }
+    for connection in &host.scene.connections {
+        let seats = connection.body.as_ref().map_or_else(Vec::new, |body| body.0.raceways());
+        for (seat, attachment) in seats.iter().zip(&connection.attachments) {
+            let (Some(seat), Support::Body(body)) = (seat, attachment.to) else { continue };
+            let cylinder = RacewayCylinder::seat(body.0, seat);
+            found.extend(Bore { cylinder, ends: seat.raceway.ends, of_gear: false }.check(host, analysis)?);
         }
     }
     for error in found {
@@ -50,59 +49,116 @@ pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> R
     Ok(())
 }
 
-/// Returns the warning about a raceway without rollers.
-fn no_rollers(host: &ModelHost, body: usize) -> EngineError {
-    let name = &host.scene.bodies[body].name;
-    let message = format!(
-        "the bore of \"{name}\" is a raceway, and no cylindrical rollers run in it: it deforms like a free bore, and bearings have rigid rings"
-    );
-    let help = "mount a `needle_bearing` or `cylindrical_roller_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"; in `gears.planetary`, give `pin_needles`";
-    EngineError::new("E0700", message, help).about(Subject::Body(body))
-}
-
-/// Bore of a gear.
+/// Bore of a gear, or seat of an elastic body.
 struct Bore {
-    body: usize,
-    /// Radius and width, m.
-    radius: f64,
-    width: f64,
+    cylinder: RacewayCylinder,
+    /// Axial coordinates of its ends from the origin of the body, m.
+    ends: [f64; 2],
+    of_gear: bool,
 }
 
 impl Bore {
+    /// Returns warnings about the rollers in the bore.
+    fn check(&self, host: &ModelHost, analysis: &dyn Analysis) -> Result<Vec<EngineError>, RuntimeError> {
+        let body = self.cylinder.body;
+        let inside: Vec<usize> = (0..host.scene.bearings.len())
+            .filter(|&bearing| host.scene.bearings[bearing].outer_body() == Some(body))
+            .collect();
+        let mut found = Vec::new();
+        if inside.is_empty() {
+            found.push(self.no_rollers(host));
+        } else if analysis.has_inertia() {
+            let message = format!("the raceway in {} is rigid in a dynamic analysis", self.name(host));
+            let help = "find the loads of its rollers by a quasi-static analysis";
+            found.push(EngineError::new("E0700", message, help).about(Subject::Body(body)));
+        }
+        for bearing in inside {
+            found.extend(self.misfit(host, bearing)?);
+        }
+        Ok(found)
+    }
+
+    fn name(&self, host: &ModelHost) -> String {
+        let name = &host.scene.bodies[self.cylinder.body].name;
+        if self.of_gear { format!("the bore of \"{name}\"") } else { format!("the seat \"{name}\"") }
+    }
+
+    /// Returns the warning about a raceway without rollers.
+    fn no_rollers(&self, host: &ModelHost) -> EngineError {
+        let (name, body) = (self.name(host), Subject::Body(self.cylinder.body));
+        let (rest, help) = match self.of_gear {
+            true => (
+                "it deforms like a free bore, and bearings have rigid rings",
+                "mount a `needle_bearing` or `cylindrical_roller_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"; in `gears.planetary`, give `pin_needles`",
+            ),
+            false => (
+                "bearings in it have rigid rings",
+                "mount a `cylindrical_roller_bearing` or `needle_bearing` on it as `to` and without `linearized_at`, or attach it with `how = \"average\"`",
+            ),
+        };
+        let message = format!("{name} is a raceway, and no cylindrical rollers run in it: {rest}");
+        EngineError::new("E0700", message, help).about(body)
+    }
+
     /// Returns warnings about a bearing that does not fit.
     fn misfit(&self, host: &ModelHost, bearing: usize) -> Result<Vec<EngineError>, RuntimeError> {
         let own: &Bearing = &host.scene.bearings[bearing];
-        let bodies = &host.scene.bodies;
-        let placed = InBore::at(bodies, own, (self.body, self.radius), 0.0);
+        let placed = InBore::at(&host.scene.bodies, own, &self.cylinder, 0.0);
         let placed = placed.map_err(|error| host.engine_error(error))?;
         let mm = |metres: f64| shown(metres, host.length_unit);
-        let (name, gear) = (&own.name, &bodies[self.body].name);
+        let (name, bore) = (&own.name, self.name(host));
+        let width = self.ends[1] - self.ends[0];
         let rows = own.rolling().map_or(&[][..], |elements| elements.bearing.rows());
         let mut found = Vec::new();
         for row in rows {
             let Elements::Rollers(rollers) = &row.elements else { continue };
             let diameter = Row::pitch_diameter(row) + rollers.geometry().roller_diameter;
+            let size = 2.0 * self.cylinder.radius;
             let middle = placed.z + placed.sense * row.position;
-            let beyond = middle.abs() + 0.5 * rollers.geometry().length - 0.5 * self.width;
-            // That rollers need a larger bore is reported with the sizes of all bearings.
-            if 2.0 * self.radius > (1.0 + FIT) * diameter {
+            let half = 0.5 * rollers.geometry().length;
+            let beyond = (middle + half - self.ends[1]).max(self.ends[0] - middle + half);
+            // That rollers need a larger bore of a gear is reported with the sizes of all bearings.
+            let largest = if self.of_gear { 1.0 + FIT } else { THICK_RING };
+            if size > largest * diameter {
+                let help = match self.of_gear {
+                    true => {
+                        "let the rollers run in the bore: correct `pitch_diameter`, `roller_diameter` or the `inner_diameter` of the rim"
+                    }
+                    false => {
+                        "mesh the ring with the housing and attach its raceway, or attach the seat with `how = \"average\"`"
+                    }
+                };
+                let message = format!(
+                    "{bore} has a diameter of {}, and the rollers of bearing \"{name}\" need a raceway of {}: a ring between them is not modelled",
+                    mm(size),
+                    mm(diameter)
+                );
+                found.push((message, help));
+            }
+            if !self.of_gear && size < (1.0 - FIT) * diameter {
+                let message = format!(
+                    "{bore} has a diameter of {}, and the rollers of bearing \"{name}\" need a raceway of {}",
+                    mm(size),
+                    mm(diameter)
+                );
                 found.push((
-                    format!(
-                        "the bore of \"{gear}\" has a diameter of {}, and the rollers of bearing \"{name}\" need a raceway of {}: a ring between them is not modelled",
-                        mm(2.0 * self.radius),
-                        mm(diameter)
-                    ),
-                    "let the rollers run in the bore: correct `pitch_diameter`, `roller_diameter` or the `inner_diameter` of the rim",
+                    message,
+                    "correct the diameter of the region, `pitch_diameter` or `roller_diameter`",
                 ));
             }
-            if beyond > FIT * self.width {
-                found.push((
-                    format!(
-                        "the rollers of bearing \"{name}\" reach {} beyond the bore of \"{gear}\", which is their raceway",
-                        mm(beyond)
-                    ),
-                    "correct the position `at`, the length of the rollers or the face width of the gear",
-                ));
+            // A seat in a wall of shells has no width.
+            if width > 0.0 && beyond > FIT * width {
+                let help = match self.of_gear {
+                    true => {
+                        "correct the position `at`, the length of the rollers or the face width of the gear"
+                    }
+                    false => "correct the position `at`, the length of the rollers or that of the region",
+                };
+                let message = format!(
+                    "the rollers of bearing \"{name}\" reach {} beyond {bore}, which is their raceway",
+                    mm(beyond)
+                );
+                found.push((message, help));
             }
         }
         let warning = |(message, help): (String, &'static str)| {

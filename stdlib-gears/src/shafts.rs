@@ -21,7 +21,7 @@ use calyx_runtime::motion::{Motion, Orientation, spatial_pose};
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::scene::{Body, BodyId, Component, ConnectionId, Prototype, Scene};
 use calyx_runtime::shaft::{SAME_POSITION, Shaft};
-use calyx_runtime::structure::ComponentModes;
+use calyx_runtime::structure::{ComponentModes, RacewayMatrices};
 use calyx_runtime::vec3::{cross, length, minus};
 use std::sync::Arc;
 
@@ -190,6 +190,7 @@ impl ModelShaft {
             modes: ComponentModes::default(),
             shaft: Some(CondensedShaft { shaft: shaft.clone(), stations: vec![0.0], rigid }),
             body: None,
+            raceways: RacewayMatrices::default(),
         };
         let connection = scene.add_connection(connection)?;
         let own = ModelShaft {
@@ -367,6 +368,7 @@ impl ModelShaft {
             modes: ComponentModes::default(),
             shaft: Some(CondensedShaft { shaft: self.shaft.clone(), stations, rigid: self.rigid }),
             body: None,
+            raceways: RacewayMatrices::default(),
         };
         connection.check(&scene.bodies)?;
         scene.connections[self.connection.0] = connection;

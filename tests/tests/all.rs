@@ -36,6 +36,7 @@ mod report;
 mod rolling_bearings;
 mod rust_scene;
 mod same_scene;
+mod seat_raceways;
 mod shafts;
 mod surface_sound;
 mod theory;

@@ -95,7 +95,11 @@ fn check_interior(body: &FiniteElementBody, motions: &[[f64; 6]], whole: &[[f64;
     let never = Interrupt::never();
     let matrices = body.condense(MassReduction::None, &never).expect("condensed");
     let recovery = body.recovery(&never).expect("solved").expect("a mesh");
-    let deformed = recovery.deformed(&matrices.stiffness, motions).expect("valid");
+    let values = motions.as_flattened();
+    let row = |row: &[f64]| row.iter().zip(values).map(|(entry, moved)| entry * moved).sum();
+    let forces: Vec<f64> = matrices.stiffness.chunks_exact(values.len()).map(row).collect();
+    let forces: Vec<[f64; 6]> = forces.chunks_exact(6).map(|six| std::array::from_fn(|k| six[k])).collect();
+    let deformed = recovery.deformed(motions, &forces, &[]).expect("valid");
     let whole = &whole[..body.model().nodes.len()];
     let size =
         |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, |size, value| size.max(value.abs()));

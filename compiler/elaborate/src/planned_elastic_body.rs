@@ -6,7 +6,9 @@ use calyx_gears::elastic_bodies::{BodySource, ModelElasticBody};
 use calyx_gears::host::{LengthUnit, ModelHost};
 use calyx_runtime::elastic::attachment::Connection;
 use calyx_runtime::elastic::import::ImportReport;
-use calyx_runtime::elastic_body::{ElasticBody, ElasticBodySize, SharedElasticBody};
+use calyx_runtime::elastic_body::{
+    BodyAttachment, ElasticBody, ElasticBodySize, SeatRaceway, SharedElasticBody,
+};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::scene::{BodyId, ConnectionId};
 
@@ -102,9 +104,17 @@ impl PlannedElasticBody {
 }
 
 fn attachments(host: &ModelHost, body: &ModelElasticBody) -> Vec<String> {
-    let how = |connection: &Connection| match connection {
+    let how = |attachment: &BodyAttachment| match &attachment.connection {
         Connection::Rigid => "rigid".to_owned(),
         Connection::Average => "average".to_owned(),
+        Connection::Raceway { .. } => {
+            attachment.raceway.map_or_else(String::new, |SeatRaceway { raceway, .. }| {
+                format!(
+                    "raceway of {} harmonics and the degree {} along it",
+                    raceway.harmonics, raceway.degree
+                )
+            })
+        }
         Connection::Fourier { harmonics, .. } => {
             let orders: Vec<String> = harmonics.iter().map(u32::to_string).collect();
             format!("Fourier surface of the orders {}", orders.join(", "))
@@ -114,7 +124,7 @@ fn attachments(host: &ModelHost, body: &ModelElasticBody) -> Vec<String> {
         BodySource::Elements(elements) => {
             let of = elements.attachments().iter().map(|attachment| match attachment.nodes.len() {
                 1 => "1 node".to_owned(),
-                count => format!("{} nodes, {}", grouped(count), how(&attachment.connection)),
+                count => format!("{} nodes, {}", grouped(count), how(attachment)),
             });
             of.collect()
         }

@@ -64,6 +64,14 @@ pub enum Connection {
     Rigid,
     /// The attachment node follows the mean motion of the nodes, which can deform.
     Average,
+    /// As [`Connection::Average`], and the nodes form a cylinder that is the raceway of a bearing:
+    /// its radial displacement is a series, Fourier around the axis and Legendre along it.
+    Raceway {
+        /// Highest harmonic around the axis; `None` for the highest one that the nodes resolve.
+        harmonics: Option<u16>,
+        /// Highest degree of the polynomials along it.
+        degree: u8,
+    },
     /// The nodes move with the attachment node, and their displacements along and around the axis
     /// and radially are Fourier series of the angle about it. Harmonic 0 is radial expansion;
     /// harmonic 1 is the rigid motion.
@@ -73,6 +81,13 @@ pub enum Connection {
         /// Orders: 0, or at least 2.
         harmonics: Vec<u32>,
     },
+}
+
+impl Connection {
+    /// Returns whether the attachment node follows the mean motion of the nodes, which move freely.
+    pub fn is_average(&self) -> bool {
+        matches!(self, Connection::Average | Connection::Raceway { .. })
+    }
 }
 
 /// Attachment of a body.
@@ -326,7 +341,7 @@ pub fn attach_unnamed(model: &mut ElasticModel, attachment: &Attachment) -> Resu
             model.constraints.push(Constraint::Rigid { label, reference, dependents });
             Ok(vec![reference])
         }
-        Connection::Average => {
+        Connection::Average | Connection::Raceway { .. } => {
             let terms =
                 region.into_iter().zip(components).map(|(node, of_node)| (1.0, node, of_node)).collect();
             let components = [true; 6];

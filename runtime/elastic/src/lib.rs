@@ -25,6 +25,7 @@ pub mod shell;
 pub mod solid;
 pub mod statics;
 pub mod stress;
+pub mod surface;
 
 pub use error::{ElasticError, ElementError};
 pub use model::{

@@ -13,3 +13,4 @@ mod resources;
 mod shell;
 mod solids;
 mod stresses;
+mod surface;

@@ -7,7 +7,7 @@ use calyx_elastic::attachment::{Attachment, Connection, Region, attach};
 use calyx_elastic::condensation::{CondensedBody, Synthesis, component_modes, static_condensation};
 use calyx_elastic::model::SolidShape;
 use calyx_elastic::modes::{Request, natural_modes};
-use calyx_elastic::{ElasticModel, Element, ElementKind, FixedComponents, Resources, statics};
+use calyx_elastic::{ElasticModel, Element, ElementKind, FixedComponents, NodalLoad, Resources, statics};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use nalgebra::DMatrix;
@@ -99,6 +99,17 @@ fn static_condensation_is_exact() {
                     "{case} {k}: {:e}",
                     error / scale[component / 3]
                 );
+            }
+            // Displacements conjugate to the cases themselves.
+            for (other, loads) in cases.iter().enumerate() {
+                let moved = |load: &NodalLoad| -> f64 {
+                    let by = solution.displacements[load.node];
+                    load.load.iter().zip(by).map(|(force, moved)| force * moved).sum()
+                };
+                let expected: f64 = loads.iter().map(moved).sum();
+                let by_motion: f64 =
+                    (0..12).map(|row| condensed.loads[(row, other)] * found[(row, case)]).sum();
+                assert_close(by_motion + condensed.between_loads[(other, case)], expected, 1e-9);
             }
         }
     }

@@ -33,7 +33,7 @@ use crate::fidelity::Fidelity;
 use crate::ids::BodyId;
 use crate::shaft::Shaft;
 use calyx_numerics::error::{EngineError, Subject};
-use calyx_structure::{AttachmentMatrices, ComponentModes};
+use calyx_structure::{AttachmentMatrices, ComponentModes, RacewayMatrices};
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::sync::Arc;
 
@@ -66,6 +66,9 @@ pub struct ElasticConnection {
     /// The elastic body that is condensed onto the attachments when structures are built, if any.
     /// The matrices are empty before.
     pub body: Option<SharedElasticBody>,
+    /// Raceways in the attachments of the elastic body; empty before its condensation, and where it
+    /// is rigid.
+    pub raceways: RacewayMatrices,
 }
 
 /// Shaft behind a connection, for displacements and forces between its stations.
@@ -103,6 +106,7 @@ impl ElasticConnection {
             modes: ComponentModes::default(),
             shaft: None,
             body: Some(SharedElasticBody(body)),
+            raceways: RacewayMatrices::default(),
         }
     }
 
@@ -115,8 +119,8 @@ impl ElasticConnection {
         bodies: &[Body],
         matrices: &AttachmentMatrices,
     ) -> Result<ElasticConnection, EngineError> {
-        let AttachmentMatrices { stiffness, mass, modes } = matrices.clone();
-        let condensed = ElasticConnection { stiffness, mass, modes, ..self.clone() };
+        let AttachmentMatrices { stiffness, mass, modes, raceways } = matrices.clone();
+        let condensed = ElasticConnection { stiffness, mass, modes, raceways, ..self.clone() };
         condensed.check_matrices(bodies)?;
         Ok(condensed)
     }

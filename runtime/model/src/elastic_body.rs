@@ -13,6 +13,7 @@ mod condensation;
 mod extent;
 mod finite_elements;
 mod given_matrices;
+mod raceway;
 mod radiating;
 mod recovery;
 mod rigid_links;
@@ -23,6 +24,7 @@ pub use condensation::{MotionShapes, condense_model};
 pub use extent::{AttachmentExtent, CylinderAxis};
 pub use finite_elements::{BodyAttachment, FiniteElementBody};
 pub use given_matrices::MatrixBody;
+pub use raceway::SeatRaceway;
 pub use radiating::{BodyMesh, Opening, Panel};
 pub use recovery::{CellShape, DeformedElasticBody, Recovery};
 pub use rigid_links::rigid_links;
@@ -122,6 +124,12 @@ pub trait ElasticBody: Any + Send + Sync {
     fn extents(&self) -> Vec<AttachmentExtent> {
         let size = POINT * self.typical_size();
         self.positions().into_iter().map(|position| AttachmentExtent::of_point(position, size)).collect()
+    }
+
+    /// Returns the raceways in the attachments, in their order; `None` for an attachment that is
+    /// none. By default there are none.
+    fn raceways(&self) -> Vec<Option<SeatRaceway>> {
+        Vec::new()
     }
 
     /// Returns whether the body itself is supported on ground. Ground is then an attachment after

@@ -11,7 +11,7 @@ use calyx_model::mechanism::Mechanism;
 use calyx_model::motion::{RelocatedMotion, SteadyRotation};
 use calyx_model::rigid::RigidBody;
 use calyx_model::shaft::{Shaft, ShaftSegment};
-use calyx_structure::ComponentModes;
+use calyx_structure::{ComponentModes, RacewayMatrices};
 use std::sync::Arc;
 
 const STATIONS: [f64; 3] = [0.0, 0.04, 0.1];
@@ -44,6 +44,7 @@ fn connection() -> ElasticConnection {
         modes: ComponentModes::default(),
         shaft: None,
         body: None,
+        raceways: RacewayMatrices::default(),
     }
 }
 

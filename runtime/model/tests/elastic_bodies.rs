@@ -149,7 +149,8 @@ fn check_interior(
     let recovery = body.recovery(&Interrupt::never()).expect("solved").expect("a mesh");
     let state = ConnectionState::at(&scene.bodies, connection, 0.0).expect("a state");
     let motions = state.motions(&dofs(), seats);
-    let deformed = recovery.deformed(&connection.stiffness, &motions).expect("valid");
+    let deformed =
+        recovery.deformed(&motions, &connection.forces_on_body(&motions, &[]), &[]).expect("valid");
     let model = body.model();
     assert_eq!(deformed.points.len(), model.nodes.len());
     assert_eq!(deformed.cells.len(), model.elements.len());
@@ -176,7 +177,7 @@ fn check_interior(
             std::array::from_fn(|k| motion[k] + by[k])
         })
         .collect();
-    let displaced = recovery.deformed(&connection.stiffness, &moved).expect("valid");
+    let displaced = recovery.deformed(&moved, &connection.forces_on_body(&moved, &[]), &[]).expect("valid");
     for ((found, own), at) in
         displaced.displacements.iter().zip(&deformed.displacements).zip(&deformed.points)
     {

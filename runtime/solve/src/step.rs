@@ -33,7 +33,7 @@ use calyx_contact::problem::{Certificate, ContactProblem};
 use calyx_model::bearing::{RacewayDisplacement, Springs, Tangent};
 use calyx_numerics::error::EngineError;
 use contact_layout::{Conditions, Solver};
-use nonlinear_bearings::NonlinearBearings;
+use nonlinear_bearings::{NonlinearBearings, SeatResponse};
 use plane::Plane;
 use solid::Solid;
 use std::sync::{Arc, OnceLock};
@@ -162,8 +162,12 @@ impl System<'_> {
         elastic: Option<&ModalElimination<'_>>,
         (sizing, state): (Option<&[f64]>, Option<&ContactState>),
     ) -> Result<StepResult, EngineError> {
-        let solve = |tangents: &[Option<Tangent>], nonlinear: Option<&NonlinearBearings<'_>>| {
-            let springs = &self.springs_with(time, tangents)?;
+        let solve = |tangents: &[Option<Tangent>],
+                     nonlinear: Option<&NonlinearBearings<'_>>,
+                     seats: &[SeatResponse]| {
+            let mut springs = self.springs_with(time, tangents)?;
+            seats.iter().for_each(|seats| seats.add_to(&mut springs.stiffness, &mut springs.load));
+            let springs = &springs;
             let load: Vec<f64> = load.iter().zip(&springs.load).map(|(load, own)| load + own).collect();
             let under = Conditions {
                 direction,
@@ -189,7 +193,7 @@ impl System<'_> {
         let mut step = match self.has_nonlinear_bearings() && !self.rigid {
             // Time steps have rigid raceways.
             true => self.with_nonlinear_bearings(time, load, solve, sizing.is_none())?,
-            false => solve(&[], None)?,
+            false => solve(&[], None, &[])?,
         };
         if !self.rigid {
             self.warn_of_linearized_bearings(time, &mut step)?;

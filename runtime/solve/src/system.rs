@@ -3,7 +3,7 @@
 
 use crate::derived::DerivedResults;
 use crate::modal::Modes;
-use crate::raceways::{self, BearingInBore, dense};
+use crate::raceways::{self, BearingOnRaceway, RacewayOwner, dense};
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
 use calyx_model::bearing::{ElasticRaceway, NonlinearLoad, Springs, Tangent, springs};
@@ -52,8 +52,8 @@ pub struct System<'s> {
     pub connections: Vec<usize>,
     /// Elastic connections of the scene with the matrices of condensed bodies.
     pub elastic_connections: Arc<Vec<ElasticConnection>>,
-    /// Bearings with rollers in the bore of an elastic body.
-    pub(crate) raceways: Vec<BearingInBore>,
+    /// Bearings with rollers on an elastic raceway.
+    pub(crate) raceways: Vec<BearingOnRaceway>,
     /// Spline teeth with clearance, by the index of the body that they support.
     pub spline_teeth: Vec<(usize, SplineContact)>,
     /// Callback at every checkpoint.
@@ -203,7 +203,10 @@ impl<'s> System<'s> {
         let (bearings, connections) = (plan.modelled_bearings(), plan.modelled_connections());
         let axles = scene.bodies.iter().map(|body| axle(body.motion.as_ref())).collect();
         let (spline_teeth, modes) = (spline_contacts(scene, plan), Modes::default());
-        let raceways = raceways::find(scene, &bearings, |body| bodies.raceway(body));
+        let elastic_rollers = plan.fidelity.has_elastic_rollers();
+        // Laminae have rigid raceways.
+        let seats = if elastic_rollers { &elastic_connections[..] } else { &[] };
+        let raceways = raceways::find(scene, &bearings, seats, |body| bodies.raceway(body));
         let mut system = System {
             scene,
             bodies,
@@ -217,7 +220,7 @@ impl<'s> System<'s> {
             spline_teeth,
             interrupt,
             rigid: plan.fidelity == Fidelity::Rigid,
-            elastic_rollers: plan.fidelity.has_elastic_rollers(),
+            elastic_rollers,
             modes,
             structure_counts,
             inertias: OnceLock::new(),
@@ -293,6 +296,15 @@ impl<'s> System<'s> {
             return Ok(None);
         };
         in_bore.at(self.scene, &elements, |body| self.width(body), time).map(Some)
+    }
+
+    /// Returns the elastic connection, by its index in the scene, in whose seat a bearing runs, and
+    /// the first coefficient of its raceways that belongs to the seat; `None` for other bearings.
+    pub fn raceway_in_connection(&self, bearing: usize) -> Option<(usize, usize)> {
+        match self.raceways.iter().find(|on| on.bearing == bearing)?.of {
+            RacewayOwner::Gear(_) => None,
+            RacewayOwner::Connection { index, first_term } => Some((index, first_term)),
+        }
     }
 
     /// Returns the inertias of all bodies about their axes of rotation.

@@ -26,6 +26,24 @@ impl ComponentModes {
     }
 }
 
+/// Raceways in the attachments of an elastic body. The coefficients `r` of their series follow from
+/// the motions `u` of the attachments and the forces `f` on the coefficients: `r = A u + C f`. The
+/// forces of the attachments on the body are `K u - A' f`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct RacewayMatrices {
+    /// A: coefficients of all raceways (rows) by the components of the attachments, row-major.
+    pub motions: Vec<f64>,
+    /// C: between the coefficients, row-major, m/N.
+    pub compliance: Vec<f64>,
+}
+
+impl RacewayMatrices {
+    /// Returns the number of coefficients.
+    pub fn terms(&self) -> usize {
+        self.compliance.len().isqrt()
+    }
+}
+
 /// Stiffness and mass of an elastic body on its attachments, row-major, six rows an attachment:
 /// three displacements and three rotations.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -36,6 +54,8 @@ pub struct AttachmentMatrices {
     pub mass: Vec<f64>,
     /// Modes with fixed attachments; none if they have not been requested.
     pub modes: ComponentModes,
+    /// Raceways in the attachments; empty without any.
+    pub raceways: RacewayMatrices,
 }
 
 impl AttachmentMatrices {
@@ -47,7 +67,9 @@ impl AttachmentMatrices {
                 + self.modes.eigenvalues.len()
                 + self.modes.coupling.len()
                 + self.modes.gyroscopic.len()
-                + self.modes.whirl_form.len())
+                + self.modes.whirl_form.len()
+                + self.raceways.motions.len()
+                + self.raceways.compliance.len())
     }
 
     /// Returns the bytes for the disk cache.
@@ -60,9 +82,12 @@ impl AttachmentMatrices {
         let matrices: AttachmentMatrices = postcard::from_bytes(stored).ok()?;
         let entries = 36 * attachments * attachments;
         let (of_mass, modes) = (if with_mass { entries } else { 0 }, &matrices.modes);
+        let terms = matrices.raceways.terms();
         let fits = matrices.stiffness.len() == entries
             && matrices.mass.len() == of_mass
-            && modes.coupling.len() == 6 * attachments * modes.count();
+            && modes.coupling.len() == 6 * attachments * modes.count()
+            && matrices.raceways.compliance.len() == terms * terms
+            && matrices.raceways.motions.len() == terms * 6 * attachments;
         fits.then_some(matrices)
     }
 }

@@ -40,7 +40,7 @@ mod structure_size;
 pub mod surface;
 
 pub use any::AnyStructure;
-pub use attachment_matrices::{AttachmentMatrices, ComponentModes};
+pub use attachment_matrices::{AttachmentMatrices, ComponentModes, RacewayMatrices};
 pub use bore::BoreSupport;
 pub use deformed::{BodyLoads, DeformedSector, DisplacedSector, MeshedBody, VisualizationMesh};
 pub use elastic::{ElasticStructure, MeshSupport, RingSource, SurfaceSource};

@@ -55,6 +55,28 @@ impl Raceway {
         })
     }
 
+    /// Returns the terms at an angle (rad) and an axial coordinate (m).
+    pub fn terms_at(&self, angle: f64, z: f64) -> Vec<f64> {
+        let along = legendre(self.zeta(z));
+        self.all().map(|term| around(&term, angle) * along[usize::from(term.degree)]).collect()
+    }
+
+    /// Returns the mean square of each term over the raceway.
+    pub fn mean_squares(&self) -> Vec<f64> {
+        let of = |term: Term| {
+            let around = if term.harmonic == 0 { 1.0 } else { 0.5 };
+            around / f64::from(2 * term.degree + 1)
+        };
+        self.all().map(of).collect()
+    }
+
+    /// Returns an axial coordinate (m) relative to the middle and half the width of the raceway; 0 in
+    /// a plane model.
+    fn zeta(&self, z: f64) -> f64 {
+        let width = self.ends[1] - self.ends[0];
+        if width > 0.0 { (2.0 * z - self.ends[0] - self.ends[1]) / width } else { 0.0 }
+    }
+
     /// Returns the terms at an angle (rad) along a roller of a length (m) whose middle has an axial
     /// coordinate (m): their means, and the derivatives along the axis of the lines that are
     /// nearest to them in the mean square, 1/m. In a plane model the derivatives vanish.
@@ -62,22 +84,18 @@ impl Raceway {
     /// Conjugate to the mean is the uniformly distributed force of a roller, to the derivative the
     /// moment of a linear pressure.
     pub fn terms_along(&self, angle: f64, z: f64, length: f64) -> [Vec<f64>; 2] {
-        let width = self.ends[1] - self.ends[0];
-        let zeta = |z: f64| if width > 0.0 { (2.0 * z - self.ends[0] - self.ends[1]) / width } else { 0.0 };
         let mut along = [[0.0; 2]; HIGHEST_DEGREE as usize + 1];
         for (node, weight) in gauss_legendre(POINTS) {
             let from_middle = 0.5 * length * node;
-            for (sum, value) in along.iter_mut().zip(legendre(zeta(z + from_middle))) {
+            for (sum, value) in along.iter_mut().zip(legendre(self.zeta(z + from_middle))) {
                 sum[0] += 0.5 * weight * value;
                 sum[1] += 0.5 * weight * 12.0 * from_middle / (length * length) * value;
             }
         }
-        let around = |term: &Term| {
-            let (sine, cosine) = (f64::from(term.harmonic) * angle).sin_cos();
-            if term.sine { sine } else { cosine }
-        };
         let part = |which: usize| {
-            self.all().map(move |term| around(&term) * along[usize::from(term.degree)][which]).collect()
+            self.all()
+                .map(move |term| around(&term, angle) * along[usize::from(term.degree)][which])
+                .collect()
         };
         [part(0), part(1)]
     }
@@ -114,6 +132,12 @@ impl Raceway {
         let raceway = Raceway { radius, ends: [middle + start, middle + end], ..*self };
         Some(RacewayForms { raceway, coefficients: raceway.coefficients(series, places)? })
     }
+}
+
+/// Returns the factor of a term that depends on the angle (rad).
+fn around(term: &Term, angle: f64) -> f64 {
+    let (sine, cosine) = (f64::from(term.harmonic) * angle).sin_cos();
+    if term.sine { sine } else { cosine }
 }
 
 /// Returns the Legendre polynomials up to [`HIGHEST_DEGREE`] at a coordinate.

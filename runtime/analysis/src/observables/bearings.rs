@@ -104,6 +104,23 @@ impl Equilibrium<'_> {
         total
     }
 
+    /// Returns the forces of rollers on the coefficients of the raceways of an elastic connection, by
+    /// its index in the scene; empty without any.
+    pub(super) fn raceway_forces(self, connection: usize) -> Vec<f64> {
+        let mut total = Vec::new();
+        for raceway in &self.step.raceways {
+            let seat = self.system.raceway_in_connection(raceway.bearing);
+            let Some((_, first)) = seat.filter(|(index, _)| *index == connection) else { continue };
+            let placed = self.system.elastic_raceway(raceway.bearing, self.step.time).ok().flatten();
+            let Some(placed) = placed else { continue };
+            total.resize(self.system.elastic_connections[connection].raceways.terms(), 0.0);
+            let width = self.system.width(placed.body);
+            let forces = placed.on_terms(&raceway.loads);
+            total[first..].iter_mut().zip(forces).for_each(|(sum, force)| *sum += width * force);
+        }
+        total
+    }
+
     /// Returns the sum of the forces and moments of all bearings on a body, as in
     /// [`BearingLoad::wrench_on`].
     pub fn bearings_on(self, body: BodyId) -> [f64; 6] {

@@ -182,8 +182,10 @@ impl Equilibrium<'_> {
             let connection = &self.system.elastic_connections[*index];
             let state = ConnectionState::at(&scene.bodies, connection, self.time())?;
             let motions = state.motions(&self.system.dofs, &self.step.motion);
+            let on_raceways = self.raceway_forces(*index);
+            let forces = connection.forces_on_body(&motions, &on_raceways);
             let deformed = recovery
-                .deformed(&connection.stiffness, &motions)
+                .deformed(&motions, &forces, &on_raceways)
                 .map_err(|error| connection.named(error))?;
             let first = connection.body.as_ref().and_then(|body| body.0.positions().first().copied());
             Ok(placed(&connection.name, scene.bodies.len() + index, &state, first, deformed))

@@ -72,7 +72,10 @@ impl<'a> Equilibrium<'a> {
         let state = ConnectionState::at(&system.scene.bodies, own, self.step.time).ok()?;
         let motions = state.motions(&system.dofs, &self.step.motion);
         let push = match system.connections.contains(&connection.0) {
-            true => own.push(&motions),
+            true => {
+                let on_body = own.forces_on_body(&motions, &self.raceway_forces(connection.0));
+                on_body.into_iter().map(|six| six.map(|force| 0.0 - force)).collect()
+            }
             false => vec![[0.0; 6]; motions.len()],
         };
         Some(ConnectionLoad { connection: own, state, motions, push })

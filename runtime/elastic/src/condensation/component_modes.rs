@@ -85,6 +85,7 @@ pub fn component_modes(
         stiffness,
         mass: Some(mass),
         loads,
+        between_loads: Mat::zeros(0, 0),
         shapes: Some(shapes),
     })
 }
@@ -112,6 +113,7 @@ pub fn guyan(
     let mass = projected(&mass, shapes.as_ref(), resources)?;
     Ok(CondensedBody {
         loads: Mat::zeros(attached.components.len(), 0),
+        between_loads: Mat::zeros(0, 0),
         components: attached.components,
         eigenvalues: Vec::new(),
         stiffness,
@@ -228,6 +230,7 @@ fn static_shapes(
         compliance: of_forms.as_ref().subcols(count, forms).to_owned(),
         loads: Mat::zeros(count, 0),
         form_loads: Mat::zeros(forms, 0),
+        between_loads: Mat::zeros(0, 0),
     };
     let relaxed = interface.relax()?;
     // Shapes: the attachments' own responses, then helpers and multipliers.

@@ -20,12 +20,16 @@ pub(super) struct Interface {
     pub loads: Mat<f64>,
     /// Forms d by the loads.
     pub form_loads: Mat<f64>,
+    /// Displacements of the loads by unit loads, with fixed retained unknowns and no multipliers.
+    pub between_loads: Mat<f64>,
 }
 
 /// Equations of the attachments: retained unknowns, then forms.
 pub(super) struct Relaxed {
     pub stiffness: Mat<f64>,
     pub loads: Mat<f64>,
+    /// Displacements of the loads by unit loads with fixed attachments.
+    pub between_loads: Mat<f64>,
     /// Values of helpers, then multipliers, by unit attachment values, one per column.
     pub response: Mat<f64>,
 }
@@ -76,11 +80,22 @@ impl Interface {
             direct + by_helpers.chain(by_forms).sum::<f64>()
         };
         let count = attached + forms;
+        let moved = |observer: usize, case: usize| {
+            let column = count + case;
+            let by_helpers =
+                (0..helpers).map(|k| self.loads[(attached + k, observer)] * response[(k, column)]);
+            let by_forms =
+                (0..forms).map(|k| self.form_loads[(k, observer)] * response[(helpers + k, column)]);
+            self.between_loads[(observer, case)] + by_helpers.chain(by_forms).sum::<f64>()
+        };
         Ok(Relaxed {
             stiffness: Mat::from_fn(count, count, |row, column| {
                 0.5 * (force(row, column) + force(column, row))
             }),
             loads: Mat::from_fn(count, cases, |row, case| -force(row, count + case)),
+            between_loads: Mat::from_fn(cases, cases, |row, column| {
+                0.5 * (moved(row, column) + moved(column, row))
+            }),
             response: response.subcols(0, count).to_owned(),
         })
     }

@@ -38,6 +38,9 @@ pub struct CondensedBody {
     pub mass: Option<Mat<f64>>,
     /// Loads on the unknowns, one case per column.
     pub loads: Mat<f64>,
+    /// Displacements conjugate to the load cases by unit load cases, with fixed attachments; empty
+    /// after a reduction of the mass.
+    pub between_loads: Mat<f64>,
     /// Displacements of all independent degrees of freedom by unit unknowns, one per column; `None`
     /// after static condensation.
     pub shapes: Option<Mat<f64>>,
@@ -235,6 +238,9 @@ pub fn static_condensation(
         form_loads: Mat::from_fn(forms, cases.len(), |form, case| {
             -entry(retained + form, retained + forms + case)
         }),
+        between_loads: Mat::from_fn(cases.len(), cases.len(), |row, column| {
+            -entry(retained + forms + row, retained + forms + column)
+        }),
     };
     let relaxed = interface.relax()?;
     let count = attached.components.len();
@@ -242,6 +248,7 @@ pub fn static_condensation(
         stiffness: attached.ordered(&relaxed.stiffness),
         mass: None,
         loads: Mat::from_fn(count, cases.len(), |row, case| relaxed.loads[(attached.places[row], case)]),
+        between_loads: relaxed.between_loads,
         eigenvalues: Vec::new(),
         shapes: None,
         components: attached.components,

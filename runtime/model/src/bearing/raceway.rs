@@ -1,4 +1,4 @@
-//! Outer raceways of roller bearings that are the bore of an elastic body.
+//! Outer raceways of roller bearings that are the bore of a gear or a seat of an elastic body.
 //!
 //! The rollers of a bearing press on the bore at their own angles. At each of them the raceway has
 //! a displacement `v`: radial, and its derivative along the axis. With the loads `f` of the rollers
@@ -11,17 +11,22 @@
 //! With linearized rollers, `f = c + B q - K v` at the deflection `q` of the bearing, `v` is
 //! eliminated from the contact problem: `v = M (H p + C (c + B q))` with `M = (I + C K)^-1`.
 //!
+//! In a seat of an elastic body ([`SeatRaceway`]), the displacement of the series is that of the
+//! body, whose seats depend on each other and on the motions of all attachments. It takes the place
+//! of `H p`, and `C` is the subtracted half-space alone.
+//!
 //! See `docs/theory/rolling-bearings.md`.
 
 use super::nonlinear_state::NonlinearState;
 use super::tangent::{RacewayTangent, Tangent};
 use super::{Bearing, BearingState, RollingElements, Support};
 use crate::body::Body;
+use crate::elastic_body::SeatRaceway;
 use crate::motion::spatial_pose;
 use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::quadrature::gauss_legendre;
-use calyx_numerics::vec3::minus;
+use calyx_numerics::vec3::{Vector, dot, minus};
 use calyx_rolling::bearing::{Elements, Row};
 use calyx_rolling::{RacewayDisplacement, RollerKind};
 use calyx_structure::Raceway;
@@ -31,6 +36,9 @@ use std::f64::consts::PI;
 /// Distance of the axis of a bearing from that of the bore, relative to its radius, at which they
 /// coincide.
 const COAXIAL: f64 = 1e-6;
+/// Angle between both axes up to which they coincide, rad: angles and positions of rollers differ by
+/// its square.
+const PARALLEL: f64 = 1e-3;
 
 /// Raceway of a bearing in an elastic body at a time.
 #[derive(Clone, Debug)]
@@ -71,66 +79,98 @@ fn is_cylindrical(row: &Row) -> bool {
     }
 }
 
+/// Cylinder in a body whose surface is a raceway.
+#[derive(Clone, Copy, Debug)]
+pub struct RacewayCylinder {
+    /// Index of the body, whose origin is on the axis.
+    pub body: usize,
+    /// Radius, m.
+    pub radius: f64,
+    /// Directions along the axes of the body: from the axis to the angle 0, to a quarter turn, and
+    /// along the axis.
+    pub axes: [Vector; 3],
+    /// Remedy for a bearing that is not coaxial.
+    pub remedy: &'static str,
+}
+
+impl RacewayCylinder {
+    /// Creates the bore of a gear.
+    pub fn bore(body: usize, radius: f64) -> Self {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let remedy = "let the gear turn about its own axis, or choose a rim whose `bore` is \"free\"";
+        Self { body, radius, axes, remedy }
+    }
+
+    /// Creates the seat of an elastic body.
+    pub fn seat(body: usize, seat: &SeatRaceway) -> Self {
+        let remedy = "let the axis of the bearing be that of `cylinder_region`: correct its `center` or `axis`, the frames or `at`; or attach the seat with `how = \"average\"`";
+        Self { body, radius: seat.raceway.radius, axes: seat.axes, remedy }
+    }
+}
+
 /// Position of a bearing in the bore of a body.
 #[derive(Clone, Copy, Debug)]
 pub struct InBore {
-    /// Axial coordinate of its origin in the coordinates of the body, m.
+    /// Axial coordinate of its origin from that of the body, m.
     pub z: f64,
-    /// Angle of its x axis in the coordinates of the body's teeth, rad.
+    /// Angle of its x axis from the direction of the angle 0, or the first tooth of a gear, rad.
     angle: f64,
-    /// 1 if its z axis is that of the body, -1 if it is opposite.
+    /// 1 if its z axis is that of the bore, -1 if it is opposite.
     pub sense: f64,
 }
 
 impl InBore {
-    /// Places a bearing in the bore of a body, given by index and radius (m), at a time (s).
+    /// Places a bearing in a cylinder at a time (s).
     ///
     /// # Errors
     /// E0687: the bearing is not coaxial with the bore. Those of [`BearingState::at`].
     pub fn at(
         bodies: &[Body],
         bearing: &Bearing,
-        (body, radius): (usize, f64),
+        cylinder: &RacewayCylinder,
         time: f64,
     ) -> Result<Self, EngineError> {
+        let RacewayCylinder { body, radius, axes, remedy } = *cylinder;
         let placed = BearingState::at(bodies, bearing, time)?;
         let own = &bodies[body];
         let pose =
             spatial_pose(own.motion.as_ref(), time).map_err(|error| error.about(Subject::Body(body)))?;
-        // In the coordinates of the body.
-        let back = |v: [f64; 3]| -> [f64; 3] {
-            std::array::from_fn(|axis| (0..3).map(|row| pose.rotation[row][axis] * v[row]).sum())
+        // Along the axes of the cylinder.
+        let back = |v: Vector| -> Vector {
+            let of_body: Vector =
+                std::array::from_fn(|axis| (0..3).map(|row| pose.rotation[row][axis] * v[row]).sum());
+            axes.map(|axis| dot(axis, of_body))
         };
         let [x, y, z] = back(minus(placed.origin, pose.origin));
-        if x.hypot(y) > COAXIAL * radius {
+        let [tilt_x, tilt_y, along] = back(placed.axes[2]);
+        if x.hypot(y) > COAXIAL * radius || tilt_x.hypot(tilt_y) > PARALLEL {
             let message = format!(
-                "bearing \"{}\" is not on the axis of the bore of \"{}\", which is its raceway",
+                "bearing \"{}\" is not coaxial with the bore of \"{}\", which is its raceway",
                 bearing.name, own.name
             );
-            let help = "let the gear turn about its own axis, or choose a rim whose `bore` is \"free\"";
-            return Err(EngineError::new("E0687", message, help).about(Subject::Body(body)));
+            return Err(EngineError::new("E0687", message, remedy).about(Subject::Body(body)));
         }
         let [along_x, along_y, _] = back(placed.axes[0]);
-        let sense = back(placed.axes[2])[2].signum();
-        Ok(Self { z, angle: along_y.atan2(along_x) - own.phase, sense })
+        Ok(Self { z, angle: along_y.atan2(along_x) - own.phase, sense: along.signum() })
     }
 }
 
 impl ElasticRaceway {
-    /// Places the raceway of a bearing at a time (s). `compliance` is that of the series of the
-    /// body's bore, `shares` those of the rows, and `width` (m) that of a plane model or 1.
+    /// Places the raceway of a bearing at a time (s). `compliance` is that of the series of a bore,
+    /// and `None` for a seat of an elastic body. `shares` are those of the rows, and `width` (m) is
+    /// that of a plane model or 1.
     ///
     /// # Errors
     /// E0687: the bearing is not coaxial with the bore. Those of [`BearingState::at`].
     pub fn at(
         bodies: &[Body],
         (bearing, elements): (&Bearing, &RollingElements),
-        (body, raceway, compliance): (usize, &Raceway, &DMatrix<f64>),
+        (cylinder, raceway, compliance): (&RacewayCylinder, &Raceway, Option<&DMatrix<f64>>),
         shares: &[HalfSpaceShare],
         width: f64,
         time: f64,
     ) -> Result<Self, EngineError> {
-        let InBore { z, angle: first, sense } = InBore::at(bodies, bearing, (body, raceway.radius), time)?;
+        let InBore { z, angle: first, sense } = InBore::at(bodies, bearing, cylinder, time)?;
         let rows = elements.bearing.rows();
         let count: usize = rows.iter().map(Row::count).sum();
         let mut by_terms = DMatrix::zeros(2 * count, raceway.terms());
@@ -148,13 +188,17 @@ impl ElasticRaceway {
             }
         }
         // Forces of a plane model refer to its width.
-        let mut own = &by_terms * compliance * by_terms.transpose() / width;
+        let mut own = match compliance {
+            Some(compliance) => &by_terms * compliance * by_terms.transpose() / width,
+            None => DMatrix::zeros(2 * count, 2 * count),
+        };
         for (k, share) in half_space.iter().enumerate() {
-            // A plane model has no derivative along the axis.
-            if own[(k, k)] > 0.0 {
+            // A series of degree 0 has no derivative along the axis.
+            if by_terms.row(k).iter().any(|&term| term != 0.0) {
                 own[(k, k)] -= share;
             }
         }
+        let body = cylinder.body;
         Ok(Self { body, by_terms, compliance: 0.5 * (&own + own.transpose()), width })
     }
 

@@ -38,6 +38,21 @@ impl Tangent {
 }
 
 impl RacewayTangent {
+    /// Returns the stiffness of the rollers by displacements of the raceway.
+    pub fn stiffness(&self) -> &DMatrix<f64> {
+        &self.stiffness
+    }
+
+    /// Returns the loads on the raceway by deflections of the bearing.
+    pub fn coupling(&self) -> DMatrix<f64> {
+        self.release.transpose() * &self.coupling
+    }
+
+    /// Returns the loads on the raceway without deflection and displacement.
+    pub fn load(&self) -> DVector<f64> {
+        self.release.transpose() * &self.load
+    }
+
     /// Returns the linearized loads of the rollers on the raceway at a deflection; `moved` is the
     /// displacement of the raceway by forces of teeth.
     pub fn load_at(&self, deflection: &[f64; 5], moved: &[f64]) -> Vec<f64> {

@@ -6,6 +6,7 @@ use crate::body::Body;
 use crate::dof::Dof;
 use crate::ids::BodyId;
 use calyx_numerics::error::EngineError;
+use nalgebra::DMatrix;
 
 /// Adds the stiffness of the planned connections of a scene at a time (s) to a matrix of these
 /// DOFs, row-major. `width` (m) is that of a body in a plane model, and 1 in three dimensions.
@@ -119,6 +120,44 @@ impl ElasticConnection {
     /// the reference axes, N and N m.
     pub fn push(&self, motions: &[Six]) -> Vec<Six> {
         self.times(&self.stiffness, motions)
+    }
+
+    /// Returns the forces of the attachments on the connection at motions of these and forces on the
+    /// coefficients of its raceways.
+    pub fn forces_on_body(&self, motions: &[Six], on_raceways: &[f64]) -> Vec<Six> {
+        let mut forces: Vec<Six> =
+            self.push(motions).into_iter().map(|push| push.map(|force| 0.0 - force)).collect();
+        for (row, force) in self.raceways.motions.chunks_exact(self.size()).zip(on_raceways) {
+            forces.as_flattened_mut().iter_mut().zip(row).for_each(|(sum, part)| *sum -= force * part);
+        }
+        forces
+    }
+
+    /// Returns the coefficients of the raceways by the DOFs at a time (s), without forces on the
+    /// raceways: coefficients by DOFs.
+    ///
+    /// # Errors
+    /// Those of [`ConnectionState::at`].
+    pub fn raceway_motions(
+        &self,
+        bodies: &[Body],
+        dofs: &[Dof],
+        time: f64,
+    ) -> Result<DMatrix<f64>, EngineError> {
+        let state = ConnectionState::at(bodies, self, time)?;
+        let (size, terms) = (self.size(), self.raceways.terms());
+        let mut motions = DMatrix::zeros(terms, dofs.len());
+        for (column, dof) in dofs.iter().enumerate() {
+            for (attachment, unit) in state.moved(dof) {
+                for (component, part) in unit.into_iter().enumerate().filter(|(_, part)| *part != 0.0) {
+                    for term in 0..terms {
+                        let entry = self.raceways.motions[term * size + 6 * attachment + component];
+                        motions[(term, column)] += entry * part;
+                    }
+                }
+            }
+        }
+        Ok(motions)
     }
 
     /// Returns the inertia forces of the connection on its attachments at accelerations of these;

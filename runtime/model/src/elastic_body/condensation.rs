@@ -1,19 +1,21 @@
 //! Condensation of a finite-element model onto its attachment nodes.
 
 use super::MassReduction;
+use super::raceway::raceway_matrices;
 use super::rigid_links::carried;
 use calyx_elastic::assembly::System;
 use calyx_elastic::condensation::{CondensedBody, Synthesis, component_modes, guyan, static_condensation};
-use calyx_elastic::{ElasticError, ElasticModel, Node, Resources};
+use calyx_elastic::{ElasticError, ElasticModel, NodalLoad, Node, Resources};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::{Interrupt, MemoryReservation};
-use calyx_structure::{AttachmentMatrices, ComponentModes};
+use calyx_structure::{AttachmentMatrices, ComponentModes, RacewayMatrices};
 use faer::Mat;
 use nalgebra::DMatrix;
 
 /// Condenses a model onto attachment nodes, exactly for statics, with all six components of each
 /// along the basic axes, and reduces its mass. If `grounded`, the model has supports of its own,
-/// and ground is a further attachment at the origin.
+/// and ground is a further attachment at the origin. `cases` are the loads that are conjugate to the
+/// coefficients of raceways.
 ///
 /// # Errors
 /// E0992: an attachment has no stiffness in a component, the body has a mechanism, it needs more
@@ -21,13 +23,23 @@ use nalgebra::DMatrix;
 pub fn condense_model(
     model: &ElasticModel,
     attachments: &[usize],
+    cases: &[Vec<NodalLoad>],
     (grounded, mass): (bool, MassReduction),
     interrupt: &Interrupt,
 ) -> Result<AttachmentMatrices, EngineError> {
     let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
     let system = System::new(model, &resources).map_err(engine_error)?;
-    let Condensation { condensed, places, placed } =
-        Condensation::new(&system, model, attachments, mass, &resources)?;
+    let condense = |cases: &[Vec<NodalLoad>], mass: MassReduction| {
+        Condensation::new(&system, model, (attachments, cases), mass, &resources)
+    };
+    let (of_raceways, others) = if mass.has_mass() { (&[][..], cases) } else { (cases, &[][..]) };
+    let condensation = condense(of_raceways, mass)?;
+    // Raceways are elastic in equilibrium only, and so the static displacements are sufficient.
+    let of_raceways = match others.is_empty() {
+        true => condensation.raceways(grounded),
+        false => condense(others, MassReduction::None)?.raceways(grounded),
+    };
+    let Condensation { condensed, places, placed } = condensation;
     let transformed = |matrix: &Mat<f64>| {
         let ordered =
             DMatrix::from_fn(places.len(), places.len(), |row, column| matrix[(places[row], places[column])]);
@@ -45,6 +57,7 @@ pub fn condense_model(
         stiffness: transformed(&condensed.stiffness),
         mass: condensed.mass.as_ref().map_or_else(Vec::new, transformed),
         modes,
+        raceways: of_raceways,
     })
 }
 
@@ -85,12 +98,12 @@ impl Condensation {
     fn new(
         system: &System<'_>,
         model: &ElasticModel,
-        attachments: &[usize],
+        (attachments, cases): (&[usize], &[Vec<NodalLoad>]),
         mass: MassReduction,
         resources: &Resources,
     ) -> Result<Condensation, EngineError> {
         let condensed = match mass {
-            MassReduction::None => static_condensation(system, attachments, &[], resources),
+            MassReduction::None => static_condensation(system, attachments, cases, resources),
             MassReduction::Static => guyan(system, attachments, resources),
             MassReduction::ComponentModes(highest) => {
                 component_modes(system, attachments, &[], Synthesis::FixedInterface, highest, resources)
@@ -120,6 +133,14 @@ impl Condensation {
         let placed = attachments.iter().map(node).collect();
         Ok(Condensation { condensed, places, placed })
     }
+
+    /// Returns the matrices of raceways, if the load cases are those of their coefficients.
+    fn raceways(&self, grounded: bool) -> RacewayMatrices {
+        let loads = &self.condensed.loads;
+        let ordered =
+            DMatrix::from_fn(self.places.len(), loads.ncols(), |row, case| loads[(self.places[row], case)]);
+        raceway_matrices(&ordered, &self.condensed.between_loads, &relative_motions(&self.placed, grounded))
+    }
 }
 
 /// Returns the displacements of nodes by units of the unknowns onto which [`condense_model`]
@@ -138,7 +159,7 @@ pub(super) fn shapes_of_model(
     let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
     let system = System::new(model, &resources).map_err(engine_error)?;
     let Condensation { condensed, places, placed } =
-        Condensation::new(&system, model, attachments, mass, &resources)?;
+        Condensation::new(&system, model, (attachments, &[]), mass, &resources)?;
     let modes = condensed.eigenvalues.len();
     let count = places.len() + modes;
     let room = interrupt.reserve_memory((2 * 24 * count * nodes.len()) as u64)?;

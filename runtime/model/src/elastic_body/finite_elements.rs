@@ -1,6 +1,7 @@
 //! Elastic body as finite elements with attachments.
 
 use super::condensation::{condense_model, shapes_of_model};
+use super::raceway::{Fit, SeatRaceway};
 use super::supports::{SupportRow, on_ground, resisted, support_rows};
 use super::{
     AttachmentExtent, BodyMesh, CellShape, ElasticBody, ElasticBodySize, MassReduction, MotionShapes,
@@ -9,7 +10,7 @@ use super::{
 use calyx_elastic::attachment::{Attachment, Connection, Region, attach_unnamed, on_a_line, rotating_nodes};
 use calyx_elastic::connectivity::parts_with_elements;
 use calyx_elastic::import::{MassProperties, mass_properties};
-use calyx_elastic::{Constraint, ElasticModel, Element, ElementError, ElementKind};
+use calyx_elastic::{Constraint, ElasticModel, Element, ElementError, ElementKind, NodalLoad};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, length, minus};
@@ -47,6 +48,8 @@ pub struct BodyAttachment {
     pub connection: Connection,
     /// Extent of the region.
     pub extent: AttachmentExtent,
+    /// Raceway that the region is, if any.
+    pub raceway: Option<SeatRaceway>,
 }
 
 impl FiniteElementBody {
@@ -160,13 +163,15 @@ impl FiniteElementBody {
         if let [node] = nodes[..] {
             self.check_single(node)?;
             check_near(attachment, (self.model.nodes[node].label, at(node)), extent.size)?;
-            return Ok(BodyAttachment { name, position: at(node), nodes, connection, extent });
+            let found = BodyAttachment { name, position: at(node), nodes, connection, extent, raceway: None };
+            Fit::new(&self.model, &found)?;
+            return Ok(found);
         }
         let count = nodes.len() as f64;
         let mean: Vector =
             std::array::from_fn(|k| nodes.iter().map(|&node| at(node)[k]).sum::<f64>() / count);
         let positions: Vec<Vector> = nodes.iter().map(|&node| at(node)).collect();
-        let resists = connection == Connection::Rigid || connection == Connection::Average;
+        let resists = connection == Connection::Rigid || connection.is_average();
         if on_a_line(&positions) && !(resists && self.rotates(&nodes)) {
             return Err(ElementError::new(
                 format!("its {} nodes lie on a line, about which they do not resist rotation", nodes.len()),
@@ -174,15 +179,16 @@ impl FiniteElementBody {
             ));
         }
         self.check_averages(&nodes, &connection)?;
-        if connection != Connection::Average {
+        if !connection.is_average() {
             self.check_independent(&nodes)?;
         }
         // Checks the connection itself, such as the harmonics of a surface.
         let position = attachment.position.unwrap_or_else(|| middle(&attachment.region).unwrap_or(mean));
-        let found = BodyAttachment { name, position, nodes, connection, extent };
+        let mut found = BodyAttachment { name, position, nodes, connection, extent, raceway: None };
         if let Connection::Fourier { .. } = found.connection {
             self.attached(std::slice::from_ref(&found))?;
         }
+        found.raceway = Fit::new(&self.model, &found)?.map(|fit| fit.seat);
         Ok(found)
     }
 
@@ -201,7 +207,7 @@ impl FiniteElementBody {
                 "use that attachment",
             ));
         }
-        let rigid = self.attachments.iter().filter(|other| other.connection != Connection::Average);
+        let rigid = self.attachments.iter().filter(|other| !other.connection.is_average());
         if let Some(other) = rigid.into_iter().find(|other| other.nodes.binary_search(&node).is_ok()) {
             return Err(ElementError::new(
                 format!("node {label} belongs to the attachment \"{}\", which moves it rigidly", other.name),
@@ -234,7 +240,7 @@ impl FiniteElementBody {
     fn check_averages(&self, nodes: &[usize], connection: &Connection) -> Result<(), ElementError> {
         let within =
             |all: &[usize], nodes: &[usize]| nodes.iter().all(|node| all.binary_search(node).is_ok());
-        let average = |connection: &Connection| *connection == Connection::Average;
+        let average = Connection::is_average;
         let determined = self.attachments.iter().find(|other| {
             average(connection) && within(&other.nodes, nodes) && !average(&other.connection)
                 || average(&other.connection) && within(nodes, &other.nodes) && !average(connection)
@@ -254,8 +260,7 @@ impl FiniteElementBody {
         let label = |node: usize| self.model.nodes[node].label;
         let within = |node: &usize| nodes.binary_search(node).is_ok();
         // A single node is the attachment node itself, whatever its connection.
-        let rigid =
-            |other: &&BodyAttachment| other.connection != Connection::Average || other.nodes.len() == 1;
+        let rigid = |other: &&BodyAttachment| !other.connection.is_average() || other.nodes.len() == 1;
         for other in self.attachments.iter().filter(rigid) {
             if let Some(&node) = other.nodes.iter().find(|node| within(node)) {
                 let shared = other.nodes.iter().filter(|node| within(node)).count();
@@ -293,6 +298,22 @@ impl FiniteElementBody {
         self.model.fixed.iter().filter(|fixed| fixed.components.contains(&true)).map(|fixed| fixed.node)
     }
 
+    /// Returns the load cases of unit coefficients of all raceways; `nodes` are those of the
+    /// attachments in the model with these.
+    fn raceway_cases(
+        &self,
+        model: &ElasticModel,
+        nodes: &[usize],
+    ) -> Result<Vec<Vec<NodalLoad>>, EngineError> {
+        let mut cases = Vec::new();
+        for (attachment, &reference) in self.attachments.iter().zip(nodes) {
+            let fit = Fit::new(&self.model, attachment)
+                .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
+            cases.extend(fit.iter().flat_map(|fit| fit.cases(model, &attachment.nodes, reference)));
+        }
+        Ok(cases)
+    }
+
     /// Returns the model with these attachments, and their nodes.
     fn attached(&self, attachments: &[BodyAttachment]) -> Result<(ElasticModel, Vec<usize>), ElementError> {
         let mut model = ElasticModel::clone(&self.model);
@@ -324,6 +345,10 @@ impl ElasticBody for FiniteElementBody {
 
     fn extents(&self) -> Vec<AttachmentExtent> {
         self.attachments.iter().map(|attachment| attachment.extent).collect()
+    }
+
+    fn raceways(&self) -> Vec<Option<SeatRaceway>> {
+        self.attachments.iter().map(|attachment| attachment.raceway).collect()
     }
 
     fn is_grounded(&self) -> bool {
@@ -368,14 +393,16 @@ impl ElasticBody for FiniteElementBody {
         let (model, nodes) = self
             .attached(&self.attachments)
             .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
-        condense_model(&model, &nodes, (self.is_grounded(), mass), interrupt)
+        let cases = self.raceway_cases(&model, &nodes)?;
+        condense_model(&model, &nodes, &cases, (self.is_grounded(), mass), interrupt)
     }
 
     fn recovery(&self, interrupt: &Interrupt) -> Result<Option<Recovery>, EngineError> {
         let (model, nodes) = self
             .attached(&self.attachments)
             .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
-        Recovery::new(model, nodes, self.model.nodes.len(), interrupt).map(Some)
+        let cases = self.raceway_cases(&model, &nodes)?;
+        Recovery::new(model, nodes, &cases, self.model.nodes.len(), interrupt).map(Some)
     }
 
     fn mesh(&self) -> Option<BodyMesh> {
@@ -495,6 +522,16 @@ fn written(key: KeyWriter, attachment: &BodyAttachment) -> KeyWriter {
     match &attachment.connection {
         Connection::Rigid => key.text("rigid"),
         Connection::Average => key.text("average"),
+        Connection::Raceway { .. } => match &attachment.raceway {
+            Some(SeatRaceway { raceway, axes }) => axes
+                .iter()
+                .fold(key.text("raceway"), |key, axis| key.numbers(axis))
+                .numbers(&raceway.ends)
+                .number(raceway.radius)
+                .count(u64::from(raceway.harmonics))
+                .count(u64::from(raceway.degree)),
+            None => key.text("average"),
+        },
         Connection::Fourier { axis, harmonics } => {
             let key = key.text("fourier").numbers(axis).count(harmonics.len() as u64);
             harmonics.iter().fold(key, |key, &harmonic| key.count(u64::from(harmonic)))

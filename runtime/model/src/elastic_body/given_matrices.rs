@@ -11,7 +11,7 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::Vector;
 use calyx_structure::cache::Key;
-use calyx_structure::{AttachmentMatrices, ComponentModes};
+use calyx_structure::{AttachmentMatrices, ComponentModes, RacewayMatrices};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -183,6 +183,7 @@ impl ElasticBody for MatrixBody {
                 None => Vec::new(),
             },
             modes,
+            raceways: RacewayMatrices::default(),
         })
     }
 

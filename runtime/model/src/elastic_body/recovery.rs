@@ -86,7 +86,8 @@ pub struct Recovery {
     attachments: Vec<usize>,
     /// Number of nodes that are not amplitudes or added for attachments.
     shown: usize,
-    /// Motions of all nodes under a unit of each component of each attachment.
+    /// Motions of all nodes under a unit of each component of each attachment, then under each
+    /// further load case.
     units: Vec<Vec<Six>>,
     /// Nodes of each part that can move freely.
     free_parts: Vec<Vec<usize>>,
@@ -94,7 +95,8 @@ pub struct Recovery {
 }
 
 impl Recovery {
-    /// Solves a model with attachments at these nodes; the first `shown` nodes are recovered.
+    /// Solves a model with attachments at these nodes and further load cases; the first `shown` nodes
+    /// are recovered.
     ///
     /// # Errors
     /// E0992: the body has a mechanism, or needs more memory than the limit. Otherwise those of the
@@ -102,12 +104,14 @@ impl Recovery {
     pub fn new(
         mut model: ElasticModel,
         attachments: Vec<usize>,
+        further: &[Vec<NodalLoad>],
         shown: usize,
         interrupt: &Interrupt,
     ) -> Result<Recovery, EngineError> {
         let resources = Resources { interrupt: interrupt.clone(), ..Resources::default() };
         let columns = 6 * attachments.len();
-        let room = interrupt.reserve_memory((3 * 8 * 6 * columns * model.nodes.len()) as u64)?;
+        let all = columns + further.len();
+        let room = interrupt.reserve_memory((3 * 8 * 6 * all * model.nodes.len()) as u64)?;
         // Supports of the body do not move.
         model.fixed.iter_mut().for_each(|fixed| fixed.value = 0.0);
         let (free_parts, support) = {
@@ -129,7 +133,7 @@ impl Recovery {
             let load = std::array::from_fn(|component| if component == row % 6 { 1.0 } else { 0.0 });
             vec![NodalLoad { node: attachments[row / 6], load }]
         };
-        let cases: Vec<Vec<NodalLoad>> = (0..columns).map(unit).collect();
+        let cases: Vec<Vec<NodalLoad>> = (0..columns).map(unit).chain(further.iter().cloned()).collect();
         let solved = System::new(&model, &resources)
             .and_then(|system| statics::solve(&system, &cases, &resources))
             .map_err(engine_error)?;
@@ -140,20 +144,22 @@ impl Recovery {
         Ok(Recovery { model, attachments, shown, units, free_parts, _room: room })
     }
 
-    /// Returns the deformed body from the motions of its attachments and their condensed stiffness
-    /// (row-major; ground may be a last attachment).
+    /// Returns the deformed body from the motions of its attachments, the forces of these on it, and
+    /// the amounts of the further load cases.
     ///
     /// # Errors
     /// An element is degenerate.
-    pub fn deformed(&self, stiffness: &[f64], motions: &[Six]) -> Result<DeformedElasticBody, EngineError> {
-        let values = motions.as_flattened();
-        let force = |row: usize| -> f64 {
-            let row = &stiffness[row * values.len()..(row + 1) * values.len()];
-            row.iter().zip(values).map(|(entry, value)| entry * value).sum()
-        };
+    pub fn deformed(
+        &self,
+        motions: &[Six],
+        forces: &[Six],
+        further: &[f64],
+    ) -> Result<DeformedElasticBody, EngineError> {
+        // Ground may be a last attachment, which has no unit.
+        let columns = 6 * self.attachments.len();
+        let amounts = forces.as_flattened()[..columns].iter().chain(further);
         let mut all = vec![[0.0; 6]; self.model.nodes.len()];
-        for (row, unit) in self.units.iter().enumerate() {
-            let force = force(row);
+        for (&force, unit) in amounts.zip(&self.units) {
             for (sum, part) in all.iter_mut().zip(unit) {
                 sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += force * part);
             }

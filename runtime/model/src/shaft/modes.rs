@@ -7,7 +7,7 @@ use crate::elastic_body::by_row;
 use crate::interior_modes::InteriorModes;
 use crate::whirl::quarter_turn_momentum;
 use calyx_numerics::error::EngineError;
-use calyx_structure::{AttachmentMatrices, ComponentModes};
+use calyx_structure::{AttachmentMatrices, ComponentModes, RacewayMatrices};
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
@@ -110,6 +110,7 @@ impl Shaft {
                 gyroscopic: by_row(&skew(reduced(matrix(self.gyroscopic(&all))))),
                 whirl_form: by_row(&skew(reduced(matrix(quarter_turn_momentum(&by_row(&mass), size, 1.0))))),
             },
+            raceways: RacewayMatrices::default(),
         })
     }
 

@@ -10,7 +10,7 @@
 //!
 //! The outer raceway of rollers may be the bore of an elastic body, which adds its displacement at
 //! each roller to the deflections. It is eliminated from the contact problem
-//! ([`calyx_model::bearing::ElasticRaceway`]).
+//! ([`calyx_model::bearing::ElasticRaceway`]), and so is a seat of an elastic body ([`seats`]).
 //!
 //! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
@@ -21,7 +21,10 @@
 //! See `docs/theory/rolling-bearings.md`.
 
 mod raceways;
+mod seats;
 mod unbalanced;
+
+pub(super) use seats::SeatResponse;
 
 use super::{RacewayResult, StepResult};
 use crate::system::System;
@@ -32,6 +35,7 @@ use calyx_model::bearing::{
 use calyx_model::dof::Dof;
 use calyx_numerics::error::EngineError;
 use nalgebra::DMatrix;
+use seats::{SeatedBody, seated_bodies};
 use std::cell::Cell;
 
 /// Largest number of contact problems with the same grids.
@@ -61,6 +65,9 @@ struct Member {
     nonlinear: NonlinearLoad,
     /// Elastic raceway, if there is one.
     raceway: Option<ElasticRaceway>,
+    /// Elastic connection, by its index in the scene, in whose seat the raceway is, and its first
+    /// coefficient there; `None` for the bore of a gear.
+    seat: Option<(usize, usize)>,
     /// Deflection by DOF.
     arms: Vec<[f64; 6]>,
     /// Length that makes moments comparable with forces, m.
@@ -73,6 +80,8 @@ struct Member {
 pub(super) struct NonlinearBearings<'a> {
     system: &'a System<'a>,
     members: Vec<Member>,
+    /// Elastic bodies with members in their seats.
+    seated: Vec<SeatedBody>,
     /// Springs without the nonlinear load.
     base: Springs,
     /// External load.
@@ -127,8 +136,8 @@ impl System<'_> {
     }
 
     /// Solves the equilibrium with nonlinear bearings under a load at a time (s). `solve` solves
-    /// the position with given tangents, by bearing of the scene; without them, bearings have their
-    /// typical stiffness. Raceways in elastic bodies are rigid on request.
+    /// the position with given tangents, by bearing of the scene, and elastic bodies with rollers in
+    /// their seats; without tangents, bearings have their typical stiffness. Raceways in elastic bodies are rigid on request.
     ///
     /// # Errors
     /// E0726: the bearings do not balance their loads. Those of `solve`.
@@ -136,7 +145,11 @@ impl System<'_> {
         &self,
         time: f64,
         load: &[f64],
-        solve: impl Fn(&[Option<Tangent>], Option<&NonlinearBearings<'_>>) -> Result<StepResult, EngineError>,
+        solve: impl Fn(
+            &[Option<Tangent>],
+            Option<&NonlinearBearings<'_>>,
+            &[SeatResponse],
+        ) -> Result<StepResult, EngineError>,
         has_elastic_raceways: bool,
     ) -> Result<StepResult, EngineError> {
         let bearings = NonlinearBearings::new(self, time, load, has_elastic_raceways)?;
@@ -150,7 +163,7 @@ impl System<'_> {
                 by_scene[member.bearing] = member.nonlinear.unloaded_tangent();
                 known &= by_scene[member.bearing].is_some();
             }
-            let mut step = solve(&by_scene, None)?;
+            let mut step = solve(&by_scene, None, &[])?;
             if !known {
                 step.warnings.push(
                     "bearings with rolling elements or clearance have neither load nor preload: stiffness and natural frequencies are those of bearings with a typical stiffness".to_owned(),
@@ -158,7 +171,7 @@ impl System<'_> {
             }
             return Ok(step);
         }
-        let mut step = solve(&[], Some(&bearings))?;
+        let mut step = solve(&[], Some(&bearings), &[])?;
         if bearings.is_solved.get() {
             bearings.warn(&mut step)?;
             return Ok(step);
@@ -169,9 +182,11 @@ impl System<'_> {
             for (member, tangent) in bearings.members.iter().zip(&tangents) {
                 by_scene[member.bearing] = Some(tangent.clone());
             }
-            let mut step = solve(&by_scene, Some(&bearings))?;
+            let responses = bearings.seat_responses(&tangents);
+            let mut step = solve(&by_scene, Some(&bearings), &responses)?;
             let is_solved = bearings.is_solved.get();
-            let moved = bearings.unmoved();
+            let mut moved = bearings.unmoved();
+            bearings.move_seats(&mut moved, &responses, &step.motion);
             if is_solved || bearings.advance(&mut iteration, &tangents, &step.motion, &moved)? {
                 if !is_solved {
                     step.raceways = bearings.raceways(&iteration);
@@ -198,7 +213,8 @@ fn members(system: &System<'_>, time: f64, has_elastic_raceways: bool) -> Result
             true => system.elastic_raceway(bearing, time)?,
             false => None,
         };
-        members.push(Member { bearing, nonlinear, raceway, arms, radius, width });
+        let seat = raceway.as_ref().and_then(|_| system.raceway_in_connection(bearing));
+        members.push(Member { bearing, nonlinear, raceway, seat, arms, radius, width });
     }
     Ok(members)
 }
@@ -219,18 +235,19 @@ impl<'a> NonlinearBearings<'a> {
         has_elastic_raceways: bool,
     ) -> Result<Self, EngineError> {
         let members = members(system, time, has_elastic_raceways)?;
-        Ok(Self::with(system, members, load, system.linear_springs(time)?, false))
+        let seated = seated_bodies(system, &members, time)?;
+        Ok(Self::with(system, (members, seated), load, system.linear_springs(time)?, false))
     }
 
     /// Creates the bearings of a time step with these forces, for the scale of residuals.
     pub(super) fn in_time(system: &'a System<'a>, time: f64, load: &[f64]) -> Result<Self, EngineError> {
         let members = members(system, time, false)?;
-        Ok(Self::with(system, members, load, Springs::none(system.dofs.len()), true))
+        Ok(Self::with(system, (members, Vec::new()), load, Springs::none(system.dofs.len()), true))
     }
 
     fn with(
         system: &'a System<'a>,
-        members: Vec<Member>,
+        (members, seated): (Vec<Member>, Vec<SeatedBody>),
         load: &[f64],
         base: Springs,
         in_time: bool,
@@ -241,7 +258,8 @@ impl<'a> NonlinearBearings<'a> {
             system.width(dof.body) * load.abs() / unit
         };
         let scale = load.iter().zip(&system.dofs).map(force).fold(0.0, f64::max);
-        Self { system, members, base, load: load.to_vec(), scale, is_solved: Cell::new(false), in_time }
+        let (load, is_solved) = (load.to_vec(), Cell::new(false));
+        Self { system, members, seated, base, load, scale, is_solved, in_time }
     }
 
     /// Returns the iteration at bearings without deflection, or in a time step at its start.
@@ -285,9 +303,10 @@ impl<'a> NonlinearBearings<'a> {
         let rigid = yields.then(|| [&problem.compliance, &problem.arms, &problem.gaps].map(Vec::clone));
         for _ in 0..ROUNDS {
             let tangents = self.tangents(iteration);
+            let responses = self.seat_responses(&tangents);
             match &step {
                 Some(step) => self.put_in_step(&mut problem, step, &tangents, start),
-                None => self.put(&mut problem, &tangents, start),
+                None => self.put(&mut problem, (&tangents, &responses), start),
             }
             if let Some([compliance, arms, gaps]) = &rigid {
                 problem.compliance.clone_from(compliance);
@@ -297,7 +316,8 @@ impl<'a> NonlinearBearings<'a> {
             }
             let (solved, mut solution) = solve(problem, &guess)?;
             let motion = self.absolute(&solution.motion, start);
-            let moved = self.moved_by(growths, &solution.forces);
+            let mut moved = self.moved_by(growths, &solution.forces);
+            self.move_seats(&mut moved, &responses, &motion);
             if self.advance(iteration, &tangents, &motion, &moved)? {
                 self.is_solved.set(true);
                 let certificate = &mut solution.certificate;
@@ -323,9 +343,15 @@ impl<'a> NonlinearBearings<'a> {
     }
 
     /// Replaces stiffness and load of a contact problem, whose motions are relative to `start`.
-    fn put(&self, problem: &mut ContactProblem, tangents: &[Tangent], start: &[f64]) {
+    fn put(
+        &self,
+        problem: &mut ContactProblem,
+        (tangents, responses): (&[Tangent], &[SeatResponse]),
+        start: &[f64],
+    ) {
         let (mut stiffness, mut load) = (self.base.stiffness.clone(), self.base.load.clone());
         self.add(&mut stiffness, &mut load, tangents);
+        responses.iter().for_each(|response| response.add_to(&mut stiffness, &mut load));
         strain(&mut load, &stiffness, start);
         load.iter_mut().zip(&self.load).for_each(|(load, own)| *load += own);
         (problem.stiffness, problem.load) = (stiffness, load);

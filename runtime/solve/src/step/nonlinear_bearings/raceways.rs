@@ -14,8 +14,8 @@ impl NonlinearBearings<'_> {
         of_terms: impl Fn(usize) -> Result<DMatrix<f64>, EngineError>,
     ) -> Result<Vec<Option<DMatrix<f64>>>, EngineError> {
         let growth = |own: &Member| {
-            let raceway = own.raceway.as_ref();
-            raceway.map(|raceway| Ok(raceway.growth(&of_terms(raceway.body)?))).transpose()
+            let in_gear = own.raceway.as_ref().filter(|_| own.seat.is_none());
+            in_gear.map(|raceway| Ok(raceway.growth(&of_terms(raceway.body)?))).transpose()
         };
         self.members.iter().map(growth).collect()
     }
