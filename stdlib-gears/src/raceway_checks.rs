@@ -104,7 +104,10 @@ impl Bore {
     fn misfit(&self, host: &ModelHost, bearing: usize) -> Result<Vec<EngineError>, RuntimeError> {
         let own: &Bearing = &host.scene.bearings[bearing];
         let placed = InBore::at(&host.scene.bodies, own, &self.cylinder, 0.0);
-        let placed = placed.map_err(|error| host.engine_error(error))?;
+        let placed = placed.map_err(|error| match self.of_gear {
+            true => host.engine_error(error),
+            false => host.engine_error(error.about(Subject::Bearing(bearing))),
+        })?;
         let mm = |metres: f64| shown(metres, host.length_unit);
         let (name, bore) = (&own.name, self.name(host));
         let width = self.ends[1] - self.ends[0];

@@ -1,5 +1,5 @@
 //! Rollers in elastic seats of a housing that supports a pair of gears: turned as a whole, in
-//! equilibrium, with more harmonics, with other bearings in the same housing, and deformed.
+//! equilibrium, with more harmonics, and with other bearings in the same housing.
 
 use crate::models::ranges_with;
 use crate::rolling_bearings::close;

@@ -3,6 +3,7 @@
 use crate::shown::rounded;
 use calyx_gears::host::ModelHost;
 use calyx_runtime::bearing::{Bearing, Linearization, RANGE_TOLERANCE, Support};
+use calyx_runtime::connection::ElasticConnection;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rolling::rating::bearing_capacity;
 use calyx_runtime::rolling::{BallKind, Elements, RollerKind, RollingBearing};
@@ -56,6 +57,9 @@ impl PlannedBearing {
                         if let Some(gear) = in_bore(host, plan, bearing) {
                             text += &format!("; elastic raceway in the bore of {}", name(BodyId(gear)));
                         }
+                        if let Some(seat) = in_seat(host, plan, bearing) {
+                            text += &format!("; elastic raceway in the seat {}", name(BodyId(seat)));
+                        }
                         Some(text)
                     }
                     (None, linearization) => linearization.map(linearized),
@@ -84,6 +88,19 @@ fn in_bore(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Option<usize> {
     let is_raceway = matches!(gear.rim.support, BoreSupport::Raceway { .. });
     let has_mesh = matches!(plan.fidelity, Fidelity::Plane | Fidelity::Solid(_));
     (is_raceway && has_mesh && !plan.bodies.get(body)?.left_out).then_some(body)
+}
+
+/// Returns the index of the attachment whose region is the raceway of a bearing.
+fn in_seat(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Option<usize> {
+    let body = bearing.outer_body().filter(|_| plan.fidelity.has_elastic_rollers())?;
+    let is_raceway = |connection: &ElasticConnection| {
+        let seats = connection.body.as_ref().map_or_else(Vec::new, |body| body.0.raceways());
+        let mut attached = connection.attachments.iter().zip(seats);
+        attached.any(|(attachment, seat)| seat.is_some() && attachment.to == Support::Body(BodyId(body)))
+    };
+    let planned = host.scene.connections.iter().zip(&plan.connections);
+    let mut modelled = planned.filter(|(_, planned)| !planned.left_out);
+    modelled.any(|(connection, _)| is_raceway(connection)).then_some(body)
 }
 
 /// Describes a linearized bearing.

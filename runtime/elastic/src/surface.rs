@@ -1,4 +1,4 @@
-//! Areas of a surface by its nodes.
+//! Tributary areas of the nodes of a surface.
 
 use crate::model::{ElasticModel, ElementKind, SolidShape};
 use calyx_numerics::vec3::{cross, length, minus};
@@ -37,7 +37,7 @@ fn shares(nodes: usize) -> &'static [f64] {
 
 /// Returns the integral over a surface of the shape function of each of its nodes, m²: the uniform
 /// pressure 1 Pa has these forces. The surface consists of the faces of solids and the shells whose
-/// nodes are all among `nodes`, with flat corners. All are 0 if there are none.
+/// nodes are all among `nodes`, taken as plane. All are 0 if there are none.
 pub fn node_areas(model: &ElasticModel, nodes: &[usize]) -> Vec<f64> {
     let within: HashSet<usize> = nodes.iter().copied().collect();
     let mut areas = vec![0.0; model.nodes.len()];

@@ -36,7 +36,9 @@ pub use linearization::{Linearization, RANGE_TOLERANCE};
 pub use load_curve::{LoadCurve, LoadCurves};
 pub use nonlinear::NonlinearLoad;
 pub use nonlinear_state::NonlinearState;
-pub use raceway::{ElasticRaceway, HalfSpaceShare, InBore, RacewayCylinder, by_element, half_space_share};
+pub use raceway::{
+    ElasticRaceway, HalfSpaceShare, InBore, RacewayCylinder, by_element, half_space_share, half_space_shares,
+};
 pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};
 pub use surface::marker;

@@ -126,8 +126,8 @@ pub trait ElasticBody: Any + Send + Sync {
         self.positions().into_iter().map(|position| AttachmentExtent::of_point(position, size)).collect()
     }
 
-    /// Returns the raceways in the attachments, in their order; `None` for an attachment that is
-    /// none. By default there are none.
+    /// Returns the raceways in the attachments, in their order; `None` for an attachment
+    /// without one. By default there are none.
     fn raceways(&self) -> Vec<Option<SeatRaceway>> {
         Vec::new()
     }

@@ -1,14 +1,16 @@
 //! Bearings whose outer raceway is the bore of a gear or a seat of an elastic body.
 
 use calyx_model::bearing::{
-    Bearing, ElasticRaceway, HalfSpaceShare, RacewayCylinder, RollingElements, Support, half_space_share,
+    Bearing, ElasticRaceway, HalfSpaceShare, InBore, RacewayCylinder, RollingElements, Support,
+    half_space_shares,
 };
 use calyx_model::connection::ElasticConnection;
 use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::EngineError;
-use calyx_structure::Raceway;
+use calyx_structure::{Raceway, RacewayMatrices};
 use faer::MatRef;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, SymmetricEigen};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Bearing with rollers on an elastic raceway.
@@ -18,18 +20,23 @@ pub(crate) struct BearingOnRaceway {
     pub bearing: usize,
     cylinder: RacewayCylinder,
     raceway: Raceway,
-    pub of: RacewayOwner,
+    pub owner: RacewayOwner,
     /// Half-space displacements in the terms of the raceway, by row of the bearing.
     shares: Vec<HalfSpaceShare>,
 }
 
-/// What an elastic raceway is a part of.
+/// Owner of an elastic raceway.
 #[derive(Clone)]
 pub(crate) enum RacewayOwner {
     /// Gear, with the compliance of the terms in its bore.
     Gear(Arc<DMatrix<f64>>),
     /// Elastic connection of this index, with the first of its coefficients that belong to the seat.
-    Connection { index: usize, first_term: usize },
+    Connection {
+        index: usize,
+        first_term: usize,
+        /// `L` with the compliance `L L'` of all coefficients of the connection.
+        factor: Arc<DMatrix<f64>>,
+    },
 }
 
 /// Converts a matrix of the structures.
@@ -45,24 +52,29 @@ pub(crate) fn find(
     connections: &[ElasticConnection],
     raceway_of: impl Fn(usize) -> Option<(Raceway, DMatrix<f64>)>,
 ) -> Vec<BearingOnRaceway> {
-    let of = |&index: &usize| {
+    let mut factors = BTreeMap::new();
+    let mut of = |&index: &usize| {
         let bearing: &Bearing = scene.bearings.get(index)?;
         let (elements, body) = (bearing.rolling()?, bearing.outer_body()?);
         let in_gear = raceway_of(body).map(|(raceway, compliance)| {
             let cylinder = RacewayCylinder::bore(body, raceway.radius);
             (cylinder, raceway, RacewayOwner::Gear(Arc::new(compliance)))
         });
-        let (cylinder, raceway, of) = in_gear.or_else(|| in_seat(connections, body))?;
-        let shares = elements.bearing.rows().iter().map(|row| half_space_share(row, &raceway)).collect();
-        Some(BearingOnRaceway { bearing: index, cylinder, raceway, of, shares })
+        let (cylinder, raceway, owner) = in_gear.or_else(|| in_seat(connections, body, &mut factors))?;
+        // A bearing that is not coaxial is rejected at its position.
+        let placed = InBore::at(&scene.bodies, bearing, &cylinder, 0.0).ok();
+        let shares = half_space_shares(elements, &raceway, placed);
+        Some(BearingOnRaceway { bearing: index, cylinder, raceway, owner, shares })
     };
-    modelled.iter().filter_map(of).collect()
+    modelled.iter().filter_map(&mut of).collect()
 }
 
-/// Returns the raceway in the seat that a body is.
+/// Returns the raceway of the seat of an elastic body by the index of its attachment among the
+/// bodies.
 fn in_seat(
     connections: &[ElasticConnection],
     body: usize,
+    factors: &mut BTreeMap<usize, Arc<DMatrix<f64>>>,
 ) -> Option<(RacewayCylinder, Raceway, RacewayOwner)> {
     let with_raceways = connections.iter().enumerate();
     let mut with_raceways = with_raceways.filter(|(_, connection)| connection.raceways.terms() > 0);
@@ -72,9 +84,20 @@ fn in_seat(
         let at = connection.attachments.iter().position(|attachment| is_on(attachment.to))?;
         let seat = (*seats.get(at)?)?;
         let first_term = seats[..at].iter().flatten().map(|seat| seat.raceway.terms()).sum();
-        let owner = RacewayOwner::Connection { index, first_term };
+        let factor = factors.entry(index).or_insert_with(|| {
+            let RacewayMatrices { compliance, .. } = &connection.raceways;
+            let terms = connection.raceways.terms();
+            Arc::new(square_root(DMatrix::from_row_slice(terms, terms, compliance)))
+        });
+        let owner = RacewayOwner::Connection { index, first_term, factor: factor.clone() };
         Some((RacewayCylinder::seat(body, &seat), seat.raceway, owner))
     })
+}
+
+/// Returns a factor `L` of a positive semidefinite matrix `L L'`.
+fn square_root(matrix: DMatrix<f64>) -> DMatrix<f64> {
+    let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(matrix);
+    eigenvectors * DMatrix::from_diagonal(&eigenvalues.map(|value| value.max(0.0).sqrt()))
 }
 
 impl BearingOnRaceway {
@@ -90,7 +113,7 @@ impl BearingOnRaceway {
         width: impl Fn(usize) -> f64,
         time: f64,
     ) -> Result<ElasticRaceway, EngineError> {
-        let compliance = match &self.of {
+        let compliance = match &self.owner {
             RacewayOwner::Gear(compliance) => Some(compliance.as_ref()),
             RacewayOwner::Connection { .. } => None,
         };

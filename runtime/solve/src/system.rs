@@ -301,10 +301,19 @@ impl<'s> System<'s> {
     /// Returns the elastic connection, by its index in the scene, in whose seat a bearing runs, and
     /// the first coefficient of its raceways that belongs to the seat; `None` for other bearings.
     pub fn raceway_in_connection(&self, bearing: usize) -> Option<(usize, usize)> {
-        match self.raceways.iter().find(|on| on.bearing == bearing)?.of {
+        match self.raceways.iter().find(|on| on.bearing == bearing)?.owner {
             RacewayOwner::Gear(_) => None,
-            RacewayOwner::Connection { index, first_term } => Some((index, first_term)),
+            RacewayOwner::Connection { index, first_term, .. } => Some((index, first_term)),
         }
+    }
+
+    /// Returns the factor `L` of the compliance `L L'` of the raceways of an elastic connection, by its
+    /// index in the scene, in whose seats bearings run.
+    pub(crate) fn raceway_factor(&self, connection: usize) -> Option<Arc<DMatrix<f64>>> {
+        self.raceways.iter().find_map(|on| match &on.owner {
+            RacewayOwner::Connection { index, factor, .. } if *index == connection => Some(factor.clone()),
+            RacewayOwner::Connection { .. } | RacewayOwner::Gear(_) => None,
+        })
     }
 
     /// Returns the inertias of all bodies about their axes of rotation.

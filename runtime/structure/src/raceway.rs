@@ -70,6 +70,36 @@ impl Raceway {
         self.all().map(of).collect()
     }
 
+    /// Returns the means of the Legendre polynomials along a roller of a length (m) whose middle has an
+    /// axial coordinate (m), and the derivatives of the lines nearest to them, 1/m.
+    fn polynomials_along(&self, z: f64, length: f64) -> [[f64; 2]; HIGHEST_DEGREE as usize + 1] {
+        let mut along = [[0.0; 2]; HIGHEST_DEGREE as usize + 1];
+        for (node, weight) in gauss_legendre(POINTS) {
+            let from_middle = 0.5 * length * node;
+            for (sum, value) in along.iter_mut().zip(legendre(self.zeta(z + from_middle))) {
+                sum[0] += 0.5 * weight * value;
+                sum[1] += 0.5 * weight * 12.0 * from_middle / (length * length) * value;
+            }
+        }
+        along
+    }
+
+    /// Returns the distributions along the raceway of a unit force and a unit moment of a roller, as
+    /// far as its polynomials contain them, at a distance (m) from its start: 1/m and 1/m². The
+    /// roller has a length (m), and its middle an axial coordinate (m).
+    pub fn distributions(&self, z: f64, length: f64) -> impl Fn(f64) -> [f64; 2] + use<> {
+        let (along, width) = (self.polynomials_along(z, length), self.ends[1] - self.ends[0]);
+        let degree = usize::from(self.degree);
+        move |from_start| {
+            let values = legendre(2.0 * from_start / width - 1.0);
+            let part = |which: usize| {
+                let term = |n: usize| (2 * n + 1) as f64 / width * along[n][which] * values[n];
+                (0..=degree).map(term).sum()
+            };
+            [part(0), part(1)]
+        }
+    }
+
     /// Returns an axial coordinate (m) relative to the middle and half the width of the raceway; 0 in
     /// a plane model.
     fn zeta(&self, z: f64) -> f64 {
@@ -84,14 +114,7 @@ impl Raceway {
     /// Conjugate to the mean is the uniformly distributed force of a roller, to the derivative the
     /// moment of a linear pressure.
     pub fn terms_along(&self, angle: f64, z: f64, length: f64) -> [Vec<f64>; 2] {
-        let mut along = [[0.0; 2]; HIGHEST_DEGREE as usize + 1];
-        for (node, weight) in gauss_legendre(POINTS) {
-            let from_middle = 0.5 * length * node;
-            for (sum, value) in along.iter_mut().zip(legendre(self.zeta(z + from_middle))) {
-                sum[0] += 0.5 * weight * value;
-                sum[1] += 0.5 * weight * 12.0 * from_middle / (length * length) * value;
-            }
-        }
+        let along = self.polynomials_along(z, length);
         let part = |which: usize| {
             self.all()
                 .map(move |term| around(&term, angle) * along[usize::from(term.degree)][which])

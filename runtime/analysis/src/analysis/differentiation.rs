@@ -9,6 +9,7 @@ use crate::sensitivity::{
     other_positions, statistics_of,
 };
 use crate::summary::mean_of;
+use calyx_model::connection::ElasticConnection;
 use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::position::Position;
 use calyx_model::structure_building::structure_keys;
@@ -88,12 +89,14 @@ impl Steps<'_> {
     /// Returns whether all stored structures of the plan equal those of another analysis. Closed
     /// forms are not stored: they depend smoothly on params, as everything else.
     fn has_structures_of(&self, other: &Steps<'_>) -> bool {
-        let stiffness = |steps: &Steps<'_>| {
+        let matrices = |steps: &Steps<'_>| {
             let connections = steps.system.elastic_connections.iter();
-            connections.map(|connection| connection.stiffness.clone()).collect::<Vec<_>>()
+            let of =
+                |connection: &ElasticConnection| (connection.stiffness.clone(), connection.raceways.clone());
+            connections.map(of).collect::<Vec<_>>()
         };
         let [own, others] = [self, other].map(|steps| structure_keys(steps.scene, &steps.plan));
-        own == others && stiffness(self) == stiffness(other)
+        own == others && matrices(self) == matrices(other)
     }
 
     /// Solves a position in a state of contact, or finds the state without a given one. Returns the

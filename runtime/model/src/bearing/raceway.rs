@@ -28,7 +28,7 @@ use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::quadrature::gauss_legendre;
 use calyx_numerics::vec3::{Vector, dot, minus};
 use calyx_rolling::bearing::{Elements, Row};
-use calyx_rolling::{RacewayDisplacement, RollerKind};
+use calyx_rolling::{RacewayDisplacement, RollerGeometry, RollerKind};
 use calyx_structure::Raceway;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
@@ -36,6 +36,9 @@ use std::f64::consts::PI;
 /// Distance of the axis of a bearing from that of the bore, relative to its radius, at which they
 /// coincide.
 const COAXIAL: f64 = 1e-6;
+/// The same of the seat of an imported body, whose positions are rounded: angles of rollers in it
+/// are off by as much.
+const ROUNDED: f64 = 1e-3;
 /// Angle between both axes up to which they coincide, rad: angles and positions of rollers differ by
 /// its square.
 const PARALLEL: f64 = 1e-3;
@@ -55,8 +58,8 @@ pub struct ElasticRaceway {
 }
 
 /// Half-space displacements of the rollers of a row by their own loads in the series of a raceway:
-/// radial displacement by force, and its derivative by moment.
-pub type HalfSpaceShare = [f64; 2];
+/// radial displacement and its derivative along the axis (rows) by force and moment.
+pub type HalfSpaceShare = [[f64; 2]; 2];
 
 impl Bearing {
     /// Returns the index of the body whose bore is the outer raceway of the rollers, if they have
@@ -89,6 +92,9 @@ pub struct RacewayCylinder {
     /// Directions along the axes of the body: from the axis to the angle 0, to a quarter turn, and
     /// along the axis.
     pub axes: [Vector; 3],
+    /// Distance of the axis of a bearing from that of the cylinder, relative to its radius, up to which
+    /// it is coaxial.
+    pub eccentricity: f64,
     /// Remedy for a bearing that is not coaxial.
     pub remedy: &'static str,
 }
@@ -98,13 +104,14 @@ impl RacewayCylinder {
     pub fn bore(body: usize, radius: f64) -> Self {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let remedy = "let the gear turn about its own axis, or choose a rim whose `bore` is \"free\"";
-        Self { body, radius, axes, remedy }
+        Self { body, radius, axes, eccentricity: COAXIAL, remedy }
     }
 
     /// Creates the seat of an elastic body.
     pub fn seat(body: usize, seat: &SeatRaceway) -> Self {
         let remedy = "let the axis of the bearing be that of `cylinder_region`: correct its `center` or `axis`, the frames or `at`; or attach the seat with `how = \"average\"`";
-        Self { body, radius: seat.raceway.radius, axes: seat.axes, remedy }
+        let eccentricity = ROUNDED;
+        Self { body, radius: seat.raceway.radius, axes: seat.axes, eccentricity, remedy }
     }
 }
 
@@ -130,7 +137,7 @@ impl InBore {
         cylinder: &RacewayCylinder,
         time: f64,
     ) -> Result<Self, EngineError> {
-        let RacewayCylinder { body, radius, axes, remedy } = *cylinder;
+        let RacewayCylinder { body, radius, axes, eccentricity, remedy } = *cylinder;
         let placed = BearingState::at(bodies, bearing, time)?;
         let own = &bodies[body];
         let pose =
@@ -143,7 +150,7 @@ impl InBore {
         };
         let [x, y, z] = back(minus(placed.origin, pose.origin));
         let [tilt_x, tilt_y, along] = back(placed.axes[2]);
-        if x.hypot(y) > COAXIAL * radius || tilt_x.hypot(tilt_y) > PARALLEL {
+        if x.hypot(y) > eccentricity * radius || tilt_x.hypot(tilt_y) > PARALLEL {
             let message = format!(
                 "bearing \"{}\" is not coaxial with the bore of \"{}\", which is its raceway",
                 bearing.name, own.name
@@ -174,7 +181,7 @@ impl ElasticRaceway {
         let rows = elements.bearing.rows();
         let count: usize = rows.iter().map(Row::count).sum();
         let mut by_terms = DMatrix::zeros(2 * count, raceway.terms());
-        let mut half_space = Vec::with_capacity(2 * count);
+        let mut half_space = Vec::with_capacity(count);
         let mut element = 0;
         for (row, share) in rows.iter().zip(shares) {
             for azimuth in row.azimuths(&elements.motion) {
@@ -183,7 +190,7 @@ impl ElasticRaceway {
                 by_terms.row_mut(2 * element).copy_from_slice(&values);
                 let slopes: Vec<f64> = slopes.iter().map(|slope| sense * slope).collect();
                 by_terms.row_mut(2 * element + 1).copy_from_slice(&slopes);
-                half_space.extend(share);
+                half_space.push(*share);
                 element += 1;
             }
         }
@@ -192,10 +199,17 @@ impl ElasticRaceway {
             Some(compliance) => &by_terms * compliance * by_terms.transpose() / width,
             None => DMatrix::zeros(2 * count, 2 * count),
         };
-        for (k, share) in half_space.iter().enumerate() {
-            // A series of degree 0 has no derivative along the axis.
-            if by_terms.row(k).iter().any(|&term| term != 0.0) {
-                own[(k, k)] -= share;
+        // A series of degree 0 has no derivative along the axis.
+        let is_in_series = |row: usize| by_terms.row(row).iter().any(|&term| term != 0.0);
+        for (element, share) in half_space.iter().enumerate() {
+            for i in 0..2 {
+                for j in 0..2 {
+                    let (row, column) = (2 * element + i, 2 * element + j);
+                    if is_in_series(row) && is_in_series(column) {
+                        // The derivative is along the axis of the bearing.
+                        own[(row, column)] -= share[i][j] * if i == j { 1.0 } else { sense };
+                    }
+                }
             }
         }
         let body = cylinder.body;
@@ -303,37 +317,78 @@ fn length_of(row: &Row) -> f64 {
     }
 }
 
+/// Returns the shares of the rows of a bearing that is placed in a raceway; `None` in its middle.
+pub fn half_space_shares(
+    elements: &RollingElements,
+    raceway: &Raceway,
+    placed: Option<InBore>,
+) -> Vec<HalfSpaceShare> {
+    let middle = 0.5 * (raceway.ends[0] + raceway.ends[1]);
+    let position = |row: &Row| placed.map_or(middle, |at| at.z + at.sense * row.position);
+    elements.bearing.rows().iter().map(|row| half_space_share(row, raceway, position(row))).collect()
+}
+
 /// Number of points of Gauss's quadrature on a panel.
 const POINTS: usize = 16;
+/// The same along a raceway, exact for products of two polynomials of the highest degree.
+const POINTS_ALONG: usize = 6;
 
-/// Returns the displacements of rollers of a row on a half-space by their own loads, as far as they
-/// are in the series of a raceway. The force of a roller is uniform along its length, its moment
-/// that of a linear pressure, and displacements are means with the same weights.
-pub fn half_space_share(row: &Row, raceway: &Raceway) -> HalfSpaceShare {
-    let Elements::Rollers(rollers) = &row.elements else { return [0.0; 2] };
+/// Returns the displacements of the rollers of a row on a half-space by their own loads, as far as
+/// they are in the series of a raceway, on which the middle of a roller has an axial coordinate `z`
+/// (m). The force of a roller is uniform along its length, its moment that of a linear pressure, and
+/// displacements are means with the same weights. In a plane model, and on the edge of a shell, the
+/// series has no axial part, and the roller has its whole length.
+pub fn half_space_share(row: &Row, raceway: &Raceway, z: f64) -> HalfSpaceShare {
+    let Elements::Rollers(rollers) = &row.elements else { return [[0.0; 2]; 2] };
     let geometry = rollers.geometry();
-    let (length, ring) = (geometry.length, &geometry.rings);
+    let (length, width) = (geometry.length, raceway.ends[1] - raceway.ends[0]);
+    let uniform = |from_start: f64| [1.0 / length, 12.0 * (from_start - 0.5 * length) / length.powi(3)];
+    match width > 0.0 {
+        true => series_share(geometry, raceway, (width, raceway.distributions(z, length))),
+        false => series_share(geometry, raceway, (length, uniform)),
+    }
+}
+
+/// Returns the displacements on a half-space by loads with these distributions over a width (m), as
+/// far as they are in the harmonics of a raceway.
+fn series_share(
+    geometry: &RollerGeometry,
+    raceway: &Raceway,
+    (width, distributions): (f64, impl Fn(f64) -> [f64; 2]),
+) -> HalfSpaceShare {
+    let ring = &geometry.rings;
     let modulus = ring.youngs_modulus / (1.0 - ring.poissons_ratio * ring.poissons_ratio);
-    let points = gauss_legendre(POINTS);
+    let (points, along) = (gauss_legendre(POINTS), gauss_legendre(POINTS_ALONG));
+    // Sum over both senses of the products of loads and observers at an axial distance.
+    let products = |apart: f64| {
+        let overlap = width - apart;
+        let mut sum = [[0.0; 2]; 2];
+        for (node, weight) in &along {
+            let at = 0.5 * overlap * (1.0 + node);
+            let (one, other) = (distributions(at), distributions(at + apart));
+            for i in 0..2 {
+                for j in 0..2 {
+                    sum[i][j] += 0.5 * weight * overlap * (one[i] * other[j] + other[i] * one[j]);
+                }
+            }
+        }
+        sum
+    };
     // Displacement at a distance around the raceway, without 1 / (pi E').
     let at = |x: f64| {
-        let end = (length / x).asinh();
-        let mut sum = [0.0; 2];
+        let end = (width / x).asinh();
+        let mut sum = [[0.0; 2]; 2];
         for (node, weight) in &points {
             // Axial distance t with dt / sqrt(x^2 + t^2) = ds.
-            let t = x * (0.5 * end * (1.0 + node)).sinh();
-            let (low, high) = (t - 0.5 * length, 0.5 * length);
-            let products = (high.powi(3) - low.powi(3)) / 3.0 - 0.5 * t * (high * high - low * low);
-            let scale = 12.0 / length.powi(3);
-            let values = [(length - t) / (length * length), scale * scale * products];
-            (0..2).for_each(|k| sum[k] += weight * end * values[k]);
+            let apart = (x * (0.5 * end * (1.0 + node)).sinh()).min(width);
+            add_scaled(&mut sum, 0.5 * weight * end, &products(apart));
         }
         sum
     };
     let (radius, harmonics) = (raceway.radius, usize::from(raceway.harmonics));
     let panels = harmonics.max(1);
     let panel = PI / panels as f64;
-    let mut share = [0.0; 2];
+    let mut share = [[0.0; 2]; 2];
     for index in 0..panels {
         for (node, weight) in &points {
             let s = 0.5 * (1.0 + node);
@@ -341,13 +396,15 @@ pub fn half_space_share(row: &Row, raceway: &Raceway) -> HalfSpaceShare {
             let (part, slope) = if index == 0 { (s.powi(4), 4.0 * s.powi(3)) } else { (s, 1.0) };
             let angle = panel * (index as f64 + part);
             let dirichlet = 1.0 + 2.0 * (1..=harmonics).map(|k| (k as f64 * angle).cos()).sum::<f64>();
-            let value = at(radius * angle);
-            for k in 0..2 {
-                share[k] += 0.5 * weight * panel * slope * dirichlet * value[k] / PI;
-            }
+            let factor = 0.5 * weight * panel * slope * dirichlet / (PI * PI * modulus);
+            add_scaled(&mut share, factor, &at(radius * angle));
         }
     }
-    share.map(|share| share / (PI * modulus))
+    share
+}
+
+fn add_scaled(sum: &mut HalfSpaceShare, factor: f64, part: &HalfSpaceShare) {
+    sum.as_flattened_mut().iter_mut().zip(part.as_flattened()).for_each(|(sum, part)| *sum += factor * part);
 }
 
 /// Returns displacements of a raceway by element from a list.

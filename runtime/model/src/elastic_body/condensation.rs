@@ -32,12 +32,12 @@ pub fn condense_model(
     let condense = |cases: &[Vec<NodalLoad>], mass: MassReduction| {
         Condensation::new(&system, model, (attachments, cases), mass, &resources)
     };
-    let (of_raceways, others) = if mass.has_mass() { (&[][..], cases) } else { (cases, &[][..]) };
-    let condensation = condense(of_raceways, mass)?;
-    // Raceways are elastic in equilibrium only, and so the static displacements are sufficient.
-    let of_raceways = match others.is_empty() {
+    let (now, later) = if mass.has_mass() { (&[][..], cases) } else { (cases, &[][..]) };
+    let condensation = condense(now, mass)?;
+    // Raceways have no inertia: static displacements are sufficient.
+    let raceways = match later.is_empty() {
         true => condensation.raceways(grounded),
-        false => condense(others, MassReduction::None)?.raceways(grounded),
+        false => condense(later, MassReduction::None)?.raceways(grounded),
     };
     let Condensation { condensed, places, placed } = condensation;
     let transformed = |matrix: &Mat<f64>| {
@@ -57,7 +57,7 @@ pub fn condense_model(
         stiffness: transformed(&condensed.stiffness),
         mass: condensed.mass.as_ref().map_or_else(Vec::new, transformed),
         modes,
-        raceways: of_raceways,
+        raceways,
     })
 }
 

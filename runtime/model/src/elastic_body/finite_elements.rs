@@ -317,6 +317,8 @@ impl FiniteElementBody {
     /// Returns the model with these attachments, and their nodes.
     fn attached(&self, attachments: &[BodyAttachment]) -> Result<(ElasticModel, Vec<usize>), ElementError> {
         let mut model = ElasticModel::clone(&self.model);
+        // Supports do not move, as `ignored` states.
+        model.fixed.iter_mut().for_each(|fixed| fixed.value = 0.0);
         let mut nodes = Vec::new();
         for attachment in attachments {
             if let [node] = attachment.nodes[..] {
@@ -464,7 +466,8 @@ impl ElasticBody for FiniteElementBody {
             elements: self.model.elements.len(),
             nodes: stiff.len(),
             dofs: stiff.values().sum(),
-            retained: 6 * self.attachments.len(),
+            retained: 6 * self.attachments.len()
+                + self.raceways().iter().flatten().map(|seat| seat.raceway.terms()).sum::<usize>(),
             revolved: false,
             mass: Some(self.mass.mass),
             centre: self.mass.centre,

@@ -28,8 +28,13 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 const RESOLVED: f64 = 0.2;
 /// Least highest harmonic of a raceway: it becomes oval.
 const LEAST_HARMONICS: u16 = 2;
-/// Largest highest harmonic that is chosen for a raceway.
+/// Largest highest harmonic that is chosen for a raceway, and that may be requested.
 const MOST_HARMONICS: u16 = 20;
+const HIGHEST_HARMONIC: u16 = 60;
+/// Largest degree of the polynomials along a raceway.
+const MOST_DEGREE: u8 = 3;
+/// Distance of a node from the axis, relative to the radius, from which it belongs to a raceway.
+const NEAR_AXIS: f64 = 0.5;
 /// Distance of the attachment from the axis of its cylinder, relative to the radius, up to which it
 /// is on the axis.
 const ON_AXIS: f64 = 1e-6;
@@ -54,12 +59,21 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// Fits the series of an attachment. `None` if it is no raceway.
+    /// Fits the series of an attachment. `None` without a raceway.
     ///
     /// # Errors
     /// The region is no cylinder, or its nodes do not resolve the series.
     pub fn new(model: &ElasticModel, attachment: &BodyAttachment) -> Result<Option<Fit>, ElementError> {
         let Connection::Raceway { harmonics, degree } = attachment.connection else { return Ok(None) };
+        let is_possible = harmonics.is_none_or(|own| (LEAST_HARMONICS..=HIGHEST_HARMONIC).contains(&own));
+        if degree > MOST_DEGREE || !is_possible {
+            return Err(ElementError::new(
+                format!(
+                    "the series of a raceway has {LEAST_HARMONICS} to {HIGHEST_HARMONIC} harmonics and a degree of at most {MOST_DEGREE}"
+                ),
+                "correct `raceway_harmonics` or `raceway_degree`",
+            ));
+        }
         let cylinder = attachment.extent.cylinder.filter(|_| attachment.nodes.len() > 1);
         let Some((axis, radius)) = cylinder else {
             return Err(ElementError::new(
@@ -78,6 +92,12 @@ impl Fit {
         let from = |&node: &usize| minus(model.nodes[node].position, attachment.position);
         let local = |node: &usize| axes.map(|axis| dot(axis, from(node)));
         let places: Vec<Vector> = attachment.nodes.iter().map(local).collect();
+        if places.iter().any(|[x, y, _]| x.hypot(*y) < NEAR_AXIS * radius) {
+            return Err(ElementError::new(
+                "a node of the raceway is near its axis",
+                "reduce the tolerance of the region, so that it contains the nodes of the bore only",
+            ));
+        }
         let heights = || places.iter().map(|[_, _, z]| *z);
         let ends = [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)];
         let areas = node_areas(model, &attachment.nodes);

@@ -1,7 +1,8 @@
 //! Plan of elastic connections.
 
 use super::BodyPlan;
-use crate::connection::CondensedShaft;
+use crate::bearing::Support;
+use crate::connection::{CondensedShaft, ElasticConnection};
 use crate::dof::DOF_NAMES;
 use crate::elastic_body::MassReduction;
 use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
@@ -33,10 +34,11 @@ pub(super) fn plan_connections(
     (fidelity, options, vibrations): (Fidelity, &StructureOptions, bool),
 ) -> Vec<ConnectionPlan> {
     let rigid = fidelity.body_model() == BodyModel::Rigid;
-    let plan = |connection: &crate::connection::ElasticConnection| {
+    let plan = |connection: &ElasticConnection| {
         let unwanted = connection.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
         let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
-        let idle = connection.attachments.len() < 2 || !connection.bodies().any(moves);
+        let idle = (connection.attachments.len() < 2 || !connection.bodies().any(moves))
+            && !has_rollers_in_a_seat(scene, connection);
         // The mass of a rigid part with one attachment counts.
         let massive =
             connection.mass.iter().any(|&entry| entry != 0.0) || connection.body.is_some() && vibrations;
@@ -58,6 +60,19 @@ pub(super) fn plan_connections(
         }
     };
     scene.connections.iter().map(plan).collect()
+}
+
+/// Returns whether rollers run in a seat of an elastic body that is their raceway: it deforms even
+/// if its attachments are fixed.
+fn has_rollers_in_a_seat(scene: &Mechanism, connection: &ElasticConnection) -> bool {
+    let seats = connection.body.as_ref().map_or_else(Vec::new, |body| body.0.raceways());
+    let mut attached = seats.iter().zip(&connection.attachments).filter(|(seat, _)| seat.is_some());
+    attached.any(|(_, attachment)| match attachment.to {
+        Support::Body(BodyId(body)) => {
+            scene.bearings.iter().any(|bearing| bearing.outer_body() == Some(body))
+        }
+        Support::Ground => false,
+    })
 }
 
 /// Checks the modelled elastic bodies with their attachments, and the shafts.

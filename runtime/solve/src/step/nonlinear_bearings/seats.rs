@@ -16,15 +16,16 @@ use super::{Member, NonlinearBearings};
 use crate::system::System;
 use calyx_model::bearing::Tangent;
 use calyx_numerics::error::EngineError;
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Elastic body with bearings in seats that are raceways.
 pub(super) struct SeatedBody {
     /// `A`: coefficients by DOFs.
     motions: DMatrix<f64>,
     /// `L` with `C = L L'`.
-    factor: DMatrix<f64>,
+    factor: Arc<DMatrix<f64>>,
     /// Bearings by their index among the members, with the first coefficient of the seat.
     members: Vec<(usize, usize)>,
     /// Width to which forces of a plane model refer, m.
@@ -65,23 +66,12 @@ pub(super) fn seated_bodies(
     }
     let body = |(index, of_members): (usize, Vec<(usize, usize)>)| {
         let connection = &system.elastic_connections[index];
-        let terms = connection.raceways.terms();
-        let compliance = DMatrix::from_row_slice(terms, terms, &connection.raceways.compliance);
+        let factor = system.raceway_factor(index)?;
         let width = of_members.first().map_or(1.0, |(member, _)| members[*member].width);
-        Ok(SeatedBody {
-            motions: connection.raceway_motions(&system.scene.bodies, &system.dofs, time)?,
-            factor: square_root(compliance),
-            members: of_members,
-            width,
-        })
+        let motions = connection.raceway_motions(&system.scene.bodies, &system.dofs, time);
+        Some(motions.map(|motions| SeatedBody { motions, factor, members: of_members, width }))
     };
-    by_connection.into_iter().map(body).collect()
-}
-
-/// Returns a factor `L` of a positive semidefinite matrix `L L'`.
-fn square_root(matrix: DMatrix<f64>) -> DMatrix<f64> {
-    let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(matrix);
-    eigenvectors * DMatrix::from_diagonal(&eigenvalues.map(|value| value.max(0.0).sqrt()))
+    by_connection.into_iter().filter_map(body).collect()
 }
 
 impl SeatedBody {
@@ -103,14 +93,14 @@ impl SeatedBody {
             let mut rows = load.rows_mut(first, count);
             rows += by_terms.transpose() * tangent.load();
         }
-        let (motions, factor) = (&self.motions, &self.factor);
+        let (motions, factor) = (&self.motions, self.factor.as_ref());
         let whole = &stiffness * motions + &coupling;
         let core =
             DMatrix::identity(factor.ncols(), factor.ncols()) + factor.transpose() * &stiffness * factor;
-        // Rounding may leave a stiffness of rollers that is slightly indefinite.
-        let yielding = |right: &DMatrix<f64>| match Cholesky::new(core.clone()) {
-            Some(core) => factor * core.solve(&(factor.transpose() * right)),
-            None => DMatrix::zeros(right.nrows(), right.ncols()),
+        let core = core.lu();
+        let yielding = |right: &DMatrix<f64>| {
+            let solved = core.solve(&(factor.transpose() * right));
+            solved.map_or_else(|| DMatrix::zeros(right.nrows(), right.ncols()), |solved| factor * solved)
         };
         let by_motions = yielding(&whole);
         let at_rest = yielding(&DMatrix::from_columns(&[load.clone()]));
