@@ -156,6 +156,10 @@ fn solved(arrangement: &Arrangement) -> Solved {
         let motion = Arc::new(SteadyRotation::at_rest([0.0; 2]));
         RelocatedMotion { motion, pose: Pose { rotation, origin: [0.0, 0.0, z] } }
     };
+    // The axis of the tube is z in the scene: columns are the axes of the body.
+    let of_tube = |rotation: [[f64; 3]; 3]| {
+        rotation.map(|row| std::array::from_fn(|component| row[(component + 2 - axis) % 3]))
+    };
     let of_seat = |z: f64| {
         let placed = at(z);
         RelocatedMotion { pose: Pose { rotation: of_tube(rotation), ..placed.pose }, ..placed }
@@ -166,10 +170,6 @@ fn solved(arrangement: &Arrangement) -> Solved {
     let shaft = Body::new("shaft", Arc::new(RigidBody), at(0.5 * LENGTH));
     let free = [Component::Ux, Component::Uy, Component::ThetaX, Component::ThetaY];
     let shaft = scene.add_body(shaft.free_in(&free).loaded(load));
-    // The axis of the tube is z in the scene: columns are the axes of the body.
-    let of_tube = |rotation: [[f64; 3]; 3]| {
-        rotation.map(|row| std::array::from_fn(|component| row[(component + 2 - axis) % 3]))
-    };
     let positions: Vec<f64> = body.positions().iter().map(|position| position[axis]).collect();
     let seats: Vec<BodyId> = (0..2)
         .map(|k| {
@@ -180,7 +180,9 @@ fn solved(arrangement: &Arrangement) -> Solved {
     let connection = ElasticConnection::of_body("tube".into(), Arc::new(body.clone()), &seats, [0.0; 3]);
     scene.add_connection(connection).expect("a connection");
     for (k, &seat) in seats.iter().enumerate() {
-        let motion = Motion { azimuth: 0.1, ..Motion::REST };
+        // Azimuths count from the x axis of the seat, or from y if the tube is along x.
+        let first = if axis == 1 { 0.25 * TAU } else { 0.0 };
+        let motion = Motion { azimuth: 0.1 - first, ..Motion::REST };
         let elements = RollingElements::new(rollers(), motion).expect("sound rollers");
         let bearing = Bearing::new(format!("rollers {k}"), shaft, positions[k] - 0.5 * LENGTH, [[0.0; 6]; 6]);
         let nonlinear = Some(NonlinearLoad::Rolling(Arc::new(elements)));
