@@ -1,7 +1,6 @@
 //! Condensation of a finite-element model onto its attachment nodes.
 
 use super::MassReduction;
-use super::raceway::raceway_matrices;
 use super::rigid_links::carried;
 use calyx_elastic::assembly::System;
 use calyx_elastic::condensation::{CondensedBody, Synthesis, component_modes, guyan, static_condensation};
@@ -141,6 +140,16 @@ impl Condensation {
             DMatrix::from_fn(self.places.len(), loads.ncols(), |row, case| loads[(self.places[row], case)]);
         raceway_matrices(&ordered, &self.condensed.between_loads, &relative_motions(&self.placed, grounded))
     }
+}
+
+/// Returns the matrices of the raceways of a body: `loads` are those on the attachment components
+/// (rows, along the displacement axes of their nodes) of unit coefficients, `compliance` the
+/// displacements between these with fixed attachments, and `motions` the motions of the nodes by
+/// those of the attachments.
+fn raceway_matrices(loads: &DMatrix<f64>, compliance: &Mat<f64>, motions: &DMatrix<f64>) -> RacewayMatrices {
+    let count = compliance.nrows();
+    let compliance = DMatrix::from_fn(count, count, |row, column| compliance[(row, column)]);
+    RacewayMatrices { motions: by_row(&(loads.transpose() * motions)), compliance: by_row(&compliance) }
 }
 
 /// Returns the displacements of nodes by units of the unknowns onto which [`condense_model`]

@@ -1,7 +1,7 @@
 //! Elastic body as finite elements with attachments.
 
 use super::condensation::{condense_model, shapes_of_model};
-use super::raceway::{Fit, SeatRaceway};
+use super::raceway::{Fit, SeatRaceway, SeatRegion};
 use super::supports::{SupportRow, on_ground, resisted, support_rows};
 use super::{
     AttachmentExtent, BodyMesh, CellShape, ElasticBody, ElasticBodySize, MassReduction, MotionShapes,
@@ -50,6 +50,12 @@ pub struct BodyAttachment {
     pub extent: AttachmentExtent,
     /// Raceway that the region is, if any.
     pub raceway: Option<SeatRaceway>,
+}
+
+impl BodyAttachment {
+    fn seat(&self) -> SeatRegion<'_> {
+        SeatRegion { nodes: &self.nodes, position: self.position, cylinder: self.extent.cylinder }
+    }
 }
 
 impl FiniteElementBody {
@@ -164,7 +170,7 @@ impl FiniteElementBody {
             self.check_single(node)?;
             check_near(attachment, (self.model.nodes[node].label, at(node)), extent.size)?;
             let found = BodyAttachment { name, position: at(node), nodes, connection, extent, raceway: None };
-            Fit::new(&self.model, &found)?;
+            Fit::new(&self.model, &found.seat(), &found.connection)?;
             return Ok(found);
         }
         let count = nodes.len() as f64;
@@ -188,7 +194,7 @@ impl FiniteElementBody {
         if let Connection::Fourier { .. } = found.connection {
             self.attached(std::slice::from_ref(&found))?;
         }
-        found.raceway = Fit::new(&self.model, &found)?.map(|fit| fit.seat);
+        found.raceway = Fit::new(&self.model, &found.seat(), &found.connection)?.map(|fit| fit.seat);
         Ok(found)
     }
 
@@ -307,7 +313,7 @@ impl FiniteElementBody {
     ) -> Result<Vec<Vec<NodalLoad>>, EngineError> {
         let mut cases = Vec::new();
         for (attachment, &reference) in self.attachments.iter().zip(nodes) {
-            let fit = Fit::new(&self.model, attachment)
+            let fit = Fit::new(&self.model, &attachment.seat(), &attachment.connection)
                 .map_err(|error| EngineError::new("E0991", error.message, error.help))?;
             cases.extend(fit.iter().flat_map(|fit| fit.cases(model, &attachment.nodes, reference)));
         }

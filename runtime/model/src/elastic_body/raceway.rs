@@ -13,14 +13,12 @@
 //!
 //! See `docs/theory/rolling-bearings.md`.
 
-use super::condensation::by_row;
-use super::finite_elements::BodyAttachment;
+use super::extent::CylinderAxis;
 use calyx_elastic::attachment::{Connection, transverse};
 use calyx_elastic::surface::node_areas;
 use calyx_elastic::{ElasticModel, ElementError, NodalLoad};
 use calyx_numerics::vec3::{Vector, cross, dot, minus, scaled};
-use calyx_structure::{Raceway, RacewayMatrices};
-use faer::Mat;
+use calyx_structure::Raceway;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 /// Least eigenvalue of the products of the terms over the nodes, relative to those over the
@@ -49,6 +47,16 @@ pub struct SeatRaceway {
     pub axes: [Vector; 3],
 }
 
+/// Nodes of an attachment.
+pub(super) struct SeatRegion<'a> {
+    /// Indices of the nodes.
+    pub nodes: &'a [usize],
+    /// Position of the attachment node, m.
+    pub position: Vector,
+    /// Axis and radius (m), if they are on a cylinder.
+    pub cylinder: Option<(CylinderAxis, f64)>,
+}
+
 /// Fit of the series of a seat to the displacements of its nodes.
 pub(super) struct Fit {
     pub seat: SeatRaceway,
@@ -63,8 +71,13 @@ impl Fit {
     ///
     /// # Errors
     /// The region is no cylinder, or its nodes do not resolve the series.
-    pub fn new(model: &ElasticModel, attachment: &BodyAttachment) -> Result<Option<Fit>, ElementError> {
-        let Connection::Raceway { harmonics, degree } = attachment.connection else { return Ok(None) };
+    pub fn new(
+        model: &ElasticModel,
+        region: &SeatRegion<'_>,
+        connection: &Connection,
+    ) -> Result<Option<Fit>, ElementError> {
+        let Connection::Raceway { harmonics, degree } = *connection else { return Ok(None) };
+        let SeatRegion { nodes, position, cylinder } = *region;
         let is_possible = harmonics.is_none_or(|own| (LEAST_HARMONICS..=HIGHEST_HARMONIC).contains(&own));
         if degree > MOST_DEGREE || !is_possible {
             return Err(ElementError::new(
@@ -74,14 +87,14 @@ impl Fit {
                 "correct `raceway_harmonics` or `raceway_degree`",
             ));
         }
-        let cylinder = attachment.extent.cylinder.filter(|_| attachment.nodes.len() > 1);
+        let cylinder = cylinder.filter(|_| nodes.len() > 1);
         let Some((axis, radius)) = cylinder else {
             return Err(ElementError::new(
                 "a raceway needs a cylinder",
                 "give its nodes by `gears.cylinder_region`",
             ));
         };
-        if axis.distance(attachment.position) > ON_AXIS * radius {
+        if axis.distance(position) > ON_AXIS * radius {
             return Err(ElementError::new(
                 "the position of a raceway is not on its axis",
                 "leave `position` out, or give a point on the axis of the cylinder",
@@ -89,9 +102,9 @@ impl Fit {
         }
         let [start, side] = transverse(axis.direction.into());
         let axes = [start.into(), side.into(), axis.direction];
-        let from = |&node: &usize| minus(model.nodes[node].position, attachment.position);
+        let from = |&node: &usize| minus(model.nodes[node].position, position);
         let local = |node: &usize| axes.map(|axis| dot(axis, from(node)));
-        let places: Vec<Vector> = attachment.nodes.iter().map(local).collect();
+        let places: Vec<Vector> = nodes.iter().map(local).collect();
         if places.iter().any(|[x, y, _]| x.hypot(*y) < NEAR_AXIS * radius) {
             return Err(ElementError::new(
                 "a node of the raceway is near its axis",
@@ -100,7 +113,7 @@ impl Fit {
         }
         let heights = || places.iter().map(|[_, _, z]| *z);
         let ends = [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)];
-        let areas = node_areas(model, &attachment.nodes);
+        let areas = node_areas(model, nodes);
         // Nodes on a line, such as the edge of a shell, have no area.
         let has_area = areas.iter().any(|&area| area != 0.0);
         let weights = if has_area { areas } else { vec![1.0; places.len()] };
@@ -174,18 +187,4 @@ fn coefficients(raceway: &Raceway, places: &[Vector], weights: &[f64]) -> Option
     let least = SymmetricEigen::new(relative).eigenvalues.min();
     let inverse = products.try_inverse().filter(|_| least >= RESOLVED)?;
     Some(inverse * weighted)
-}
-
-/// Returns the matrices of the raceways of a body: `loads` are those on the attachment components
-/// (rows, along the displacement axes of their nodes) of unit coefficients, `compliance` the
-/// displacements between these with fixed attachments, and `motions` the motions of the nodes by
-/// those of the attachments.
-pub(super) fn raceway_matrices(
-    loads: &DMatrix<f64>,
-    compliance: &Mat<f64>,
-    motions: &DMatrix<f64>,
-) -> RacewayMatrices {
-    let count = compliance.nrows();
-    let compliance = DMatrix::from_fn(count, count, |row, column| compliance[(row, column)]);
-    RacewayMatrices { motions: by_row(&(loads.transpose() * motions)), compliance: by_row(&compliance) }
 }
