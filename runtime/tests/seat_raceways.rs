@@ -44,8 +44,8 @@ const ROLLER: f64 = 0.006;
 const FORCE: [f64; 2] = [4e3, -9e3];
 const MOMENT: f64 = 60.0;
 
-/// A tube about the coordinate axis `axis`, from the two axes that follow it, whose foot, a strip of
-/// its outside, is fixed at a prescribed displacement that bodies of scenes ignore.
+/// A tube about the coordinate axis `axis`, from the two axes that follow it, whose foot, a strip
+/// of its outside, is fixed at a prescribed displacement that bodies of scenes ignore.
 fn tube(modulus: f64, axis: usize, prescribed: f64) -> ElasticModel {
     let [around, through, along] = COUNTS;
     let index = |i: usize, j: usize, k: usize| (i % around) + around * (j + (through + 1) * k);

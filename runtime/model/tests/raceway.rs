@@ -15,8 +15,8 @@ const HARMONICS: u16 = 12;
 const MIDDLE: f64 = 5e-4;
 const WIDTH: f64 = 0.02;
 
-/// Mean of `1 / r` at a distance around the raceway between all cells over a width, which have these
-/// weights per length.
+/// Mean of `1 / r` at a distance around the raceway between all cells over a width, which have
+/// these weights per length.
 fn mean(x: f64, width: f64, weights: [&dyn Fn(f64) -> f64; 2]) -> f64 {
     const CELLS: usize = 240;
     let step = width / CELLS as f64;

@@ -30,7 +30,8 @@ pub(crate) struct BearingOnRaceway {
 pub(crate) enum RacewayOwner {
     /// Gear, with the compliance of the terms in its bore.
     Gear(Arc<DMatrix<f64>>),
-    /// Elastic connection of this index, with the first of its coefficients that belong to the seat.
+    /// Elastic connection of this index, with the first of its coefficients that belong to the
+    /// seat.
     Connection {
         index: usize,
         first_term: usize,

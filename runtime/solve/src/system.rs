@@ -307,8 +307,8 @@ impl<'s> System<'s> {
         }
     }
 
-    /// Returns the factor `L` of the compliance `L L'` of the raceways of an elastic connection, by its
-    /// index in the scene, in whose seats bearings run.
+    /// Returns the factor `L` of the compliance `L L'` of the raceways of an elastic connection, by
+    /// its index in the scene, in whose seats bearings run.
     pub(crate) fn raceway_factor(&self, connection: usize) -> Option<Arc<DMatrix<f64>>> {
         self.raceways.iter().find_map(|on| match &on.owner {
             RacewayOwner::Connection { index, factor, .. } if *index == connection => Some(factor.clone()),

@@ -70,8 +70,8 @@ impl Raceway {
         self.all().map(of).collect()
     }
 
-    /// Returns the means of the Legendre polynomials along a roller of a length (m) whose middle has an
-    /// axial coordinate (m), and the derivatives of the lines nearest to them, 1/m.
+    /// Returns the means of the Legendre polynomials along a roller of a length (m) whose middle
+    /// has an axial coordinate (m), and the derivatives of the lines nearest to them, 1/m.
     fn polynomials_along(&self, z: f64, length: f64) -> [[f64; 2]; HIGHEST_DEGREE as usize + 1] {
         let mut along = [[0.0; 2]; HIGHEST_DEGREE as usize + 1];
         for (node, weight) in gauss_legendre(POINTS) {
@@ -84,8 +84,8 @@ impl Raceway {
         along
     }
 
-    /// Returns the distributions along the raceway of a unit force and a unit moment of a roller, as
-    /// far as its polynomials contain them, at a distance (m) from its start: 1/m and 1/m². The
+    /// Returns the distributions along the raceway of a unit force and a unit moment of a roller,
+    /// as far as its polynomials contain them, at a distance (m) from its start: 1/m and 1/m². The
     /// roller has a length (m), and its middle an axial coordinate (m).
     pub fn distributions(&self, z: f64, length: f64) -> impl Fn(f64) -> [f64; 2] + use<> {
         let (along, width) = (self.polynomials_along(z, length), self.ends[1] - self.ends[0]);
@@ -100,8 +100,8 @@ impl Raceway {
         }
     }
 
-    /// Returns an axial coordinate (m) relative to the middle and half the width of the raceway; 0 in
-    /// a plane model.
+    /// Returns an axial coordinate (m) relative to the middle and half the width of the raceway; 0
+    /// in a plane model.
     fn zeta(&self, z: f64) -> f64 {
         let width = self.ends[1] - self.ends[0];
         if width > 0.0 { (2.0 * z - self.ends[0] - self.ends[1]) / width } else { 0.0 }

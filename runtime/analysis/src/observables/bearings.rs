@@ -104,8 +104,8 @@ impl Equilibrium<'_> {
         total
     }
 
-    /// Returns the forces of rollers on the coefficients of the raceways of an elastic connection, by
-    /// its index in the scene; empty without any.
+    /// Returns the forces of rollers on the coefficients of the raceways of an elastic connection,
+    /// by its index in the scene; empty without any.
     pub(super) fn raceway_forces(self, connection: usize) -> Vec<f64> {
         let mut total = Vec::new();
         for raceway in &self.step.raceways {

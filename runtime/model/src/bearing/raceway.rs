@@ -39,8 +39,8 @@ const COAXIAL: f64 = 1e-6;
 /// The same of the seat of an imported body, whose positions are rounded: angles of rollers in it
 /// are off by as much.
 const ROUNDED: f64 = 1e-3;
-/// Angle between both axes up to which they coincide, rad: angles and positions of rollers differ by
-/// its square.
+/// Angle between both axes up to which they coincide, rad: angles and positions of rollers differ
+/// by its square.
 const PARALLEL: f64 = 1e-3;
 
 /// Raceway of a bearing in an elastic body at a time.
@@ -92,8 +92,8 @@ pub struct RacewayCylinder {
     /// Directions along the axes of the body: from the axis to the angle 0, to a quarter turn, and
     /// along the axis.
     pub axes: [Vector; 3],
-    /// Distance of the axis of a bearing from that of the cylinder, relative to its radius, up to which
-    /// it is coaxial.
+    /// Distance of the axis of a bearing from that of the cylinder, relative to its radius, up to
+    /// which it is coaxial.
     pub eccentricity: f64,
     /// Remedy for a bearing that is not coaxial.
     pub remedy: &'static str,
@@ -335,9 +335,9 @@ const POINTS_ALONG: usize = 6;
 
 /// Returns the displacements of the rollers of a row on a half-space by their own loads, as far as
 /// they are in the series of a raceway, on which the middle of a roller has an axial coordinate `z`
-/// (m). The force of a roller is uniform along its length, its moment that of a linear pressure, and
-/// displacements are means with the same weights. In a plane model, and on the edge of a shell, the
-/// series has no axial part, and the roller has its whole length.
+/// (m). The force of a roller is uniform along its length, its moment that of a linear pressure,
+/// and displacements are means with the same weights. In a plane model, and on the edge of a shell,
+/// the series has no axial part, and the roller has its whole length.
 pub fn half_space_share(row: &Row, raceway: &Raceway, z: f64) -> HalfSpaceShare {
     let Elements::Rollers(rollers) = &row.elements else { return [[0.0; 2]; 2] };
     let geometry = rollers.geometry();

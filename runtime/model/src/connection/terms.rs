@@ -122,8 +122,8 @@ impl ElasticConnection {
         self.times(&self.stiffness, motions)
     }
 
-    /// Returns the forces of the attachments on the connection at motions of these and forces on the
-    /// coefficients of its raceways.
+    /// Returns the forces of the attachments on the connection at motions of these and forces on
+    /// the coefficients of its raceways.
     pub fn forces_on_body(&self, motions: &[Six], on_raceways: &[f64]) -> Vec<Six> {
         let mut forces: Vec<Six> =
             self.push(motions).into_iter().map(|push| push.map(|force| 0.0 - force)).collect();

@@ -13,8 +13,8 @@ use nalgebra::DMatrix;
 
 /// Condenses a model onto attachment nodes, exactly for statics, with all six components of each
 /// along the basic axes, and reduces its mass. If `grounded`, the model has supports of its own,
-/// and ground is a further attachment at the origin. `cases` are the loads that are conjugate to the
-/// coefficients of raceways.
+/// and ground is a further attachment at the origin. `cases` are the loads that are conjugate to
+/// the coefficients of raceways.
 ///
 /// # Errors
 /// E0992: an attachment has no stiffness in a component, the body has a mechanism, it needs more

@@ -3,9 +3,9 @@
 //!
 //! The coefficients `r` of the series fit the radial displacement of the nodes of a seat in the
 //! mean square, with the areas of the nodes as weights. The motion of the attachment is subtracted,
-//! so that rigid-body motion leaves `r` at zero. Conjugate to a coefficient are radial forces on the
-//! nodes with the opposite resultant on the attachment. With the motions `u` of the attachments and
-//! the forces `f` on the coefficients, the body has
+//! so that rigid-body motion leaves `r` at zero. Conjugate to a coefficient are radial forces on
+//! the nodes with the opposite resultant on the attachment. With the motions `u` of the attachments
+//! and the forces `f` on the coefficients, the body has
 //!
 //! ```text
 //! r = A u + C f,    forces of the attachments = K u - A' f .
@@ -170,8 +170,8 @@ impl Fit {
     }
 }
 
-/// Returns the coefficients of a series that fits values at places along the axes of a seat (terms by
-/// places), with these weights; `None` if the places do not resolve it.
+/// Returns the coefficients of a series that fits values at places along the axes of a seat (terms
+/// by places), with these weights; `None` if the places do not resolve it.
 fn coefficients(raceway: &Raceway, places: &[Vector], weights: &[f64]) -> Option<DMatrix<f64>> {
     let columns = places.iter().map(|[x, y, z]| raceway.terms_at(y.atan2(*x), *z).into());
     let terms = DMatrix::from_columns(&columns.collect::<Vec<DVector<f64>>>());

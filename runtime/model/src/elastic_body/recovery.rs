@@ -95,8 +95,8 @@ pub struct Recovery {
 }
 
 impl Recovery {
-    /// Solves a model with attachments at these nodes and further load cases; the first `shown` nodes
-    /// are recovered.
+    /// Solves a model with attachments at these nodes and further load cases; the first `shown`
+    /// nodes are recovered.
     ///
     /// # Errors
     /// E0992: the body has a mechanism, or needs more memory than the limit. Otherwise those of the
@@ -144,8 +144,8 @@ impl Recovery {
         Ok(Recovery { model, attachments, shown, units, free_parts, _room: room })
     }
 
-    /// Returns the deformed body from the motions of its attachments, the forces of these on it, and
-    /// the amounts of the further load cases.
+    /// Returns the deformed body from the motions of its attachments, the forces of these on it,
+    /// and the amounts of the further load cases.
     ///
     /// # Errors
     /// An element is degenerate.

@@ -136,8 +136,9 @@ impl System<'_> {
     }
 
     /// Solves the equilibrium with nonlinear bearings under a load at a time (s). `solve` solves
-    /// the position with given tangents, by bearing of the scene, and elastic bodies with rollers in
-    /// their seats; without tangents, bearings have their typical stiffness. Raceways in elastic bodies are rigid on request.
+    /// the position with given tangents, by bearing of the scene, and elastic bodies with rollers
+    /// in their seats; without tangents, bearings have their typical stiffness. Raceways in elastic
+    /// bodies are rigid on request.
     ///
     /// # Errors
     /// E0726: the bearings do not balance their loads. Those of `solve`.
