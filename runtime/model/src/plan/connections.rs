@@ -37,8 +37,8 @@ pub(super) fn plan_connections(
     let plan = |connection: &ElasticConnection| {
         let unwanted = connection.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
         let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
-        let idle = (connection.attachments.len() < 2 || !connection.bodies().any(moves))
-            && !has_rollers_in_a_seat(scene, connection);
+        let still = !connection.bodies().any(moves) && !has_rollers_in_a_seat(scene, connection);
+        let idle = connection.attachments.len() < 2 || still;
         // The mass of a rigid part with one attachment counts.
         let massive =
             connection.mass.iter().any(|&entry| entry != 0.0) || connection.body.is_some() && vibrations;
