@@ -1,5 +1,5 @@
-//! Roller bearings in two seats of an elastic tube, against the tube without condensation: the
-//! displacement of both raceways by the loads of all rollers, the law of each roller, and
+//! Rolling bearings in two seats of an elastic tube, against the tube without condensation: the
+//! displacement of both raceways by the loads of all rollers, the law of each element, and
 //! equilibrium.
 
 use calyx_runtime::bearing::{Bearing, NonlinearLoad, RollingElements, half_space_share};
@@ -22,7 +22,8 @@ use calyx_runtime::motion::{RelocatedMotion, SteadyRotation};
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rigid::RigidBody;
 use calyx_runtime::rolling::{
-    ContactModel, Material, Motion, Profile, RollerGeometry, RollerKind, RollerRow, RollingBearing,
+    BallGeometry, BallKind, BallRow, ContactModel, Elements, Material, Motion, Profile, Rib, RollerGeometry,
+    RollerKind, RollerRow, RollingBearing, Row, Start,
 };
 use calyx_runtime::scene::{Body, Component, Scene};
 use calyx_runtime::step::StepResult;
@@ -92,20 +93,56 @@ fn tube(modulus: f64, axis: usize, prescribed: f64) -> ElasticModel {
     ElasticModel { nodes, elements, materials: vec![material], fixed, ..ElasticModel::default() }
 }
 
-fn rollers() -> RollingBearing {
-    let row = RollerRow::new(RollerGeometry {
-        kind: RollerKind::Cylindrical { clearance: 1e-5 },
-        count: ROLLERS,
-        roller_diameter: ROLLER,
-        length: 0.016,
-        pitch_diameter: 2.0 * RADIUS - ROLLER,
-        profile: Profile::Logarithmic,
-        laminae: 21,
-        rings: Material::STEEL,
-        rollers: Material::STEEL,
-        raceway_widths: [None; 2],
-    });
-    RollingBearing::single(row.expect("sound rollers"))
+/// Elements of the bearings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Cylindrical,
+    Tapered,
+    AngularContact,
+    DeepGroove,
+}
+
+/// The bearing in a seat; that in the second one is mirrored.
+fn bearing(kind: Kind, seat: usize) -> RollingBearing {
+    let (pitch_diameter, steel) = (2.0 * RADIUS - ROLLER, Material::STEEL);
+    let rollers = |kind: RollerKind| {
+        let row = RollerRow::new(RollerGeometry {
+            kind,
+            count: ROLLERS,
+            roller_diameter: ROLLER,
+            length: 0.016,
+            pitch_diameter,
+            profile: Profile::Logarithmic,
+            laminae: 21,
+            rings: steel,
+            rollers: steel,
+            raceway_widths: [None; 2],
+        });
+        Elements::from(row.expect("sound rollers"))
+    };
+    let balls = |kind: BallKind| {
+        let row = BallRow::new(BallGeometry {
+            kind,
+            count: ROLLERS,
+            ball_diameter: ROLLER,
+            pitch_diameter,
+            inner_conformity: 0.52,
+            outer_conformity: 0.53,
+            rings: steel,
+            balls: steel,
+        });
+        Elements::from(row.expect("sound balls"))
+    };
+    let elements = match kind {
+        Kind::Cylindrical => rollers(RollerKind::Cylindrical { clearance: 1e-5 }),
+        Kind::Tapered => {
+            rollers(RollerKind::Tapered { outer_angle: 0.25, rib: Rib { end_radius: 0.1, height: 1.5e-3 } })
+        }
+        Kind::AngularContact => balls(BallKind::AngularContact { angle: 0.44 }),
+        Kind::DeepGroove => balls(BallKind::DeepGroove { clearance: 1e-5 }),
+    };
+    let row = Row { mirrored: seat == 1, ..Row::new(elements) };
+    RollingBearing::new(vec![row]).expect("a row")
 }
 
 /// The shaft is body 0, the seats are bodies 1 and 2.
@@ -127,14 +164,16 @@ struct Arrangement {
     /// Axis of the tube in its own coordinates, see [`tube`].
     axis: usize,
     prescribed: f64,
+    kind: Kind,
 }
 
 fn arrangement() -> Arrangement {
-    Arrangement { connection: RACEWAY, modulus: 206e9, turned: 0.0, axis: 2, prescribed: 0.0 }
+    let kind = Kind::Cylindrical;
+    Arrangement { connection: RACEWAY, modulus: 206e9, turned: 0.0, axis: 2, prescribed: 0.0, kind }
 }
 
 fn solved(arrangement: &Arrangement) -> Solved {
-    let Arrangement { connection, modulus, turned, axis, prescribed } = arrangement.clone();
+    let Arrangement { connection, modulus, turned, axis, prescribed, kind } = arrangement.clone();
     let content = Key::of("tube").numbers(&[modulus, prescribed]).count(axis as u64).finish();
     let mut body = FiniteElementBody::new(Arc::new(tube(modulus, axis, prescribed)), content);
     for (k, heights) in SEATS.into_iter().enumerate() {
@@ -183,10 +222,10 @@ fn solved(arrangement: &Arrangement) -> Solved {
         // Azimuths count from the x axis of the seat, or from y if the tube is along x.
         let first = if axis == 1 { 0.25 * TAU } else { 0.0 };
         let motion = Motion { azimuth: 0.1 - first, ..Motion::REST };
-        let elements = RollingElements::new(rollers(), motion).expect("sound rollers");
-        let bearing = Bearing::new(format!("rollers {k}"), shaft, positions[k] - 0.5 * LENGTH, [[0.0; 6]; 6]);
+        let elements = RollingElements::new(bearing(kind, k), motion).expect("sound elements");
+        let own = Bearing::new(format!("bearing {k}"), shaft, positions[k] - 0.5 * LENGTH, [[0.0; 6]; 6]);
         let nonlinear = Some(NonlinearLoad::Rolling(Arc::new(elements)));
-        scene.add_bearing(Bearing { nonlinear, ..bearing }.between(seat)).expect("a bearing");
+        scene.add_bearing(Bearing { nonlinear, ..own }.between(seat)).expect("a bearing");
     }
     let mut plan =
         Plan::whole(&scene, Fidelity::Solid(Template::Medium), StructureOptions::default()).expect("a plan");
@@ -241,7 +280,7 @@ fn surface(model: &ElasticModel, [from, to]: [f64; 2]) -> Vec<(usize, f64, f64, 
 }
 
 /// Coefficients of the radial displacement of a seat.
-fn fit(surface: &[(usize, f64, f64, f64)], moved: &[[f64; 6]]) -> Vec<f64> {
+fn fit(surface: &[(usize, f64, f64, f64)], moved: &[[f64; 3]]) -> Vec<f64> {
     let count = terms(0.0, 0.0).len();
     let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
     for &(node, area, angle, zeta) in surface {
@@ -254,18 +293,20 @@ fn fit(surface: &[(usize, f64, f64, f64)], moved: &[[f64; 6]]) -> Vec<f64> {
     sums.iter().zip(squares).map(|(sum, square)| sum / square).collect()
 }
 
+/// Angle of an element.
+fn angle(element: usize) -> f64 {
+    0.1 + TAU * element as f64 / ROLLERS as f64
+}
+
 #[test]
 fn rollers_displace_both_raceways_as_on_the_whole_tube() {
     let model = tube(206e9, 2, 0.0);
-    let Solved { step, shaft, seats, displacements } = solved(&arrangement());
-    assert!(step.certificate.largest() < 1e-10, "{:?}", step.certificate);
+    let solved = solved(&arrangement());
     let surfaces = SEATS.map(|seat| surface(&model, seat));
-    let angle = |roller: usize| 0.1 + TAU * roller as f64 / ROLLERS as f64;
-    assert_eq!(step.raceways.len(), 2);
 
     // All forces of the rollers on the tube, which is not condensed.
     let mut loads = Vec::new();
-    for (raceway, surface) in step.raceways.iter().zip(&surfaces) {
+    for (raceway, surface) in solved.step.raceways.iter().zip(&surfaces) {
         let count = terms(0.0, 0.0).len();
         let mut on_terms = vec![0.0; count];
         for (roller, load) in raceway.loads.chunks(2).enumerate() {
@@ -290,15 +331,38 @@ fn rollers_displace_both_raceways_as_on_the_whole_tube() {
     let moved = statics::solve(&whole, &[loads], &resources).expect("supported").remove(0).displacements;
 
     let scale = moved.iter().flatten().fold(0.0f64, |most, part| most.max(part.abs()));
-    for (found, expected) in displacements.iter().zip(&moved) {
+    for (found, expected) in solved.displacements.iter().zip(&moved) {
         for axis in 0..3 {
             assert!((found[axis] - expected[axis]).abs() < 1e-8 * scale, "{found:?} {expected:?}");
         }
     }
-    let laminae = rollers();
-    let elastic = laminae.with_contact(ContactModel::Elastic(Default::default())).expect("strips");
-    let mut resultant = [0.0; 4];
-    for (k, (raceway, surface)) in step.raceways.iter().zip(&surfaces).enumerate() {
+    check_elements(
+        &solved,
+        &moved.iter().map(|[x, y, z, ..]| [*x, *y, *z]).collect::<Vec<_>>(),
+        Kind::Cylindrical,
+    );
+}
+
+/// Contact angles have contacts away from the middle of the row, axial forces and their moments.
+#[test]
+fn balls_and_tapered_rollers_displace_both_raceways() {
+    for kind in [Kind::Tapered, Kind::AngularContact, Kind::DeepGroove] {
+        let solved = solved(&Arrangement { kind, ..arrangement() });
+        check_elements(&solved, &solved.displacements, kind);
+    }
+}
+
+/// Checks that the displacements of the nodes of the tube contain those of the raceways, that the
+/// loads of the elements are those of a bearing on these raceways, and equilibrium.
+fn check_elements(solved: &Solved, moved: &[[f64; 3]], kind: Kind) {
+    let Solved { step, shaft, seats, .. } = solved;
+    assert!(step.certificate.largest() < 1e-10, "{:?}", step.certificate);
+    assert_eq!(step.raceways.len(), 2);
+    let model = tube(206e9, 2, 0.0);
+    let scale = moved.iter().flatten().fold(0.0f64, |most, part| most.max(part.abs()));
+    let mut resultant = [0.0; 5];
+    for (k, raceway) in step.raceways.iter().enumerate() {
+        let surface = surface(&model, SEATS[k]);
         // The seat moves as the mean of its nodes does.
         let mean = |axis: usize| {
             surface.iter().map(|(node, ..)| moved[*node][axis]).sum::<f64>() / surface.len() as f64
@@ -306,50 +370,62 @@ fn rollers_displace_both_raceways_as_on_the_whole_tube() {
         for axis in 0..3 {
             assert!((mean(axis) - seats[k][axis]).abs() < 1e-8 * mean(0).hypot(mean(1)), "{k} {axis}");
         }
-        let coefficients = fit(surface, &moved);
+        let coefficients = fit(&surface, moved);
+        let laminae = bearing(kind, k);
         let row = &laminae.rows()[0];
+        let contact = row.outer_contact();
         let series = Raceway { radius: RADIUS, ends: [-0.01, 0.01], harmonics: HARMONICS, degree: 1 };
-        let shares = half_space_share(row, &series, 0.0);
-        let arm = 0.5 * (SEATS[k][0] + SEATS[k][1]) - 0.5 * LENGTH;
-        let largest = raceway.loads.iter().fold(0.0f64, |most, load| most.max(load.abs()));
-        for roller in 0..ROLLERS {
-            let ([sine, cosine], load) =
-                ([angle(roller).sin(), angle(roller).cos()], &raceway.loads[2 * roller..]);
-            resultant[0] += load[0] * cosine;
-            resultant[1] += load[0] * sine;
-            // Moments about the middle of the shaft: of the force, and of the rollers themselves.
-            resultant[2] -= arm * load[0] * sine + load[1] * sine;
-            resultant[3] += arm * load[0] * cosine + load[1] * cosine;
+        let shares = half_space_share(row, &series, contact.position);
+        let [x, y, _, about_x, about_y, _] = seats[k];
+        for (roller, load) in raceway.loads.chunks(2).enumerate() {
+            let (sine, cosine) = angle(roller).sin_cos();
             // Displacement and slope of the raceway.
-            let all = terms(angle(roller), 0.0);
-            let half = all.len() / 2;
-            let at = terms(angle(roller), 1.0);
+            let at = terms(angle(roller), contact.position / 0.01);
+            let slopes = terms(angle(roller), 1.0);
+            let half = at.len() / 2;
             let expected: [f64; 2] = [
-                (0..half).map(|k| all[k] * coefficients[k]).sum(),
-                (half..all.len()).map(|k| at[k] * coefficients[k] / 0.01).sum(),
+                at.iter().zip(&coefficients).map(|(term, coefficient)| term * coefficient).sum(),
+                (half..at.len()).map(|k| slopes[k] * coefficients[k] / 0.01).sum(),
             ];
-            let [x, y, _, about_x, about_y, _] = seats[k];
-            let rigid = [x * cosine + y * sine, about_y * cosine - about_x * sine];
-            for part in 0..2 {
-                let found =
-                    rigid[part] + raceway.displacement[roller][part] + shares[part][part] * load[part];
+            let tilt = about_y * cosine - about_x * sine;
+            let rigid = [x * cosine + y * sine + contact.position * tilt, tilt];
+            // A ball sees no slope.
+            for part in 0..if contact.width > 0.0 { 2 } else { 1 } {
+                let by_half_space: f64 = (0..2).map(|by| shares[part][by] * load[by]).sum();
+                let found = rigid[part] + raceway.displacement[roller][part] + by_half_space;
                 let unit = if part == 0 { scale } else { scale / 0.01 };
-                assert!((found - expected[part]).abs() < 1e-8 * unit, "{k} {roller}: {found:e} {expected:?}");
+                let what = format!("{kind:?}, seat {k}, element {roller}");
+                assert!((found - expected[part]).abs() < 1e-8 * unit, "{what}: {found:e} {expected:?}");
             }
-            // Law of the roller: its load between rigid rings at the local approach.
-            let of_shaft = [shaft[0] + arm * shaft[4], shaft[1] - arm * shaft[3]];
-            let approach =
-                of_shaft[0] * cosine + of_shaft[1] * sine - rigid[0] - raceway.displacement[roller][0];
-            let tilt = shaft[4] * cosine - shaft[3] * sine - rigid[1] - raceway.displacement[roller][1];
-            let ring = [approach * cosine, approach * sine, 0.0, -tilt * sine, tilt * cosine];
-            let states = elastic.elements(&ring, &Motion { azimuth: 0.1, ..Motion::REST }).expect("finite");
-            let own = states[roller].roller().expect("a roller").outer.load;
-            assert!((own - load[0]).abs() < 1e-8 * largest, "{k} {roller}: {own} {}", load[0]);
         }
+        // Law of the elements on rings that are displaced relative to each other.
+        let arm = 0.5 * (SEATS[k][0] + SEATS[k][1]) - 0.5 * LENGTH;
+        let of_shaft = [shaft[0] + arm * shaft[4], shaft[1] - arm * shaft[3], shaft[2], shaft[3], shaft[4]];
+        let between = std::array::from_fn(|component| of_shaft[component] - seats[k][component]);
+        let elastic = laminae.with_contact(ContactModel::Elastic(Default::default())).expect("strips");
+        let motion = Motion { azimuth: 0.1, ..Motion::REST };
+        let (evaluation, loads) = elastic
+            .evaluate_with(&between, &raceway.displacement, &motion, &mut Start::default())
+            .expect("finite");
+        let largest = raceway.loads.iter().fold(0.0f64, |most, load| most.max(load.abs()));
+        assert!(largest > 1000.0, "{largest}");
+        for (own, load) in loads.iter().zip(raceway.loads.chunks(2)) {
+            for part in 0..2 {
+                assert!(
+                    (own.force[part] - load[part]).abs() < 1e-8 * largest,
+                    "{kind:?} {k}: {own:?} {load:?}"
+                );
+            }
+        }
+        let [x, y, z, about_x, about_y] = evaluation.load;
+        let moments = [about_x - arm * y, about_y + arm * x];
+        let about_middle = [x, y, z, moments[0], moments[1]];
+        resultant.iter_mut().zip(about_middle).for_each(|(sum, part)| *sum += part);
     }
-    // Equilibrium of the shaft.
-    for (found, expected) in resultant.into_iter().zip([FORCE[0], FORCE[1], MOMENT, 0.0]) {
-        assert!((found - expected).abs() < 1e-7 * FORCE[1].abs(), "{found} {expected}");
+    // Equilibrium of the shaft, which is held along its axis.
+    for (component, expected) in [(0, FORCE[0]), (1, FORCE[1]), (3, MOMENT), (4, 0.0)] {
+        let found = resultant[component];
+        assert!((found - expected).abs() < 1e-7 * FORCE[1].abs(), "{kind:?}: {found} {expected}");
     }
 }
 
@@ -371,6 +447,13 @@ fn the_same_arrangement_has_the_same_loads() {
     for other in others {
         for (own, found) in own.iter().zip(&loads(&solved(&other))) {
             assert!((own - found).abs() < 1e-8 * largest, "{other:?}: {own} {found}");
+        }
+    }
+    for kind in [Kind::Tapered, Kind::AngularContact] {
+        let [own, turned] =
+            [0.0, 0.7].map(|turned| loads(&solved(&Arrangement { kind, turned, ..arrangement() })));
+        for (own, turned) in own.iter().zip(&turned) {
+            assert!((own - turned).abs() < 1e-8 * largest, "{kind:?}: {own} {turned}");
         }
     }
 }

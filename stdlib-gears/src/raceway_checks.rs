@@ -1,5 +1,5 @@
-//! Gears whose bore and elastic bodies whose seats are raceways of bearings: whether rollers run in
-//! them, and whether they fit.
+//! Gears whose bore and elastic bodies whose seats are raceways of bearings: whether rolling
+//! elements run in them, and whether they fit.
 
 use crate::error::Severity;
 use crate::host::{Finding, ModelHost, shown};
@@ -7,13 +7,13 @@ use calyx_abi::RuntimeError;
 use calyx_runtime::analyses::Analysis;
 use calyx_runtime::bearing::{Bearing, InBore, RacewayCylinder, Support};
 use calyx_runtime::error::{EngineError, Subject};
-use calyx_runtime::rolling::{Elements, Row};
+use calyx_runtime::rolling::Elements;
 use calyx_runtime::structure::BoreSupport;
 
-/// Part of a size by which a bore may exceed the raceway of its rollers, and these the bore,
+/// Part of a size by which a bore may exceed the raceway of its elements, and these the bore,
 /// without a warning.
 const FIT: f64 = 0.01;
-/// Diameter of a seat relative to the raceway of its rollers from which an outer ring between them
+/// Diameter of a seat relative to the raceway of its elements from which an outer ring between them
 /// is no longer thin.
 const THICK_RING: f64 = 1.5;
 
@@ -58,7 +58,7 @@ struct Bore {
 }
 
 impl Bore {
-    /// Returns warnings about the rollers in the bore.
+    /// Returns warnings about the bearings in the bore.
     fn check(&self, host: &ModelHost, analysis: &dyn Analysis) -> Result<Vec<EngineError>, RuntimeError> {
         let body = self.cylinder.body;
         let inside: Vec<usize> = (0..host.scene.bearings.len())
@@ -66,10 +66,10 @@ impl Bore {
             .collect();
         let mut found = Vec::new();
         if inside.is_empty() {
-            found.push(self.no_rollers(host));
+            found.push(self.no_bearing(host));
         } else if analysis.has_inertia() {
             let message = format!("the raceway in {} is rigid in a dynamic analysis", self.name(host));
-            let help = "find the loads of its rollers by a quasi-static analysis";
+            let help = "find the loads of its rolling elements by a quasi-static analysis";
             found.push(EngineError::new("E0700", message, help).about(Subject::Body(body)));
         }
         for bearing in inside {
@@ -83,20 +83,20 @@ impl Bore {
         if self.of_gear { format!("the bore of \"{name}\"") } else { format!("the seat \"{name}\"") }
     }
 
-    /// Returns the warning about a raceway without rollers.
-    fn no_rollers(&self, host: &ModelHost) -> EngineError {
+    /// Returns the warning about a raceway without a bearing.
+    fn no_bearing(&self, host: &ModelHost) -> EngineError {
         let (name, body) = (self.name(host), Subject::Body(self.cylinder.body));
         let (rest, help) = match self.of_gear {
             true => (
                 "it deforms like a free bore, and bearings have rigid rings",
-                "mount a `needle_bearing` or `cylindrical_roller_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"; in `gears.planetary`, give `pin_needles`",
+                "mount a bearing such as `needle_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"; in `gears.planetary`, give `pin_needles`",
             ),
             false => (
                 "bearings in it have rigid rings",
-                "mount a `cylindrical_roller_bearing` or `needle_bearing` on it as `to` and without `linearized_at`, or attach it with `how = \"average\"`",
+                "mount a bearing such as `cylindrical_roller_bearing` on it as `to` and without `linearized_at`, or attach it with `how = \"average\"`",
             ),
         };
-        let message = format!("{name} is a raceway, and no cylindrical rollers run in it: {rest}");
+        let message = format!("{name} is a raceway, and no rolling elements run in it: {rest}");
         EngineError::new("E0700", message, help).about(body)
     }
 
@@ -114,25 +114,26 @@ impl Bore {
         let rows = own.rolling().map_or(&[][..], |elements| elements.bearing.rows());
         let mut found = Vec::new();
         for row in rows {
-            let Elements::Rollers(rollers) = &row.elements else { continue };
-            let diameter = Row::pitch_diameter(row) + rollers.geometry().roller_diameter;
-            let size = 2.0 * self.cylinder.radius;
-            let middle = placed.z + placed.sense * row.position;
-            let half = 0.5 * rollers.geometry().length;
+            let (elements, size_of_element) = match &row.elements {
+                Elements::Balls(_) => ("balls", "ball_diameter"),
+                Elements::Rollers(_) => ("rollers", "roller_diameter"),
+            };
+            let contact = row.outer_contact();
+            let (diameter, size) = (2.0 * contact.radius, 2.0 * self.cylinder.radius);
+            let middle = placed.z + placed.sense * (row.position + contact.position);
+            let half = 0.5 * contact.width;
             let beyond = (middle + half - self.ends[1]).max(self.ends[0] - middle + half);
-            // That rollers need a larger bore of a gear is reported with the sizes of all bearings.
+            // That they need a larger bore of a gear is reported with the sizes of all bearings.
             let largest = if self.of_gear { 1.0 + FIT } else { THICK_RING };
             if size > largest * diameter {
                 let help = match self.of_gear {
-                    true => {
-                        "let the rollers run in the bore: correct `pitch_diameter`, `roller_diameter` or the `inner_diameter` of the rim"
-                    }
-                    false => {
-                        "mesh the ring with the housing and attach its raceway, or attach the seat with `how = \"average\"`"
-                    }
+                    true => format!(
+                        "let the {elements} run in the bore: correct `pitch_diameter`, `{size_of_element}` or the `inner_diameter` of the rim"
+                    ),
+                    false => "mesh the ring with the housing and attach its raceway, or attach the seat with `how = \"average\"`".into(),
                 };
                 let message = format!(
-                    "{bore} has a diameter of {}, and the rollers of bearing \"{name}\" need a raceway of {}: a ring between them is not modelled",
+                    "{bore} has a diameter of {}, and the {elements} of bearing \"{name}\" need a raceway of {}: a ring between them is not modelled",
                     mm(size),
                     mm(diameter)
                 );
@@ -140,13 +141,13 @@ impl Bore {
             }
             if !self.of_gear && size < (1.0 - FIT) * diameter {
                 let message = format!(
-                    "{bore} has a diameter of {}, and the rollers of bearing \"{name}\" need a raceway of {}",
+                    "{bore} has a diameter of {}, and the {elements} of bearing \"{name}\" need a raceway of {}",
                     mm(size),
                     mm(diameter)
                 );
                 found.push((
                     message,
-                    "correct the diameter of the region, `pitch_diameter` or `roller_diameter`",
+                    format!("correct the diameter of the region, `pitch_diameter` or `{size_of_element}`"),
                 ));
             }
             // A seat in a wall of shells has no width.
@@ -158,13 +159,13 @@ impl Bore {
                     false => "correct the position `at`, the length of the rollers or that of the region",
                 };
                 let message = format!(
-                    "the rollers of bearing \"{name}\" reach {} beyond {bore}, which is their raceway",
+                    "the {elements} of bearing \"{name}\" reach {} beyond {bore}, which is their raceway",
                     mm(beyond)
                 );
-                found.push((message, help));
+                found.push((message, help.into()));
             }
         }
-        let warning = |(message, help): (String, &'static str)| {
+        let warning = |(message, help): (String, String)| {
             EngineError::new("E0669", message, help).about(Subject::Bearing(bearing))
         };
         Ok(found.into_iter().map(warning).collect())

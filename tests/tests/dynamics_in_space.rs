@@ -157,6 +157,71 @@ fn the_orientation_of_a_helical_pair_in_time_does_not_matter() {
     assert_same(&rows(&helical(placed, axis, &in_time(1, 8))), &upright, 1e-9);
 }
 
+/// A helical gear that rattles between the flanks of a fixed one and moves against a spring along
+/// its axis: the energy between impacts, without damping. In one impact it changes by the square of
+/// the ratio of step to contact time, and this must average out over any number of impacts.
+fn check_rattling(impacts: usize) {
+    const MASS: f64 = 1.0;
+    const INERTIA: f64 = 1e-3;
+    const STIFFNESS: f64 = 2e7;
+    const STEP: f64 = 5e-6;
+    let model = format!(
+        "import gears;
+units SI;
+var steel = gears.material(youngs_modulus = 206 GPa, poissons_ratio = 0.3, density = 1e-3 kg/m^3);
+function blank(in hand) {{
+    return gears.external(30, normal_module = 2 mm, helix_angle = 15 deg, hand = hand, face_width = 20 mm, material = steel);
+}}
+var fixed = gears.body(\"fixed\", blank(\"right\"), frame := Rotate(1e-6 rad/s * Time, e3));
+var free = gears.body(
+    \"free\", blank(\"left\"), free = [\"u_z\", \"theta_z\"], mass = {MASS} kg, inertia = {INERTIA} kg*m^2,
+    frame := Rotate(-1e-6 rad/s * Time, e3)
+        * Translate((gears.center_distance(blank(\"right\"), blank(\"left\")) + 0.05 mm) * e1));
+gears.bearing(\"axial\", free, axial_stiffness = {STIFFNESS} N/m);
+var mesh = gears.mesh(fixed, free, contact_cells = 3, contact_slices = 2);
+gears.impulse(free, at = 0 s, duration = 20 us, angular_momentum = 0.02 N*m*s * e3);
+output z := gears.displacement(free, \"z\");
+output angle := gears.rotation(free, \"z\");
+output force := gears.mesh_force(mesh);
+analyze(\"dynamic\", over = gears.time_ranges([gears.time_range({} s, step = {STEP} s)]), fidelity = \"analytic\", start = \"frames\", error_estimates = \"none\");
+",
+        impacts as f64 * 4e-4,
+    );
+    let rows = rows(&model);
+    let begun = rows.windows(2).filter(|two| two[0][2] == 0.0 && two[1][2] > 0.0).count();
+    // Mean values of a step in flight. Those of the oscillation have less energy than its ends by
+    // this factor.
+    let of_ends = 1.0 + STIFFNESS / MASS * (0.5 * STEP).powi(2);
+    let energies: Vec<f64> = rows
+        .windows(2)
+        .filter(|two| two.iter().all(|row| row[2] == 0.0))
+        .map(|two| {
+            let rate = |column: usize| (two[1][column] - two[0][column]) / STEP;
+            let z = 0.5 * (two[0][0] + two[1][0]);
+            let axial = 0.5 * MASS * rate(0).powi(2) + 0.5 * STIFFNESS * z * z;
+            0.5 * INERTIA * rate(1).powi(2) + of_ends * axial
+        })
+        .collect();
+    let [first, second] = [&energies[..energies.len() / 2], &energies[energies.len() / 2..]]
+        .map(|half| half.iter().sum::<f64>() / half.len() as f64);
+    let most = energies.iter().fold(0.0f64, |most, energy| most.max((energy / energies[0] - 1.0).abs()));
+    let drift = second / first - 1.0;
+    println!("{begun} impacts in {} steps: largest change {most:.1e}, drift {drift:.1e}", rows.len());
+    assert!(begun + 1 >= impacts, "{begun}");
+    assert!(most < 3e-3 && drift.abs() < 1e-3, "{most:e} {drift:e}");
+}
+
+#[test]
+fn a_rattling_helical_gear_keeps_its_energy() {
+    check_rattling(20);
+}
+
+#[test]
+#[ignore = "takes minutes: `.ci/full rattling`"]
+fn a_rattling_helical_gear_keeps_its_energy_over_a_thousand_impacts() {
+    check_rattling(1000);
+}
+
 /// Without tooth separation the last of several mesh cycles of a helical pair agrees with the
 /// forced response, which has the same dampers.
 #[test]

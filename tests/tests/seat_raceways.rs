@@ -1,4 +1,4 @@
-//! Rollers in elastic seats of a housing that supports a pair of gears: turned as a whole, in
+//! Bearings in elastic seats of a housing that supports a pair of gears: turned as a whole, in
 //! equilibrium, with more harmonics, and with other bearings in the same housing.
 
 use crate::models::ranges_with;
@@ -54,9 +54,31 @@ struct Housing {
     other: &'static str,
     /// Angle about which the whole is turned, degrees.
     turned: f64,
+    bearings: Bearings,
 }
 
-const HOUSING: Housing = Housing { how: "raceway", harmonics: 12, other: "raceway", turned: 0.0 };
+/// Kind and dimensions of both bearings, without the sense of their thrust.
+struct Bearings {
+    call: &'static str,
+    /// Thrust of the near and of the far bearing, on a pinion that is free along its axis.
+    thrust: Option<[&'static str; 2]>,
+}
+
+const CYLINDRICAL: Bearings = Bearings {
+    call: "gears.cylindrical_roller_bearing(name, pinion, to = to, at = at, count = 14, roller_diameter = 6 mm, roller_length = 16 mm, pitch_diameter = 34 mm, clearance = 10 um",
+    thrust: None,
+};
+const TAPERED: Bearings = Bearings {
+    call: "gears.tapered_roller_bearing(name, pinion, to = to, at = at, count = 14, roller_diameter = 6 mm, roller_length = 14 mm, pitch_diameter = 33 mm, contact_angle = 14 deg, axial_preload = 5 um",
+    thrust: Some(["+z", "-z"]),
+};
+const ANGULAR: Bearings = Bearings {
+    call: "gears.angular_contact_bearing(name, pinion, to = to, at = at, count = 12, ball_diameter = 6 mm, pitch_diameter = 34 mm, contact_angle = 25 deg, axial_preload = 5 um",
+    thrust: Some(["+z", "-z"]),
+};
+
+const HOUSING: Housing =
+    Housing { how: "raceway", harmonics: 12, other: "raceway", turned: 0.0, bearings: CYLINDRICAL };
 
 impl Housing {
     fn results(&self) -> BTreeMap<String, [f64; 2]> {
@@ -64,7 +86,11 @@ impl Housing {
     }
 
     fn model(&self) -> String {
-        let Housing { how, harmonics, other, turned } = self;
+        let Housing { how, harmonics, other, turned, bearings: Bearings { call, thrust } } = self;
+        let along = thrust.map_or("", |_| "\"u_z\", ");
+        let [near, far] = thrust.map_or([String::new(), String::new()], |both| {
+            both.map(|sense| format!(", thrust = \"{sense}\""))
+        });
         let mut text = format!(
             "import gears;
 units mm_N_s;
@@ -80,13 +106,11 @@ function seat(in name, in z: Length, in how) {{
         gears.cylinder_region(z * e3, e3, radius = 20 mm, from = -10 mm, to = 10 mm), how = how, raceway_harmonics = {harmonics});
 }}
 var near_seat = seat(\"near seat\", -30 mm, \"{how}\"), far_seat = seat(\"far seat\", 30 mm, \"{other}\");
-var pinion = gears.body(\"pinion\", blank(18), free = [\"u_x\", \"u_y\", \"theta_x\", \"theta_y\", \"theta_z\"],
+var pinion = gears.body(\"pinion\", blank(18), free = [\"u_x\", \"u_y\", {along}\"theta_x\", \"theta_y\", \"theta_z\"],
     moment = 150 N*m * e3, frame := Rotate(100 rpm * Time, e3) * Translate(-5 mm * e3) * Rotate(turned, e3));
-function rollers(in name, in to, in z: Length) {{
-    return gears.cylindrical_roller_bearing(name, pinion, to = to, at = (z + 5 mm) * e3, count = 14, roller_diameter = 6 mm,
-        roller_length = 16 mm, pitch_diameter = 34 mm, clearance = 10 um);
-}}
-var near = rollers(\"near\", near_seat, -30 mm), far = rollers(\"far\", far_seat, 30 mm);
+function near_bearing(in name, in to, in at) {{ return {call}{near}); }}
+function far_bearing(in name, in to, in at) {{ return {call}{far}); }}
+var near = near_bearing(\"near\", near_seat, -25 mm * e3), far = far_bearing(\"far\", far_seat, 35 mm * e3);
 var gear = gears.body(\"gear\", blank(40),
     frame := Rotate(-100 rpm * 18 / 40 * Time, e3) * Translate(58.05 mm * e1) * Translate(-5 mm * e3) * Rotate(turned, e3));
 var mesh = gears.mesh(pinion, gear);
@@ -124,16 +148,24 @@ const SCALARS: [&str; 7] = [
 
 #[test]
 fn the_turned_whole_has_the_same_results() {
-    let [own, turned] = [0.0, 37.0].map(|turned| Housing { turned, ..HOUSING }.results());
-    for name in SCALARS {
-        close(name, turned[name][0], own[name][0], 1e-7, 0.0);
+    for bearings in [|| CYLINDRICAL, || TAPERED] {
+        let [own, turned] =
+            [0.0, 37.0].map(|turned| Housing { turned, bearings: bearings(), ..HOUSING }.results());
+        for name in SCALARS {
+            close(name, turned[name][0], own[name][0], 1e-7, 0.0);
+        }
     }
 }
 
 /// The foot and the gear carry the torque on the pinion, in three dimensions.
 #[test]
-fn the_foot_carries_the_forces_of_the_rollers() {
-    let found = HOUSING.results();
+fn the_foot_carries_the_forces_of_the_bearings() {
+    for bearings in [CYLINDRICAL, TAPERED, ANGULAR] {
+        check_equilibrium(&Housing { bearings, ..HOUSING }.results());
+    }
+}
+
+fn check_equilibrium(found: &BTreeMap<String, [f64; 2]>) {
     let force = found["mesh_force"][0];
     for axis in ["x", "y", "z"] {
         let sum = found[&format!("foot_{axis}")][0] + found[&format!("gear_{axis}")][0];
@@ -153,7 +185,7 @@ fn the_foot_carries_the_forces_of_the_rollers() {
 /// rigid ring has the mean motion of the seat instead, and both bearings are independent of how the
 /// other one is mounted, except for their shares of the load.
 #[test]
-fn a_thin_housing_changes_the_loads_of_the_rollers() {
+fn a_thin_housing_changes_the_loads_of_the_elements() {
     let rigid = Housing { how: "average", other: "average", ..HOUSING }.results();
     let change = |other, name: &str| {
         let found = Housing { other, ..HOUSING }.results();
@@ -166,6 +198,14 @@ fn a_thin_housing_changes_the_loads_of_the_rollers() {
     }
     let of_rigid = change("average", "far_largest") - change("average", "far_force");
     assert!(of_rigid.abs() < 0.02, "{of_rigid}");
+    for (name, bearings) in [("tapered", [TAPERED, TAPERED]), ("angular contact", [ANGULAR, ANGULAR])] {
+        let [rigid, elastic] = bearings;
+        let rigid = Housing { how: "average", other: "average", bearings: rigid, ..HOUSING }.results();
+        let elastic = Housing { bearings: elastic, ..HOUSING }.results();
+        let change = elastic["near_largest"][0] / rigid["near_largest"][0] - 1.0;
+        println!("{name}: largest load {:+.1} %", 100.0 * change);
+        assert!(change > 0.1, "{name}: {change}");
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::ball::{BallKind, BallRow, BallState, Motion};
 use crate::element::{Local, Response};
 use crate::error::{RollingError, finite};
+use crate::raceway::{RacewayDisplacement, RacewayLoad};
 use crate::roller::{ContactModel, RollerKind, RollerRow, RollerStart, RollerState};
 use libm::{cos, sin};
 use std::f64::consts::TAU;
@@ -87,21 +88,6 @@ pub struct Evaluation {
     pub unconverged: usize,
 }
 
-/// Displacement of the outer raceway at an element, in addition to that of a rigid ring: radial,
-/// outwards, in the axial position of the element, m; and its derivative along z.
-pub type RacewayDisplacement = [f64; 2];
-
-/// Load of an element on a raceway that is displaced.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RacewayLoad {
-    /// Force and moment conjugate to [`RacewayDisplacement`], N and N m.
-    pub force: [f64; 2],
-    /// Decrease of the force by the displacement of the raceway.
-    pub stiffness: [[f64; 2]; 2],
-    /// Derivatives of the force with respect to the displacement of the inner ring.
-    pub coupling: [[f64; 5]; 2],
-}
-
 /// Positions of the elements at a displacement, from which the next evaluation starts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Start {
@@ -170,32 +156,8 @@ impl Row {
         ]
     }
 
-    /// Subtracts the displacement of the outer raceway from that of the inner ring in the plane of
-    /// an element.
-    fn displace_outer(&self, ring: &mut Local, [radial, slope]: &RacewayDisplacement) {
-        ring[0] -= radial;
-        ring[2] -= self.side() * slope;
-    }
-
-    /// Returns the load of an element on the outer raceway from its load on the inner ring.
-    fn raceway_load(&self, projection: &[[f64; 5]; 3], response: &Response) -> RacewayLoad {
-        // Components in the plane of the element, by those of the raceway.
-        let by = [(0, 1.0), (2, self.side())];
-        let entry = |(row, side): (usize, f64), (column, other): (usize, f64)| {
-            side * response.stiffness[row][column] * other
-        };
-        RacewayLoad {
-            force: by.map(|(row, side)| side * response.force[row]),
-            stiffness: by.map(|row| by.map(|column| entry(row, column))),
-            coupling: by.map(|row| {
-                let of = |i: usize| (0..3).map(|k| entry(row, (k, 1.0)) * projection[k][i]).sum();
-                std::array::from_fn(of)
-            }),
-        }
-    }
-
     /// Returns the sense of the bearing's z axis in the plane of an element.
-    fn side(&self) -> f64 {
+    pub(crate) fn side(&self) -> f64 {
         if self.mirrored { -1.0 } else { 1.0 }
     }
 

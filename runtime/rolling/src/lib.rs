@@ -60,15 +60,16 @@ pub mod roller;
 
 mod element;
 mod linear;
+mod raceway;
 
 pub use ball::{BallGeometry, BallKind, BallRow, CageSpeed, Motion};
 pub use bearing::{
-    Arrangement, Displacement, ElementState, Elements, Evaluation, Load, RacewayDisplacement, RacewayLoad,
-    RollingBearing, Row, Start,
+    Arrangement, Displacement, ElementState, Elements, Evaluation, Load, RollingBearing, Row, Start,
 };
 pub use equilibrium::{Conditions, Equilibrium};
 pub use error::RollingError;
 pub use material::Material;
+pub use raceway::{OuterContact, RacewayDisplacement, RacewayLoad};
 pub use roller::{ContactModel, ElasticContact, Profile, Rib, RollerGeometry, RollerKind, RollerRow};
 
 /// Fingerprint of this crate's source.

@@ -9,6 +9,7 @@ mod half_space;
 mod half_space_reference;
 mod hertz;
 mod inputs;
+mod raceways;
 mod ratings;
 mod reference;
 mod roller_body;

@@ -13,7 +13,7 @@ use nalgebra::{DMatrix, SymmetricEigen};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Bearing with rollers on an elastic raceway.
+/// Bearing on an elastic raceway.
 #[derive(Clone)]
 pub(crate) struct BearingOnRaceway {
     /// Index of the bearing in the scene.
@@ -45,7 +45,7 @@ pub(crate) fn dense(matrix: MatRef<'_, f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| matrix[(row, column)])
 }
 
-/// Finds the modelled bearings whose rollers run on an elastic raceway. `raceway_of` returns the
+/// Finds the modelled bearings that run on an elastic raceway. `raceway_of` returns the
 /// raceway in the bore of a gear with the compliance of its terms, if it has one.
 pub(crate) fn find(
     scene: &Mechanism,

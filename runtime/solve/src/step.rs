@@ -83,9 +83,9 @@ pub struct StepResult {
 pub struct RacewayResult {
     /// Index of the bearing in the scene.
     pub bearing: usize,
-    /// Displacement at each roller.
+    /// Displacement at each element.
     pub displacement: Vec<RacewayDisplacement>,
-    /// Conjugate loads of the rollers on the raceway, two for each: N and N m.
+    /// Conjugate loads of the elements on the raceway, two for each: N and N m.
     pub loads: Vec<f64>,
 }
 

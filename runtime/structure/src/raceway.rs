@@ -1,7 +1,7 @@
-//! Bore of a ring as a raceway of rollers: its radial displacement as a Fourier series around and
+//! Bore of a ring as a raceway of rolling elements: its radial displacement as a Fourier series around and
 //! Legendre polynomials along it.
 //!
-//! Rollers press on the bore at angles that change with their cage. The structure therefore has no
+//! Elements press on the bore at angles that change with their cage. The structure therefore has no
 //! displacement of each, but the coefficients of a series, from which contact outside of the
 //! structure ([`super::bore_interface`]) evaluates the displacement at any angle. With the
 //! coefficients `c` and the terms `e(t, z)` of the series at a point, a radial force `Q` there has
@@ -18,10 +18,10 @@ use std::f64::consts::PI;
 
 /// Highest degree of the polynomials along a raceway.
 pub const HIGHEST_DEGREE: u8 = 5;
-/// Number of Gauss points along a roller, exact for the highest degree times a line.
+/// Number of Gauss points along a contact, exact for the highest degree times a line.
 const POINTS: usize = 4;
 
-/// Raceway of rollers in a bore about the z axis.
+/// Raceway of rolling elements in a bore about the z axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Raceway {
     /// Radius, m.
@@ -70,9 +70,13 @@ impl Raceway {
         self.all().map(of).collect()
     }
 
-    /// Returns the means of the Legendre polynomials along a roller of a length (m) whose middle
-    /// has an axial coordinate (m), and the derivatives of the lines nearest to them, 1/m.
+    /// Returns the means of the Legendre polynomials along a contact of a length (m) whose middle
+    /// has an axial coordinate (m), and the derivatives of the lines nearest to them, 1/m. At a
+    /// point, of length 0, there are no derivatives.
     fn polynomials_along(&self, z: f64, length: f64) -> [[f64; 2]; HIGHEST_DEGREE as usize + 1] {
+        if length == 0.0 {
+            return legendre(self.zeta(z)).map(|value| [value, 0.0]);
+        }
         let mut along = [[0.0; 2]; HIGHEST_DEGREE as usize + 1];
         for (node, weight) in gauss_legendre(POINTS) {
             let from_middle = 0.5 * length * node;
@@ -84,9 +88,9 @@ impl Raceway {
         along
     }
 
-    /// Returns the distributions along the raceway of a unit force and a unit moment of a roller,
+    /// Returns the distributions along the raceway of a unit force and a unit moment of an element,
     /// as far as its polynomials contain them, at a distance (m) from its start: 1/m and 1/m². The
-    /// roller has a length (m), and its middle an axial coordinate (m).
+    /// contact has a length (m), 0 for a ball, and its middle an axial coordinate (m).
     pub fn distributions(&self, z: f64, length: f64) -> impl Fn(f64) -> [f64; 2] + use<> {
         let (along, width) = (self.polynomials_along(z, length), self.ends[1] - self.ends[0]);
         let degree = usize::from(self.degree);
@@ -107,11 +111,11 @@ impl Raceway {
         if width > 0.0 { (2.0 * z - self.ends[0] - self.ends[1]) / width } else { 0.0 }
     }
 
-    /// Returns the terms at an angle (rad) along a roller of a length (m) whose middle has an axial
+    /// Returns the terms at an angle (rad) along a contact of a length (m) whose middle has an axial
     /// coordinate (m): their means, and the derivatives along the axis of the lines that are
     /// nearest to them in the mean square, 1/m. In a plane model the derivatives vanish.
     ///
-    /// Conjugate to the mean is the uniformly distributed force of a roller, to the derivative the
+    /// Conjugate to the mean is the uniformly distributed force of a contact, to the derivative the
     /// moment of a linear pressure.
     pub fn terms_along(&self, angle: f64, z: f64, length: f64) -> [Vec<f64>; 2] {
         let along = self.polynomials_along(z, length);

@@ -1,14 +1,14 @@
-//! Outer raceways of roller bearings that are the bore of a gear or a seat of an elastic body.
+//! Outer raceways of rolling bearings that are the bore of a gear or a seat of an elastic body.
 //!
-//! The rollers of a bearing press on the bore at their own angles. At each of them the raceway has
-//! a displacement `v`: radial, and its derivative along the axis. With the loads `f` of the rollers
-//! and the forces `p` of teeth, `v = H p + C f`. The displacement of the bore is a series
+//! The elements of a bearing press on the bore at their own angles. At each of them the raceway has
+//! a displacement `v`: radial, and its derivative along the axis. With the loads `f` of the
+//! elements and the forces `p` of teeth, `v = H p + C f`. The displacement of the bore is a series
 //! ([`calyx_structure::Raceway`]), and `C` the compliance of the body in this series. The contact
-//! of a roller is that of half-spaces, whose displacement in the same series would count twice, so
-//! it is subtracted from `C`: body and half-space have the same displacements at short wavelengths,
-//! and their difference converges quickly with the number of terms.
+//! of an element is that of half-spaces, whose displacement in the same series would count twice,
+//! so it is subtracted from `C`: body and half-space have the same displacements at short
+//! wavelengths, and their difference converges quickly with the number of terms.
 //!
-//! With linearized rollers, `f = c + B q - K v` at the deflection `q` of the bearing, `v` is
+//! With linearized elements, `f = c + B q - K v` at the deflection `q` of the bearing, `v` is
 //! eliminated from the contact problem: `v = M (H p + C (c + B q))` with `M = (I + C K)^-1`.
 //!
 //! In a seat of an elastic body ([`SeatRaceway`]), the displacement of the series is that of the
@@ -27,8 +27,8 @@ use calyx_contact::problem::ContactProblem;
 use calyx_numerics::error::{EngineError, Subject};
 use calyx_numerics::quadrature::gauss_legendre;
 use calyx_numerics::vec3::{Vector, dot, minus};
+use calyx_rolling::RacewayDisplacement;
 use calyx_rolling::bearing::{Elements, Row};
-use calyx_rolling::{RacewayDisplacement, RollerGeometry, RollerKind};
 use calyx_structure::Raceway;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
@@ -48,37 +48,28 @@ const PARALLEL: f64 = 1e-3;
 pub struct ElasticRaceway {
     /// Index of the body.
     pub body: usize,
-    /// Displacements by the terms of the series: two rows for each roller, radial and derivative.
+    /// Displacements by the terms of the series: two rows for each element, radial and derivative.
     pub by_terms: DMatrix<f64>,
-    /// Displacements by loads of the rollers, without those of half-spaces: m/N, and with the
+    /// Displacements by loads of the elements, without those of half-spaces: m/N, and with the
     /// derivative of the displacement and the moment 1/N and 1/(N m).
     compliance: DMatrix<f64>,
     /// Width to which forces of a plane model refer, m; 1 in three dimensions.
     width: f64,
 }
 
-/// Half-space displacements of the rollers of a row by their own loads in the series of a raceway:
+/// Half-space displacements of the elements of a row by their own loads in the series of a raceway:
 /// radial displacement and its derivative along the axis (rows) by force and moment.
 pub type HalfSpaceShare = [[f64; 2]; 2];
 
 impl Bearing {
-    /// Returns the index of the body whose bore is the outer raceway of the rollers, if they have
-    /// cylindrical raceways and their outer ring is on a body.
+    /// Returns the index of the body that carries the outer ring of a rolling bearing.
     pub fn outer_body(&self) -> Option<usize> {
         let elements = self.rolling()?;
         let second = match self.to {
             Support::Ground => None,
             Support::Body(body) => Some(body.0),
         };
-        let outer = if elements.is_inverted() { Some(self.body.0) } else { second };
-        outer.filter(|_| elements.bearing.rows().iter().all(is_cylindrical))
-    }
-}
-
-fn is_cylindrical(row: &Row) -> bool {
-    match &row.elements {
-        Elements::Balls(_) => false,
-        Elements::Rollers(rollers) => matches!(rollers.geometry().kind, RollerKind::Cylindrical { .. }),
+        if elements.is_inverted() { Some(self.body.0) } else { second }
     }
 }
 
@@ -184,9 +175,11 @@ impl ElasticRaceway {
         let mut half_space = Vec::with_capacity(count);
         let mut element = 0;
         for (row, share) in rows.iter().zip(shares) {
+            let contact = row.outer_contact();
+            let at = z + sense * (row.position + contact.position);
             for azimuth in row.azimuths(&elements.motion) {
-                let (angle, at) = (first + sense * azimuth, z + sense * row.position);
-                let [values, slopes] = raceway.terms_along(angle, at, length_of(row));
+                let angle = first + sense * azimuth;
+                let [values, slopes] = raceway.terms_along(angle, at, contact.width);
                 by_terms.row_mut(2 * element).copy_from_slice(&values);
                 let slopes: Vec<f64> = slopes.iter().map(|slope| sense * slope).collect();
                 by_terms.row_mut(2 * element + 1).copy_from_slice(&slopes);
@@ -216,7 +209,7 @@ impl ElasticRaceway {
         Ok(Self { body, by_terms, compliance: 0.5 * (&own + own.transpose()), width })
     }
 
-    /// Eliminates the raceway from linearized rollers in a state: adapts their tangent on a rigid
+    /// Eliminates the raceway from linearized elements in a state: adapts their tangent on a rigid
     /// raceway.
     pub(super) fn eliminate(&self, tangent: &mut Tangent, state: &NonlinearState, sense: f64) {
         let count = state.raceway.len();
@@ -240,7 +233,7 @@ impl ElasticRaceway {
         load += &stiffness * &at - &coupling * deflection;
         let system = DMatrix::identity(2 * count, 2 * count) + &self.compliance * &stiffness;
         let Some(release) = system.try_inverse() else { return };
-        // The rollers yield by the raceway: B' M C c and B' M C B.
+        // The elements yield by the raceway: B' M C c and B' M C B.
         let yielding = coupling.transpose() * &release * &self.compliance;
         let (less, lower) = (&yielding * &coupling, &yielding * &load - coupling.transpose() * at);
         for i in 0..5 {
@@ -254,7 +247,7 @@ impl ElasticRaceway {
         tangent.raceway = Some(RacewayTangent { release, load, coupling, stiffness });
     }
 
-    /// Adds linearized rollers to the cells of a contact problem, whose gaps grow by unit loads on
+    /// Adds linearized elements to the cells of a contact problem, whose gaps grow by unit loads on
     /// the raceway as the rows of `growth` state, per width of a plane model. `arms` are the
     /// deflections of the bearing by DOF, and `start` the motions to which the problem refers.
     pub fn put(
@@ -294,26 +287,19 @@ impl ElasticRaceway {
         by_cells * self.by_terms.transpose()
     }
 
-    /// Returns the forces on the terms of the series of loads of rollers, per width of a plane
+    /// Returns the forces on the terms of the series of loads of elements, per width of a plane
     /// model.
     pub fn on_terms(&self, loads: &[f64]) -> Vec<f64> {
         let on = self.by_terms.transpose() * DVector::from_row_slice(loads) / self.width;
         on.as_slice().to_vec()
     }
 
-    /// Returns the displacement of the raceway with linearized rollers at a deflection; `moved` is
+    /// Returns the displacement of the raceway with linearized elements at a deflection; `moved` is
     /// that by forces of teeth.
     pub fn displaced(&self, tangent: &RacewayTangent, deflection: &[f64; 5], moved: &[f64]) -> Vec<f64> {
         let load = &tangent.load + &tangent.coupling * DVector::from_row_slice(deflection);
         let moved = DVector::from_row_slice(moved) + &self.compliance * load;
         (&tangent.release * moved).as_slice().to_vec()
-    }
-}
-
-fn length_of(row: &Row) -> f64 {
-    match &row.elements {
-        Elements::Balls(_) => 0.0,
-        Elements::Rollers(rollers) => rollers.geometry().length,
     }
 }
 
@@ -324,7 +310,9 @@ pub fn half_space_shares(
     placed: Option<InBore>,
 ) -> Vec<HalfSpaceShare> {
     let middle = 0.5 * (raceway.ends[0] + raceway.ends[1]);
-    let position = |row: &Row| placed.map_or(middle, |at| at.z + at.sense * row.position);
+    let position = |row: &Row| {
+        placed.map_or(middle, |at| at.z + at.sense * (row.position + row.outer_contact().position))
+    };
     elements.bearing.rows().iter().map(|row| half_space_share(row, raceway, position(row))).collect()
 }
 
@@ -333,31 +321,35 @@ const POINTS: usize = 16;
 /// The same along a raceway, exact for products of two polynomials of the highest degree.
 const POINTS_ALONG: usize = 6;
 
-/// Returns the displacements of the rollers of a row on a half-space by their own loads, as far as
-/// they are in the series of a raceway, on which the middle of a roller has an axial coordinate `z`
-/// (m). The force of a roller is uniform along its length, its moment that of a linear pressure,
-/// and displacements are means with the same weights. In a plane model, and on the edge of a shell,
-/// the series has no axial part, and the roller has its whole length.
+/// Returns the displacements of the elements of a row on a half-space by their own loads, as far as
+/// they are in the series of a raceway, on which the middle of a contact has an axial coordinate
+/// `z` (m). The force of a roller is uniform along its length, its moment that of a linear
+/// pressure, and displacements are means with the same weights; the force of a ball acts at a
+/// point. In a plane model, and on the edge of a shell, the series has no axial part: the roller
+/// has its whole length there, and a ball its diameter.
 pub fn half_space_share(row: &Row, raceway: &Raceway, z: f64) -> HalfSpaceShare {
-    let Elements::Rollers(rollers) = &row.elements else { return [[0.0; 2]; 2] };
-    let geometry = rollers.geometry();
-    let (length, width) = (geometry.length, raceway.ends[1] - raceway.ends[0]);
-    let uniform = |from_start: f64| [1.0 / length, 12.0 * (from_start - 0.5 * length) / length.powi(3)];
-    match width > 0.0 {
-        true => series_share(geometry, raceway, (width, raceway.distributions(z, length))),
-        false => series_share(geometry, raceway, (length, uniform)),
+    let (rings, without_width) = match &row.elements {
+        Elements::Balls(balls) => (balls.geometry().rings, balls.geometry().ball_diameter),
+        Elements::Rollers(rollers) => (rollers.geometry().rings, row.outer_contact().width),
+    };
+    let modulus = rings.youngs_modulus / (1.0 - rings.poissons_ratio * rings.poissons_ratio);
+    let width = raceway.ends[1] - raceway.ends[0];
+    if width > 0.0 {
+        let distributions = raceway.distributions(z, row.outer_contact().width);
+        return series_share(modulus, raceway, (width, distributions));
     }
+    let length = without_width;
+    let uniform = |from_start: f64| [1.0 / length, 12.0 * (from_start - 0.5 * length) / length.powi(3)];
+    series_share(modulus, raceway, (length, uniform))
 }
 
-/// Returns the displacements on a half-space by loads with these distributions over a width (m), as
-/// far as they are in the harmonics of a raceway.
+/// Returns the displacements on a half-space of this plane-strain modulus (Pa) by loads with these
+/// distributions over a width (m), as far as they are in the harmonics of a raceway.
 fn series_share(
-    geometry: &RollerGeometry,
+    modulus: f64,
     raceway: &Raceway,
     (width, distributions): (f64, impl Fn(f64) -> [f64; 2]),
 ) -> HalfSpaceShare {
-    let ring = &geometry.rings;
-    let modulus = ring.youngs_modulus / (1.0 - ring.poissons_ratio * ring.poissons_ratio);
     let (points, along) = (gauss_legendre(POINTS), gauss_legendre(POINTS_ALONG));
     // Sum over both senses of the products of loads and observers at an axial distance.
     let products = |apart: f64| {

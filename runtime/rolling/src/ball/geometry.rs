@@ -199,6 +199,17 @@ impl BallRow {
         Ok(())
     }
 
+    /// Returns the radius of the outer contact and its axial position from the centre of the ball,
+    /// m, and the contact angle (rad). The two contacts of four-point bearings, and those of deep
+    /// grooves under load of either sense, have the bottom of the groove between them.
+    pub(crate) fn outer_contact(&self) -> ([f64; 2], f64) {
+        let (pitch, radius) = (0.5 * self.geometry.pitch_diameter, 0.5 * self.geometry.ball_diameter);
+        match self.geometry.kind {
+            BallKind::AngularContact { angle } => ([pitch + radius * cos(angle), radius * sin(angle)], angle),
+            BallKind::DeepGroove { .. } | BallKind::FourPoint { .. } => ([pitch + radius, 0.0], 0.0),
+        }
+    }
+
     /// Returns the dimensions.
     pub fn geometry(&self) -> &BallGeometry {
         &self.geometry

@@ -13,6 +13,8 @@ pub(super) struct Shape {
     pub cage_ratio: f64,
     pub mass_diameter: f64,
     pub angles: [f64; 2],
+    /// Radius of the middle of the outer contact, and its axial position, m.
+    pub outer_contact: [f64; 2],
 }
 
 /// Section of a contact line: a point, or an interval over which the relief is averaged.
@@ -107,6 +109,7 @@ impl RollerGeometry {
             cage_ratio: 0.5 * (1.0 - ratio),
             mass_diameter: self.roller_diameter,
             angles: [0.0; 2],
+            outer_contact: [pitch + radius, 0.0],
         }
     }
 
@@ -157,6 +160,7 @@ impl RollerGeometry {
             cage_ratio: 0.5 * (1.0 - tan(taper) / tan(axis)),
             mass_diameter: self.roller_diameter,
             angles,
+            outer_contact: [slant * sin(outer_angle), apex_z - slant * cos(outer_angle)],
         })
     }
 
@@ -271,6 +275,7 @@ impl RollerGeometry {
             cage_ratio: 0.5 * (1.0 - ratio),
             mass_diameter: self.roller_diameter,
             angles: [angle; 2],
+            outer_contact: [pitch + radius * cos(angle), radius * sin(angle)],
         })
     }
 }

@@ -268,7 +268,7 @@ impl<'a> NonlinearBearings<'a> {
         let at = |own: &Member| if self.in_time { own.deflection(start) } else { [0.0; 5] };
         let initial = |own: &Member| {
             let state = own.nonlinear.state(None, at(own))?;
-            match own.rollers() {
+            match own.elements() {
                 0 => Ok(state),
                 rollers => own.nonlinear.state_on(&state, at(own), &vec![[0.0; 2]; rollers]),
             }
@@ -472,7 +472,7 @@ impl<'a> NonlinearBearings<'a> {
             let at: Vec<f64> =
                 deflections(state).iter().zip(step).map(|(at, step)| at + part * step).collect();
             let deflection = std::array::from_fn(|i| at[i]);
-            match own.rollers() {
+            match own.elements() {
                 0 => own.nonlinear.state(Some(state), deflection),
                 _ => own.nonlinear.state_on(state, deflection, &by_element(&at[5..])),
             }
@@ -539,7 +539,7 @@ impl Member {
     }
 
     /// Returns the number of rollers on an elastic raceway; 0 on a rigid one.
-    fn rollers(&self) -> usize {
+    fn elements(&self) -> usize {
         self.raceway.as_ref().map_or(0, |raceway| raceway.by_terms.nrows() / 2)
     }
 

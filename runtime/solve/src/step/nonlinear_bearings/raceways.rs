@@ -20,7 +20,7 @@ impl NonlinearBearings<'_> {
         self.members.iter().map(growth).collect()
     }
 
-    /// Adds the rollers on elastic raceways to the cells of a contact problem.
+    /// Adds the elements on elastic raceways to the cells of a contact problem.
     pub(super) fn put_raceways(
         &self,
         problem: &mut ContactProblem,
@@ -49,7 +49,7 @@ impl NonlinearBearings<'_> {
 
     /// Returns the displacements of elastic raceways without forces on cells.
     pub(super) fn unmoved(&self) -> Vec<Vec<f64>> {
-        self.members.iter().map(|own| vec![0.0; 2 * own.rollers()]).collect()
+        self.members.iter().map(|own| vec![0.0; 2 * own.elements()]).collect()
     }
 
     /// Returns the elastic raceways.

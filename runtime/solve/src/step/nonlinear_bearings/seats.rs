@@ -2,8 +2,8 @@
 //!
 //! With the motions `u` of the DOFs, the coefficients of all raceways of a body are `r = A u + s`,
 //! and `s` has the elastic energy `s' C^-1 s / 2`. All bearings of the body together determine `s`:
-//! their linearized rollers have the energy `r' P r / 2 + r' X u - r' l`, in which `P` and `X` are
-//! the stiffness of rollers between the raceway and itself, and the deflections of the bearings.
+//! their linearized elements have the energy `r' P r / 2 + r' X u - r' l`, in which `P` and `X` are
+//! the stiffness of elements between the raceway and itself, and the deflections of the bearings.
 //! With `Y = P A + X` and `N = (C^-1 + P)^-1`, the elimination of `s` adds
 //!
 //! ```text
@@ -32,7 +32,7 @@ pub(super) struct SeatedBody {
     width: f64,
 }
 
-/// Elastic body with linearized rollers in its seats.
+/// Elastic body with linearized elements in its seats.
 pub(in crate::step) struct SeatResponse {
     /// Stiffness and load of the DOFs in addition to those of the bearings on rigid raceways, per
     /// width of a plane model.
@@ -119,7 +119,7 @@ impl SeatedBody {
 }
 
 impl NonlinearBearings<'_> {
-    /// Returns the response of elastic bodies with linearized rollers in their seats.
+    /// Returns the response of elastic bodies with linearized elements in their seats.
     pub(super) fn seat_responses(&self, tangents: &[Tangent]) -> Vec<SeatResponse> {
         self.seated.iter().map(|body| body.response(&self.members, tangents)).collect()
     }
@@ -133,8 +133,8 @@ impl NonlinearBearings<'_> {
             for &(member, first) in &body.members {
                 let Some(raceway) = &self.members[member].raceway else { continue };
                 let own = coefficients.rows(first, raceway.by_terms.ncols());
-                let by_roller = &raceway.by_terms * own;
-                moved[member].iter_mut().zip(by_roller.iter()).for_each(|(sum, part)| *sum += part);
+                let by_element = &raceway.by_terms * own;
+                moved[member].iter_mut().zip(by_element.iter()).for_each(|(sum, part)| *sum += part);
             }
         }
     }
