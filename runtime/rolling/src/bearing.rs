@@ -3,7 +3,7 @@
 use crate::ball::{BallKind, BallRow, BallState, Motion};
 use crate::element::{Local, Response};
 use crate::error::{RollingError, finite};
-use crate::raceway::{RacewayDisplacement, RacewayLoad};
+use crate::raceway::{OuterContact, RacewayDisplacement, RacewayLoad};
 use crate::roller::{ContactModel, RollerKind, RollerRow, RollerStart, RollerState};
 use libm::{cos, sin};
 use std::f64::consts::TAU;
@@ -156,8 +156,23 @@ impl Row {
         ]
     }
 
+    /// Returns the contacts of the elements with the outer raceway.
+    pub fn outer_contact(&self) -> OuterContact {
+        let ([radius, position], angle, width) = match &self.elements {
+            Elements::Balls(balls) => {
+                let (middle, angle) = balls.outer_contact();
+                (middle, angle, 0.0)
+            }
+            Elements::Rollers(rollers) => {
+                let angle = rollers.angles[1];
+                (rollers.outer_contact, angle, rollers.geometry.length * cos(angle))
+            }
+        };
+        OuterContact { radius, position: self.side() * position, angle, width }
+    }
+
     /// Returns the sense of the bearing's z axis in the plane of an element.
-    pub(crate) fn side(&self) -> f64 {
+    fn side(&self) -> f64 {
         if self.mirrored { -1.0 } else { 1.0 }
     }
 
@@ -374,13 +389,13 @@ impl RollingBearing {
                 let projection = row.projection([cos(azimuth), sin(azimuth)]);
                 let mut ring = local(&projection, displacement, row.offset);
                 let moved = raceway.get(element);
-                moved.iter().for_each(|moved| row.displace_outer(&mut ring, moved));
+                moved.iter().for_each(|moved| row.outer_contact().displace(row.side(), &mut ring, moved));
                 let response = match &row.elements {
                     Elements::Balls(balls) => balls.response(&ring, motion),
                     Elements::Rollers(rollers) => rollers.response(&ring, force, &mut start.rollers[element]),
                 };
                 evaluation.add(&projection, &response);
-                loads.extend(moved.map(|_| row.raceway_load(&projection, &response)));
+                loads.extend(moved.map(|_| row.outer_contact().load(row.side(), &projection, &response)));
                 element += 1;
             }
         }
@@ -420,7 +435,7 @@ impl RollingBearing {
                 let projection = row.projection([cos(azimuth), sin(azimuth)]);
                 let mut ring = local(&projection, displacement, row.offset);
                 let moved = raceway.get(states.len());
-                moved.iter().for_each(|moved| row.displace_outer(&mut ring, moved));
+                moved.iter().for_each(|moved| row.outer_contact().displace(row.side(), &mut ring, moved));
                 let contacts = match &row.elements {
                     Elements::Balls(balls) => Contacts::Ball(balls.state(&ring, motion)),
                     Elements::Rollers(rollers) => {

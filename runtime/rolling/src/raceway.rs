@@ -5,7 +5,6 @@
 //! `cos α (v + s ξ cos α)` at the distance ξ along the contact line. That is the displacement of a
 //! ring that moves radially by v and turns by `s cos² α` about the middle of the contact.
 
-use crate::bearing::{Elements, Row};
 use crate::element::{Local, Response};
 
 /// Displacement of the outer raceway at an element, in addition to that of a rigid ring: radial,
@@ -37,45 +36,30 @@ pub struct OuterContact {
     pub width: f64,
 }
 
-impl Row {
-    /// Returns the contacts of the elements with the outer raceway.
-    pub fn outer_contact(&self) -> OuterContact {
-        let (radius, position, angle, width) = match &self.elements {
-            Elements::Balls(balls) => {
-                let ([radius, position], angle) = balls.outer_contact();
-                (radius, position, angle, 0.0)
-            }
-            Elements::Rollers(rollers) => {
-                let ([radius, position], angle) = (rollers.outer_contact, rollers.angles[1]);
-                (radius, position, angle, rollers.geometry.length * libm::cos(angle))
-            }
-        };
-        OuterContact { radius, position: self.side() * position, angle, width }
-    }
-
+impl OuterContact {
     /// Returns the displacement of a rigid outer ring in the plane of an element that has the same
-    /// effect on the contact: columns by [`RacewayDisplacement`].
-    fn rigid_outer(&self) -> [[f64; 2]; 3] {
-        let OuterContact { radius, position, angle, width } = self.outer_contact();
+    /// effect on the contact: columns by [`RacewayDisplacement`]. `side` is the sense of the
+    /// bearing's z axis in this plane.
+    fn rigid(&self, side: f64) -> [[f64; 2]; 3] {
+        let OuterContact { radius, position, angle, width } = *self;
         if width == 0.0 {
             return [[1.0, 0.0], [0.0; 2], [0.0; 2]];
         }
-        let turn = self.side() * libm::cos(angle).powi(2);
-        // Axial positions in the plane of the element have the sense of the row.
-        [[1.0, -self.side() * position * turn], [0.0, radius * turn], [0.0, turn]]
+        let turn = side * libm::cos(angle).powi(2);
+        [[1.0, -side * position * turn], [0.0, radius * turn], [0.0, turn]]
     }
 
     /// Subtracts the displacement of the outer raceway from that of the inner ring in the plane of
     /// an element.
-    pub(crate) fn displace_outer(&self, ring: &mut Local, [radial, slope]: &RacewayDisplacement) {
-        for (part, [by_radial, by_slope]) in ring.iter_mut().zip(self.rigid_outer()) {
+    pub(crate) fn displace(&self, side: f64, ring: &mut Local, [radial, slope]: &RacewayDisplacement) {
+        for (part, [by_radial, by_slope]) in ring.iter_mut().zip(self.rigid(side)) {
             *part -= by_radial * radial + by_slope * slope;
         }
     }
 
     /// Returns the load of an element on the outer raceway from its load on the inner ring.
-    pub(crate) fn raceway_load(&self, projection: &[[f64; 5]; 3], response: &Response) -> RacewayLoad {
-        let outer = self.rigid_outer();
+    pub(crate) fn load(&self, side: f64, projection: &[[f64; 5]; 3], response: &Response) -> RacewayLoad {
+        let outer = self.rigid(side);
         // Derivatives of the force by the displacement in the plane of the element.
         let by_ring = [0, 1].map(|row| {
             [0, 1, 2].map(|column| (0..3).map(|k| outer[k][row] * response.stiffness[k][column]).sum::<f64>())
