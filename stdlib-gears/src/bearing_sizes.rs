@@ -120,13 +120,13 @@ pub(crate) fn check(
 fn raceways(rows: &RollingBearing) -> [f64; 2] {
     let of = |row: &Row| {
         let [diameter, cosine] = match &row.elements {
+            // The groove of the inner ring at the middle of the balls.
             Elements::Balls(balls) => [balls.geometry().ball_diameter, 1.0],
             Elements::Rollers(rollers) => {
                 [rollers.geometry().roller_diameter, rollers.contact_angles()[1].cos()]
             }
         };
-        // At the middle of the elements; grooves of balls are open to the sides.
-        [row.pitch_diameter() - diameter * cosine, row.pitch_diameter() + diameter * cosine]
+        [row.pitch_diameter() - diameter * cosine, 2.0 * row.outer_contact().radius]
     };
     rows.rows().iter().map(of).fold([f64::INFINITY, 0.0], |all, row| [all[0].min(row[0]), all[1].max(row[1])])
 }

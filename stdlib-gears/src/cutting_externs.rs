@@ -322,8 +322,8 @@ pub(crate) fn bore_support(
         _ => Err(refusal(
             "E0649",
             names[0],
-            &format!("`{}` is of a free bore, and this one is rigid", names[0]),
-            "leave it out, or choose \"free\"",
+            &format!("`{}` is of a free bore or a raceway, and this one is rigid", names[0]),
+            "leave it out, or choose \"free\" or \"raceway\"",
         )),
     }
 }

@@ -7,6 +7,7 @@ use calyx_abi::RuntimeError;
 use calyx_runtime::analyses::Analysis;
 use calyx_runtime::bearing::{Bearing, InBore, RacewayCylinder, Support};
 use calyx_runtime::error::{EngineError, Subject};
+use calyx_runtime::ids::BodyId;
 use calyx_runtime::rolling::Elements;
 use calyx_runtime::structure::BoreSupport;
 
@@ -20,7 +21,7 @@ const THICK_RING: f64 = 1.5;
 /// Checks the raceways in the bores of gears, and adds warnings to the findings.
 ///
 /// # Errors
-/// E0687: a bearing is not coaxial with the bore.
+/// E0687: a bearing is not coaxial with the bore. E0669: its elements run outside it.
 pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> Result<(), RuntimeError> {
     let mut found = Vec::new();
     for body in 0..host.scene.bodies.len() {
@@ -86,21 +87,63 @@ impl Bore {
     /// Returns the warning about a raceway without a bearing.
     fn no_bearing(&self, host: &ModelHost) -> EngineError {
         let (name, body) = (self.name(host), Subject::Body(self.cylinder.body));
-        let (rest, help) = match self.of_gear {
-            true => (
-                "it deforms like a free bore, and bearings have rigid rings",
-                "mount a bearing such as `needle_bearing` with this gear on its outer ring and without `linearized_at`, or choose a rim whose `bore` is \"free\"; in `gears.planetary`, give `pin_needles`",
-            ),
-            false => (
-                "bearings in it have rigid rings",
-                "mount a bearing such as `cylindrical_roller_bearing` on it as `to` and without `linearized_at`, or attach it with `how = \"average\"`",
-            ),
+        let rest = match self.of_gear {
+            true => "it deforms like a free bore, and bearings have rigid rings",
+            false => "bearings in it have rigid rings",
         };
+        let help = self.mounted(host).unwrap_or_else(|| {
+            match self.of_gear {
+                true => "mount a bearing such as `needle_bearing` with this gear on its outer ring, or choose a rim whose `bore` is \"free\"; in `gears.planetary`, give `pin_needles`",
+                false => "mount a bearing such as `cylindrical_roller_bearing` on it as `to`, or attach it with `how = \"average\"`",
+            }
+            .into()
+        });
         let message = format!("{name} is a raceway, and no rolling elements run in it: {rest}");
         EngineError::new("E0700", message, help).about(body)
     }
 
+    /// Returns how a bearing on the body would run in its bore, if one is mounted on it otherwise.
+    fn mounted(&self, host: &ModelHost) -> Option<String> {
+        let is_on_body = |bearing: &&Bearing| {
+            let is = |body: BodyId| body.0 == self.cylinder.body;
+            is(bearing.body) || matches!(bearing.to, Support::Body(body) if is(body))
+        };
+        host.scene.bearings.iter().filter(is_on_body).find_map(|bearing| {
+            let name = &bearing.name;
+            if bearing.linearization.is_some() {
+                Some(format!("leave `linearized_at` out of bearing \"{name}\": its elements have no loads"))
+            } else {
+                let ring = if bearing.rolling()?.is_inverted() { "inner" } else { "outer" };
+                Some(format!(
+                    "let the `ring` of bearing \"{name}\" be \"{ring}\": its inner ring is on this body"
+                ))
+            }
+        })
+    }
+
+    /// Returns the error about rolling elements whose middles are outside the bore by `distance`:
+    /// the series of the raceway has no meaning there.
+    fn runs_outside(
+        &self,
+        host: &ModelHost,
+        bearing: usize,
+        (elements, distance): (&str, String),
+    ) -> RuntimeError {
+        let (name, bore) = (&host.scene.bearings[bearing].name, self.name(host));
+        let message = format!(
+            "the {elements} of bearing \"{name}\" run {distance} outside {bore}, which is their raceway"
+        );
+        let help = match self.of_gear {
+            true => "correct the position `at`, or choose a rim whose `bore` is \"free\"",
+            false => "correct the position `at` or the region, or attach it with `how = \"average\"`",
+        };
+        host.engine_error(EngineError::new("E0669", message, help).about(Subject::Bearing(bearing)))
+    }
+
     /// Returns warnings about a bearing that does not fit.
+    ///
+    /// # Errors
+    /// E0687: it is not coaxial with the bore. E0669: its elements run outside it.
     fn misfit(&self, host: &ModelHost, bearing: usize) -> Result<Vec<EngineError>, RuntimeError> {
         let own: &Bearing = &host.scene.bearings[bearing];
         let placed = InBore::at(&host.scene.bodies, own, &self.cylinder, 0.0);
@@ -123,6 +166,11 @@ impl Bore {
             let middle = placed.z + placed.sense * (row.position + contact.position);
             let half = 0.5 * contact.width;
             let beyond = (middle + half - self.ends[1]).max(self.ends[0] - middle + half);
+            // A seat in a wall of shells has no width.
+            let outside = (middle - self.ends[1]).max(self.ends[0] - middle);
+            if width > 0.0 && outside > FIT * width {
+                return Err(self.runs_outside(host, bearing, (elements, mm(outside))));
+            }
             // That they need a larger bore of a gear is reported with the sizes of all bearings.
             let largest = if self.of_gear { 1.0 + FIT } else { THICK_RING };
             if size > largest * diameter {
@@ -150,7 +198,6 @@ impl Bore {
                     format!("correct the diameter of the region, `pitch_diameter` or `{size_of_element}`"),
                 ));
             }
-            // A seat in a wall of shells has no width.
             if width > 0.0 && beyond > FIT * width {
                 let help = match self.of_gear {
                     true => {

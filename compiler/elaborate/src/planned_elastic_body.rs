@@ -109,10 +109,12 @@ fn attachments(host: &ModelHost, body: &ModelElasticBody) -> Vec<String> {
         Connection::Average => "average".to_owned(),
         Connection::Raceway { .. } => {
             attachment.raceway.map_or_else(String::new, |SeatRaceway { raceway, .. }| {
-                format!(
-                    "raceway of {} harmonics and the degree {} along it",
-                    raceway.harmonics, raceway.degree
-                )
+                let length = match raceway.ends[1] - raceway.ends[0] {
+                    0.0 => String::new(),
+                    length => format!(" its {} mm", rounded(1e3 * length)),
+                };
+                let (harmonics, degree) = (raceway.harmonics, raceway.degree);
+                format!("raceway of {harmonics} harmonics and the degree {degree} along{length}")
             })
         }
         Connection::Fourier { harmonics, .. } => {

@@ -74,7 +74,8 @@ fn the_half_space_share_is_that_of_quadrature() {
     for (raceway_width, width, weights) in cases {
         let ends = [-0.5 * raceway_width, 0.5 * raceway_width];
         let raceway = Raceway { radius: RADIUS, ends, harmonics: HARMONICS, degree: 1 };
-        let found = half_space_share(&row, &raceway, MIDDLE);
+        let steel = Material::STEEL.youngs_modulus / (1.0 - Material::STEEL.poissons_ratio.powi(2));
+        let found = half_space_share(&row, (&raceway, steel), MIDDLE);
         for i in 0..2 {
             for j in 0..2 {
                 let expected = share(width, [weights[i], weights[j]]);

@@ -46,37 +46,39 @@ pub(crate) fn dense(matrix: MatRef<'_, f64>) -> DMatrix<f64> {
 }
 
 /// Finds the modelled bearings that run on an elastic raceway. `raceway_of` returns the
-/// raceway in the bore of a gear with the compliance of its terms, if it has one.
+/// raceway in the bore of a gear with its plane-strain modulus (Pa) and the compliance of its terms,
+/// if it has one.
 pub(crate) fn find(
     scene: &Mechanism,
     modelled: &[usize],
     connections: &[ElasticConnection],
-    raceway_of: impl Fn(usize) -> Option<(Raceway, DMatrix<f64>)>,
+    raceway_of: impl Fn(usize) -> Option<(Raceway, f64, DMatrix<f64>)>,
 ) -> Vec<BearingOnRaceway> {
     let mut factors = BTreeMap::new();
     let mut of = |&index: &usize| {
         let bearing: &Bearing = scene.bearings.get(index)?;
         let (elements, body) = (bearing.rolling()?, bearing.outer_body()?);
-        let in_gear = raceway_of(body).map(|(raceway, compliance)| {
+        let in_gear = raceway_of(body).map(|(raceway, modulus, compliance)| {
             let cylinder = RacewayCylinder::bore(body, raceway.radius);
-            (cylinder, raceway, RacewayOwner::Gear(Arc::new(compliance)))
+            (cylinder, (raceway, modulus), RacewayOwner::Gear(Arc::new(compliance)))
         });
-        let (cylinder, raceway, owner) = in_gear.or_else(|| in_seat(connections, body, &mut factors))?;
+        let (cylinder, (raceway, modulus), owner) =
+            in_gear.or_else(|| in_seat(connections, body, &mut factors))?;
         // A bearing that is not coaxial is rejected at its position.
         let placed = InBore::at(&scene.bodies, bearing, &cylinder, 0.0).ok();
-        let shares = half_space_shares(elements, &raceway, placed);
+        let shares = half_space_shares(elements, (&raceway, modulus), placed);
         Some(BearingOnRaceway { bearing: index, cylinder, raceway, owner, shares })
     };
     modelled.iter().filter_map(&mut of).collect()
 }
 
-/// Returns the raceway of the seat of an elastic body by the index of its attachment among the
+/// Returns the raceway of the seat of an elastic body and its plane-strain modulus (Pa) by the index of its attachment among the
 /// bodies.
 fn in_seat(
     connections: &[ElasticConnection],
     body: usize,
     factors: &mut BTreeMap<usize, Arc<DMatrix<f64>>>,
-) -> Option<(RacewayCylinder, Raceway, RacewayOwner)> {
+) -> Option<(RacewayCylinder, (Raceway, f64), RacewayOwner)> {
     let with_raceways = connections.iter().enumerate();
     let mut with_raceways = with_raceways.filter(|(_, connection)| connection.raceways.terms() > 0);
     with_raceways.find_map(|(index, connection)| {
@@ -91,7 +93,7 @@ fn in_seat(
             Arc::new(square_root(DMatrix::from_row_slice(terms, terms, compliance)))
         });
         let owner = RacewayOwner::Connection { index, first_term, factor: factor.clone() };
-        Some((RacewayCylinder::seat(body, &seat), seat.raceway, owner))
+        Some((RacewayCylinder::seat(body, &seat), (seat.raceway, seat.modulus), owner))
     })
 }
 

@@ -85,16 +85,19 @@ pub enum Bodies {
 }
 
 impl Bodies {
-    /// Returns the raceway in the bore of a body, by its index, with the compliance of its terms.
-    fn raceway(&self, body: usize) -> Option<(Raceway, DMatrix<f64>)> {
+    /// Returns the raceway in the bore of a body, by its index, with the plane-strain modulus of
+    /// the body (Pa) and the compliance of its terms.
+    fn raceway(&self, body: usize) -> Option<(Raceway, f64, DMatrix<f64>)> {
         match self {
             Bodies::Plane(bodies) => {
                 let structure = bodies.structures.get(body)?.as_deref()?;
-                Some((structure.raceway()?, dense(structure.interface_compliance()?)))
+                let compliance = dense(structure.interface_compliance()?);
+                Some((structure.raceway()?, structure.surface_modulus(), compliance))
             }
             Bodies::Solid(bodies) => {
                 let structure = bodies.structures.get(body)?.as_deref()?;
-                Some((structure.raceway()?, dense(structure.interface_compliance()?)))
+                let compliance = dense(structure.interface_compliance()?);
+                Some((structure.raceway()?, structure.surface_modulus(), compliance))
             }
         }
     }

@@ -304,16 +304,22 @@ impl ElasticRaceway {
 }
 
 /// Returns the shares of the rows of a bearing that is placed in a raceway; `None` in its middle.
+/// `modulus` is that of [`half_space_share`].
 pub fn half_space_shares(
     elements: &RollingElements,
-    raceway: &Raceway,
+    (raceway, modulus): (&Raceway, f64),
     placed: Option<InBore>,
 ) -> Vec<HalfSpaceShare> {
     let middle = 0.5 * (raceway.ends[0] + raceway.ends[1]);
     let position = |row: &Row| {
         placed.map_or(middle, |at| at.z + at.sense * (row.position + row.outer_contact().position))
     };
-    elements.bearing.rows().iter().map(|row| half_space_share(row, raceway, position(row))).collect()
+    elements
+        .bearing
+        .rows()
+        .iter()
+        .map(|row| half_space_share(row, (raceway, modulus), position(row)))
+        .collect()
 }
 
 /// Number of points of Gauss's quadrature on a panel.
@@ -326,13 +332,13 @@ const POINTS_ALONG: usize = 6;
 /// `z` (m). The force of a roller is uniform along its length, its moment that of a linear
 /// pressure, and displacements are means with the same weights; the force of a ball acts at a
 /// point. In a plane model, and on the edge of a shell, the series has no axial part: the roller
-/// has its whole length there, and a ball its diameter.
-pub fn half_space_share(row: &Row, raceway: &Raceway, z: f64) -> HalfSpaceShare {
-    let (rings, without_width) = match &row.elements {
-        Elements::Balls(balls) => (balls.geometry().rings, balls.geometry().ball_diameter),
-        Elements::Rollers(rollers) => (rollers.geometry().rings, row.outer_contact().width),
+/// has its whole length there, and a ball its diameter. The half-space has the plane-strain modulus
+/// (Pa) of the body whose series it is: that of the ring belongs to the contact.
+pub fn half_space_share(row: &Row, (raceway, modulus): (&Raceway, f64), z: f64) -> HalfSpaceShare {
+    let without_width = match &row.elements {
+        Elements::Balls(balls) => balls.geometry().ball_diameter,
+        Elements::Rollers(_) => row.outer_contact().width,
     };
-    let modulus = rings.youngs_modulus / (1.0 - rings.poissons_ratio * rings.poissons_ratio);
     let width = raceway.ends[1] - raceway.ends[0];
     if width > 0.0 {
         let distributions = raceway.distributions(z, row.outer_contact().width);

@@ -532,7 +532,7 @@ fn written(key: KeyWriter, attachment: &BodyAttachment) -> KeyWriter {
         Connection::Rigid => key.text("rigid"),
         Connection::Average => key.text("average"),
         Connection::Raceway { .. } => match &attachment.raceway {
-            Some(SeatRaceway { raceway, axes }) => axes
+            Some(SeatRaceway { raceway, axes, .. }) => axes
                 .iter()
                 .fold(key.text("raceway"), |key, axis| key.numbers(axis))
                 .numbers(&raceway.ends)

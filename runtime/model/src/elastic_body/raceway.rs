@@ -20,6 +20,7 @@ use calyx_elastic::{ElasticModel, ElementError, NodalLoad};
 use calyx_numerics::vec3::{Vector, cross, dot, minus, scaled};
 use calyx_structure::Raceway;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use std::collections::HashSet;
 
 /// Least eigenvalue of the products of the terms over the nodes, relative to those over the
 /// cylinder, with which the nodes resolve the series.
@@ -45,6 +46,8 @@ pub struct SeatRaceway {
     /// Axes of the raceway along those of the body: from the axis to the angle 0, to a quarter
     /// turn, and along the axis.
     pub axes: [Vector; 3],
+    /// Plane-strain modulus `E / (1 - nu²)` of the elements at the raceway, Pa: their mean.
+    pub modulus: f64,
 }
 
 /// Nodes of an attachment.
@@ -141,7 +144,7 @@ impl Fit {
             std::array::from_fn(|k| (x * axes[0][k] + y * axes[1][k]) / size)
         });
         Ok(Some(Fit {
-            seat: SeatRaceway { raceway: series(harmonics), axes },
+            seat: SeatRaceway { raceway: series(harmonics), axes, modulus: surface_modulus(model, nodes) },
             radial: radial.collect(),
             coefficients,
         }))
@@ -168,6 +171,23 @@ impl Fit {
         };
         (0..self.coefficients.nrows()).map(case).collect()
     }
+}
+
+/// Returns the mean plane-strain modulus of the elements at some nodes, Pa; weights are the numbers
+/// of these nodes in each.
+fn surface_modulus(model: &ElasticModel, nodes: &[usize]) -> f64 {
+    let within: HashSet<usize> = nodes.iter().copied().collect();
+    let [mut sum, mut count] = [0.0; 2];
+    for element in &model.elements {
+        let Some(material) = element.material.and_then(|material| model.materials.get(material)) else {
+            continue;
+        };
+        let shared = element.nodes.iter().filter(|node| within.contains(node)).count() as f64;
+        sum += shared * material.youngs_modulus / (1.0 - material.poissons_ratio * material.poissons_ratio);
+        count += shared;
+    }
+    // Without elements there is no displacement by a load to subtract from.
+    if count > 0.0 { sum / count } else { f64::INFINITY }
 }
 
 /// Returns the coefficients of a series that fits values at places along the axes of a seat (terms
