@@ -88,8 +88,8 @@ fn programs_keep_to_their_memory_limit() {
 }
 
 /// A run checks its program first, on a thread of its own, and returns the memory of the check
-/// before it starts. With an arena for each thread a tenth of all processes kept up to 64 MB of it,
-/// so one process may not show a defect.
+/// before it starts. With an arena for each thread a tenth of all processes kept up to 64 MB of it:
+/// ten processes show a defect in two of three runs of the tests.
 #[test]
 fn the_memory_of_the_check_is_returned_before_the_run() {
     let folder = tempfile::tempdir().expect("a directory");
@@ -100,7 +100,7 @@ fn the_memory_of_the_check_is_returned_before_the_run() {
         .expect("writable");
     let limit = 50_000_000;
     let run = || size(folder, &["run", "model.cx", "--quiet", "--memory-limit", "50MB"]).1;
-    let most = (0..24).map(|_| run()).max().unwrap_or(0);
+    let most = (0..10).map(|_| run()).max().unwrap_or(0);
     println!("{} MB over {}", most >> 20, of_run >> 20);
     assert!(most < of_run + limit * 5 / 4, "{most} bytes");
 }

@@ -1,16 +1,16 @@
 //! Compares the section `gear_data` of `run.json` with the closed-form geometry of
 //! `gear_geometry.json`, and with the module `iso21771`.
 
+use crate::models::engine;
+use calyx::Module;
 use calyx::rt::{RunOptions, run};
-use calyx::{Engine, Module};
 use calyx_tests::root;
 use serde_json::Value;
 use std::fmt::Write;
 
 /// Runs a model and returns the section `gear_data` of its `run.json`.
 fn gear_data(text: &str) -> Value {
-    let module =
-        Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
+    let module = Module::from_text(&engine(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
     let directory = tempfile::tempdir().expect("a directory");
     let options =
         RunOptions { directory: directory.path().join("run"), quiet: true, ..RunOptions::default() };
@@ -205,8 +205,8 @@ fn contact_ends_at_the_tip_form_circles() {
         for (index, (_, expression)) in of_mesh.iter().chain(&of_member).enumerate() {
             writeln!(text, "output value_{index} := iso21771.{expression};").expect("text");
         }
-        let module = Module::from_text(&Engine::default(), "model.cx", &text)
-            .unwrap_or_else(|error| panic!("{error}"));
+        let module =
+            Module::from_text(&engine(), "model.cx", &text).unwrap_or_else(|error| panic!("{error}"));
         let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
         let value = |name: &str| results.summary_si(name).expect("an output").max;
         let data = gear_data(&text);
@@ -277,8 +277,7 @@ fn the_data_block_agrees_with_the_module_of_gear_data() {
     for (index, (_, expression)) in all.enumerate() {
         writeln!(text, "output value_{index} := iso21771.{expression};").expect("text");
     }
-    let module =
-        Module::from_text(&Engine::default(), "model.cx", &text).unwrap_or_else(|error| panic!("{error}"));
+    let module = Module::from_text(&engine(), "model.cx", &text).unwrap_or_else(|error| panic!("{error}"));
     let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
     let data = gear_data(&text);
     let sections = [

@@ -1,8 +1,9 @@
 //! Rollers in the bore of a gear: turned as a whole, in equilibrium, on a stiff gear, with more
 //! terms, and in three dimensions.
 
+use crate::models::engine;
 use crate::rolling_bearings::{close, solved};
-use calyx::{Engine, Module};
+use calyx::Module;
 use std::collections::BTreeMap;
 
 /// A planet on needles under the force of a pinion, and one position.
@@ -141,7 +142,7 @@ fn clearance_opens_and_closes_continuously() {
 fn error_estimates_contain_the_degree_along_the_axis() {
     let stress = |degree| {
         let planet = Planet { degree, fidelity: "medium", estimates: "cheap", ..PLANET };
-        let module = Module::from_text(&Engine::default(), "model.cx", &planet.model())
+        let module = Module::from_text(&engine(), "model.cx", &planet.model())
             .unwrap_or_else(|error| panic!("{error}"));
         let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
         let stress = results.summary_si("stress").unwrap_or_else(|error| panic!("{error}")).clone();

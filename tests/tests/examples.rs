@@ -1,7 +1,8 @@
 //! Checks that every example passes `check` without diagnostics, runs without meshes, and is drawn.
 
+use crate::models::engine;
 use calyx::rt::{ParamAssignment, RunError, RunOptions, run};
-use calyx::{Engine, Module, Override, check_file};
+use calyx::{Module, Override, check_file};
 use calyx_runtime::estimate::Estimates;
 use calyx_tests::plots::{self, Expected};
 use calyx_tests::root;
@@ -73,7 +74,7 @@ fn every_example_checks_without_a_diagnostic_and_has_sound_pictures() {
             overrides: Override { error_estimates: Some(Estimates::None), ..Override::default() },
             ..RunOptions::default()
         };
-        let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
+        let module = Module::from_checked(&engine(), checked).expect("examples compile");
         let report = run(module.as_program(), &options)
             .unwrap_or_else(|error| panic!("{}: {error:?}", path.display()));
         assert!(report.findings.is_empty(), "{}: {:?}", path.display(), report.findings);
@@ -106,7 +107,7 @@ fn examples_run_at_the_levels_without_meshes() {
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let checked = check_file(&path).expect("examples can be read");
         let params = checked.description.params.clone();
-        let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
+        let module = Module::from_checked(&engine(), checked).expect("examples compile");
         for level in ["rigid", "analytic"] {
             let fidelity = params.iter().find(|param| param.name == "fidelity");
             let offers = fidelity.is_some_and(|param| param.choices.iter().any(|choice| choice == level));

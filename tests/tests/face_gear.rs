@@ -2,8 +2,9 @@
 //! closed forms: the limits of its face, zero transmission error of conjugate flanks, and the
 //! forces at the contact point.
 
+use crate::models::engine;
 use calyx::rt::{ParamAssignment, RunOptions, run};
-use calyx::{Engine, Module, Override, check_file};
+use calyx::{Module, Override, check_file};
 use calyx_runtime::estimate::Estimates;
 use calyx_tests::root;
 use std::collections::BTreeMap;
@@ -16,7 +17,7 @@ type Columns = BTreeMap<String, Vec<f64>>;
 /// Runs a model and returns the columns of its table, in SI units.
 fn columns(model: &Path, given: &[(&str, &str)]) -> Columns {
     let checked = check_file(model).expect("the model can be read");
-    let module = Module::from_checked(&Engine::default(), checked).expect("the model compiles");
+    let module = Module::from_checked(&engine(), checked).expect("the model compiles");
     let directory = tempfile::tempdir().expect("a directory");
     let options = RunOptions {
         directory: directory.path().into(),

@@ -1,8 +1,9 @@
 //! Flanks in `run.json`: tolerances and traces against the modules `iso1328` and `inspection`, and
 //! locations of extremes against those of their outputs.
 
+use crate::models::engine;
+use calyx::Module;
 use calyx::rt::{RunOptions, run};
-use calyx::{Engine, Module};
 use calyx_tests::printed::printed_numbers;
 use serde_json::Value;
 use std::fmt::Write;
@@ -10,8 +11,7 @@ use std::path::Path;
 
 /// Runs a model in a directory and returns its `run.json`.
 fn run_in(directory: &Path, text: &str) -> Value {
-    let module =
-        Module::from_text(&Engine::default(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
+    let module = Module::from_text(&engine(), "model.cx", text).unwrap_or_else(|error| panic!("{error}"));
     let options = RunOptions { directory: directory.join("run"), quiet: true, ..RunOptions::default() };
     run(module.as_program().clone(), &options).unwrap_or_else(|error| panic!("{error:?}"));
     let text = std::fs::read_to_string(directory.join("run/run.json")).expect("run.json");

@@ -4,6 +4,7 @@ use calyx::{Engine, Module, check_text};
 use calyx_runtime::forced_response::ForcedResponse;
 use std::collections::BTreeMap;
 use std::fs;
+use std::sync::LazyLock;
 
 /// Summary of an output over the positions, SI.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +12,13 @@ struct Summary {
     least: f64,
     mean: f64,
     most: f64,
+}
+
+/// Engine of all tests: they share its cache of structures, and condense each gear once.
+static ENGINE: LazyLock<Engine> = LazyLock::new(Engine::default);
+
+pub fn engine() -> Engine {
+    ENGINE.clone()
 }
 
 /// Summary of each output of a model, which is next to these files (name, content).
@@ -21,7 +29,7 @@ fn summaries(text: &str, files: &[(&str, &str)]) -> BTreeMap<String, Summary> {
     }
     let path = folder.path().join("model.cx");
     fs::write(&path, text).expect("written");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let module = Module::from_file(&engine(), &path).unwrap_or_else(|error| panic!("{error}"));
     let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
     let outputs = text.lines().filter_map(|line| line.trim().strip_prefix("output "));
     let of = |name: &str| {
@@ -62,7 +70,7 @@ pub fn solved(text: &str) -> (Vec<Vec<f64>>, Option<ForcedResponse>) {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("model.cx");
     fs::write(&path, text).expect("written");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let module = Module::from_file(&engine(), &path).unwrap_or_else(|error| panic!("{error}"));
     let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error}"));
     let result = results.analysis().expect("an analysis");
     let rows = result.rows.iter().map(|row| row.outputs.iter().map(|output| output.value).collect());

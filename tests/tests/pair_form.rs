@@ -1,8 +1,9 @@
 //! Compares `gears.pair` with the bodies, bearings and the mesh that it stands for: every position
 //! has the same results, to the last bit.
 
+use crate::models::engine;
+use calyx::Module;
 use calyx::rt::{RunOptions, run};
-use calyx::{Engine, Module};
 use serde_json::Value;
 use std::fs;
 
@@ -137,7 +138,7 @@ output moment := gears.support_moment(second, \"z\");
 analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 3), fidelity = \"{}\");\n",
         case.gears, case.fidelity
     );
-    let module = Module::from_text(&Engine::default(), "model.cx", &text)
+    let module = Module::from_text(&engine(), "model.cx", &text)
         .unwrap_or_else(|error| panic!("{}: {error}", case.name));
     let directory = tempfile::tempdir().expect("a directory");
     let options =
@@ -171,8 +172,8 @@ fn the_load_has_one_meaning() {
 output force := gears.mesh_force(pair.mesh);
 analyze(\"quasi_static\", over = gears.mesh_cycle(pair.mesh, 2), fidelity = \"plane\");\n"
         );
-        let module = Module::from_text(&Engine::default(), "model.cx", &text)
-            .unwrap_or_else(|error| panic!("{error}"));
+        let module =
+            Module::from_text(&engine(), "model.cx", &text).unwrap_or_else(|error| panic!("{error}"));
         let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{arguments}: {error}"));
         results.summary_si("force").expect("an output").max
     };

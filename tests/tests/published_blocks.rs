@@ -2,8 +2,9 @@
 //! `gears.internal` with published digits. The table is `tests/gear_data/published.txt`, which
 //! describes its format.
 
+use crate::models::engine;
+use calyx::Module;
 use calyx::rt::{RunOptions, run};
-use calyx::{Engine, Module};
 use calyx_tests::root;
 use serde_json::Value;
 use std::fmt::Write;
@@ -133,7 +134,7 @@ fn gears_stated_by_arguments_have_their_published_digits() {
         let name = block.name;
         assert!(block.has_source, "{name}: no source");
         let text = block.model();
-        let module = Module::from_text(&Engine::default(), "block.cx", &text)
+        let module = Module::from_text(&engine(), "block.cx", &text)
             .unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
         let directory = tempfile::tempdir().expect("a directory");
         let options =

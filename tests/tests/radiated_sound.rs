@@ -1,9 +1,9 @@
 //! Radiated sound of models: the power balance of the housing, the effect of the transmission
 //! error, agreement of outputs and tables, and refusals.
 
-use crate::models::codes;
+use crate::models::{codes, engine};
 use calyx::rt::{RunOptions, run as run_in_directory};
-use calyx::{Engine, Module, check_file};
+use calyx::{Module, check_file};
 use calyx_runtime::acoustics::SoundMethod;
 use calyx_runtime::acoustics::levels::a_weighting;
 use calyx_runtime::forced_response::ForcedResponse;
@@ -100,7 +100,7 @@ fn module(folder: &Path, text: &str) -> Module {
     fs::write(folder.join("plates.bdf"), plates("7.85-9", 99)).expect("written");
     let path = folder.join("model.cx");
     fs::write(&path, text).expect("written");
-    Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"))
+    Module::from_file(&engine(), &path).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Values of the outputs at the first position, and the forced response.
@@ -320,7 +320,7 @@ fn impossible_sound_is_rejected() {
 #[ignore = "long; part of .ci/full"]
 fn the_example_radiates_the_orders_of_its_mesh() {
     let path = calyx_tests::root().join("examples/gearbox_noise.cx");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let module = Module::from_file(&engine(), &path).unwrap_or_else(|error| panic!("{error}"));
     let at = |torque: &str| {
         let mut instance = module.instantiate();
         for (param, value) in [("torque", torque), ("method", "boundary_elements"), ("speeds", "4")] {
@@ -360,7 +360,7 @@ fn the_example_radiates_lines_that_do_not_depend_on_higher_ones() {
         let path = folder.path().join("model.cx");
         fs::write(&path, text.replace("harmonics = 4", &format!("harmonics = {harmonics}")))
             .expect("written");
-        let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+        let module = Module::from_file(&engine(), &path).unwrap_or_else(|error| panic!("{error}"));
         let mut instance = module.instantiate();
         instance.set("method", "rayleigh").and_then(|()| instance.set("speeds", "4")).expect("params");
         let results = instance.solve().unwrap_or_else(|error| panic!("{error}"));

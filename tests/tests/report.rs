@@ -1,8 +1,9 @@
 //! Checks that the two programs printed in the report compile, and behave equally in the
 //! interpreter and as machine code.
 
+use crate::models::engine;
 use calyx::rt::{ParamAssignment, Program, apply};
-use calyx::{Engine, Interpreted, Module, check_file};
+use calyx::{Interpreted, Module, check_file};
 use calyx_abi::{Context, Purity};
 use calyx_gears::host::ModelHost;
 use calyx_tests::root;
@@ -30,7 +31,7 @@ fn run(name: &str, set: &[(&str, &str)]) -> Vec<String> {
     let program = checked.program.clone().expect("a program");
     let interpreted = Interpreted::new(&program, Purity::Effect).expect("linked");
     let expected = printed(&interpreted, set);
-    let module = Module::from_checked(&Engine::default(), checked).expect("compiled");
+    let module = Module::from_checked(&engine(), checked).expect("compiled");
     assert_eq!(
         printed(module.as_program().as_ref(), set),
         expected,

@@ -2,9 +2,10 @@
 //! code linked into an executable. All build the same scene and write bitwise equal results.
 #![cfg(unix)]
 
+use crate::models::engine;
 use calyx::build::{BuildOptions, build};
 use calyx::rt::{ParamAssignment, Program, RunOptions, apply, run};
-use calyx::{Engine, Interpreted, Module, check_file, check_text};
+use calyx::{Interpreted, Module, check_file, check_text};
 use calyx_abi::{Context, Purity, SymbolicValue};
 use calyx_gears::host::{GearModel, ModelHost};
 use calyx_tests::root;
@@ -79,7 +80,7 @@ fn interpreter_and_machine_code_build_the_same_scene() {
     let checked = || check_text("spur_pair.cx", &text);
     let program = checked().program.unwrap();
     let interpreted = scene(&Interpreted::new(&program, Purity::Effect).unwrap());
-    let compiled = scene(Module::from_checked(&Engine::default(), checked()).unwrap().as_program().as_ref());
+    let compiled = scene(Module::from_checked(&engine(), checked()).unwrap().as_program().as_ref());
     assert!(interpreted.lines().count() > 20, "{interpreted}");
     assert_eq!(interpreted, compiled);
 }
@@ -103,7 +104,7 @@ fn all_three_ways_write_the_same_results() {
     let program = Box::leak(Box::new(check_file(&example()).unwrap().program.unwrap()));
     let interpreted = steps(Arc::new(Interpreted::new(program, Purity::Effect).unwrap()));
     assert!(interpreted.lines().count() > 4, "{interpreted}");
-    let compiled = steps(Module::from_file(&Engine::default(), example()).unwrap().as_program());
+    let compiled = steps(Module::from_file(&engine(), example()).unwrap().as_program());
     assert_eq!(interpreted, compiled);
 
     let directory = tempfile::tempdir().unwrap();

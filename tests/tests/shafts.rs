@@ -1,9 +1,9 @@
 //! Gears on flexible shafts as models describe them: against beams by hand, against the same gears
 //! on bearings without a shaft, in other orientations, and with several gears on a shaft.
 
-use crate::models::{close, codes, ranges};
+use crate::models::{close, codes, engine, ranges};
+use calyx::Module;
 use calyx::rt::{RunOptions, run};
-use calyx::{Engine, Module};
 use std::f64::consts::PI;
 
 /// The example of a pinion on bearings, with the pinion on a rigid shaft instead, that has its
@@ -367,7 +367,7 @@ fn pictures_of_shafts_have_their_nominal_stress_and_deflection() {
     let folder = tempfile::tempdir().expect("a folder");
     let model = folder.path().join("model.cx");
     std::fs::write(&model, &text).expect("written");
-    let module = Module::from_file(&Engine::default(), &model).expect("a model");
+    let module = Module::from_file(&engine(), &model).expect("a model");
     let directory = folder.path().join("run");
     let options = RunOptions { directory: directory.clone(), quiet: true, ..RunOptions::default() };
     run(module.as_program(), &options).unwrap_or_else(|error| panic!("{error:?}"));

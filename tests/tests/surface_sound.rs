@@ -1,9 +1,10 @@
 //! Round trip of surface vibration: the universal files of a run have the sound of the run, and
 //! pyuff reads them.
 
+use crate::models::engine;
 use crate::radiated_sound::{analysis, pair, plates};
+use calyx::Module;
 use calyx::rt::{RunOptions, run};
-use calyx::{Engine, Module};
 use calyx_runtime::acoustics::SoundMethod;
 use calyx_runtime::acoustics::surface_sound::{CaseSound, SoundOptions, Vibration, surface_sound};
 use calyx_runtime::acoustics::unv::{LocatedValues, NodalData, UnvDataset, UnvFile, read};
@@ -28,7 +29,7 @@ fn run_with_files(folder: &Path) {
     std::fs::write(folder.join("plates.bdf"), plates("7.85-9", 99)).expect("written");
     let path = folder.join("model.cx");
     std::fs::write(&path, pair(60.0, OUTPUTS, &analysis("2500 Hz"))).expect("written");
-    let module = Module::from_file(&Engine::default(), &path).unwrap_or_else(|error| panic!("{error}"));
+    let module = Module::from_file(&engine(), &path).unwrap_or_else(|error| panic!("{error}"));
     let directory = folder.join("run");
     let options = RunOptions { directory, quiet: true, unv: true, ..RunOptions::default() };
     run(module.as_program(), &options).unwrap_or_else(|error| panic!("{error:?}"));

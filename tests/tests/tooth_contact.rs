@@ -1,8 +1,9 @@
 //! Tooth contact of bevel gears in the run directory and in the report: outlines, ease-off and
 //! unloaded contact, at fidelity "rigid".
 
+use crate::models::engine;
 use calyx::rt::{ParamAssignment, RunOptions, run};
-use calyx::{Engine, Module, check_file};
+use calyx::{Module, check_file};
 use calyx_tests::root;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -13,7 +14,7 @@ type Row = BTreeMap<String, String>;
 
 fn run_rigid(example: &str, steps: usize, given: &[(&str, &str)]) -> tempfile::TempDir {
     let checked = check_file(&root().join("examples").join(example)).expect("examples can be read");
-    let module = Module::from_checked(&Engine::default(), checked).expect("examples compile");
+    let module = Module::from_checked(&engine(), checked).expect("examples compile");
     let directory = tempfile::tempdir().expect("a directory");
     let steps = steps.to_string();
     let own = [("fidelity", "rigid"), ("steps", &*steps)];

@@ -2,11 +2,12 @@
 //! their pressure integrates to the load, forces balance, and meshes have the displacements and
 //! stresses of the solved meshes.
 
+use crate::models::engine;
 use calyx::rt::view::array_file::ArrayFile;
 use calyx::rt::view::content;
 use calyx::rt::view::mesh::Meshes;
 use calyx::rt::{ParamAssignment, RunOptions, run};
-use calyx::{Engine, Module, Override, check_file, check_text};
+use calyx::{Module, Override, check_file, check_text};
 use calyx_rt::Instance;
 use calyx_runtime::estimate::Estimates;
 use calyx_runtime::observables::{Fields, PartOf};
@@ -37,7 +38,7 @@ analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = fi
 fn fields_of(model: &str, fidelity: &str) -> Fields {
     let checked = check_text("model.cx", &model.replace("\"analytic\"", &format!("\"{fidelity}\"")));
     assert!(!checked.has_errors(), "{}", checked.render());
-    let engine = Engine::default();
+    let engine = engine();
     let module = Module::from_checked(&engine, checked).expect("compiled");
     let mut instance = Instance::new(&engine, module.as_program());
     instance.request_fields(1);
@@ -355,7 +356,7 @@ type ZonePressures = (Vec<(f64, f64)>, [f64; 2]);
 /// Returns for each position of an example the pressures of the cells with their zones, and the
 /// outputs `max_contact_pressure` and `max_edge_pressure`.
 fn pressures_by_zone(name: &str) -> Vec<ZonePressures> {
-    let engine = Engine::default();
+    let engine = engine();
     let checked = check_file(&root().join("examples").join(name)).expect("the model can be read");
     let module = Module::from_checked(&engine, checked).expect("the model compiles");
     let directory = tempfile::tempdir().expect("a directory");

@@ -85,6 +85,17 @@ pub fn solve_with_active_set(
     }
 }
 
+/// Returns the active set of a problem by block pivoting alone; empty if that does not succeed. For
+/// estimates, which are not worth the exchange of single cells.
+pub(crate) fn estimate(problem: &ContactProblem, interrupt: &Interrupt) -> Vec<usize> {
+    if problem.validate().is_err() {
+        return Vec::new();
+    }
+    let all = (0..problem.cells()).collect();
+    let found = block_pivoting(&Scaled::new(problem), all, &mut 0, interrupt);
+    found.ok().flatten().map_or_else(Vec::new, |found| found.active)
+}
+
 /// Solves a valid problem by pivoting.
 fn pivot(
     problem: &ContactProblem,

@@ -40,7 +40,7 @@ fn stiffness_is_symmetric() {
 fn hostile_displacements_have_finite_results() {
     let motions = [0.0, 2000.0].map(|inner_speed| Motion { inner_speed, ..Motion::REST });
     for geometry in [cylindrical(), tapered(), spherical()] {
-        check_hostile(&elastic(geometry), &motions, -9..0, -3);
+        check_hostile(&elastic(geometry), &motions, (-9..0, 8), -3);
     }
 }
 

@@ -135,9 +135,14 @@ pub fn check_symmetry(bearing: &RollingBearing, at: &Displacement) {
     }
 }
 
-/// Checks that 20 displacements in random directions of each power of ten, m and rad, have finite
-/// results, and that elements converge below a power.
-pub fn check_hostile(bearing: &RollingBearing, motions: &[Motion], powers: Range<i32>, converged: i32) {
+/// Checks that a number of displacements in random directions of each power of ten, m and rad, have
+/// finite results, and that elements converge below a power.
+pub fn check_hostile(
+    bearing: &RollingBearing,
+    motions: &[Motion],
+    (powers, count): (Range<i32>, usize),
+    converged: i32,
+) {
     let mut random = 0x2545_f491_4f6c_dd1du64;
     let mut next = || {
         random ^= random << 13;
@@ -146,7 +151,7 @@ pub fn check_hostile(bearing: &RollingBearing, motions: &[Motion], powers: Range
         (random >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
     };
     for power in powers {
-        for _ in 0..20 {
+        for _ in 0..count {
             let at = [0.0; 5].map(|_| 10f64.powi(power) * next());
             for motion in motions {
                 let evaluation = bearing.evaluate(&at, motion, &mut Start::default()).expect("finite");

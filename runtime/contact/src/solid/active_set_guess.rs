@@ -6,7 +6,7 @@
 //! saves. The bits of the solution do not depend on the initial set.
 
 use super::grid::Grid;
-use crate::active_set::solve_until;
+use crate::active_set::estimate;
 use crate::problem::ContactProblem;
 use calyx_numerics::interrupt::Interrupt;
 
@@ -68,7 +68,5 @@ pub fn first_guess(problem: &ContactProblem, grids: &[&Grid], interrupt: &Interr
         load: problem.load.clone(),
     };
     // Errors are reported by the solution of the problem itself.
-    let active =
-        solve_until(&coarse, None, interrupt).map_or_else(|_| Vec::new(), |solution| solution.active);
-    active.into_iter().flat_map(|block| blocks[block].clone()).collect()
+    estimate(&coarse, interrupt).into_iter().flat_map(|block| blocks[block].clone()).collect()
 }
