@@ -147,7 +147,7 @@ fn models(below: &Path, found: &mut Vec<PathBuf>) {
 }
 
 /// Largest number of names of an example that are changed.
-const NAMES_OF_A_MODEL: usize = 4;
+const NAMES_OF_A_MODEL: usize = 3;
 
 /// Returns the declarations of a model.
 fn declared(snapshot: &Snapshot) -> Vec<Name> {

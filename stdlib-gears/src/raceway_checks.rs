@@ -6,6 +6,7 @@ use crate::host::{Finding, ModelHost, shown};
 use calyx_abi::RuntimeError;
 use calyx_runtime::analyses::Analysis;
 use calyx_runtime::bearing::{Bearing, InBore, RacewayCylinder, Support};
+use calyx_runtime::connection::Seat;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::ids::BodyId;
 use calyx_runtime::rolling::Elements;
@@ -34,11 +35,10 @@ pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> R
         }
     }
     for connection in &host.scene.connections {
-        let seats = connection.body.as_ref().map_or_else(Vec::new, |body| body.0.raceways());
-        for (seat, attachment) in seats.iter().zip(&connection.attachments) {
-            let (Some(seat), Support::Body(body)) = (seat, attachment.to) else { continue };
-            let cylinder = RacewayCylinder::seat(body.0, seat);
-            found.extend(Bore { cylinder, ends: seat.raceway.ends, of_gear: false }.check(host, analysis)?);
+        for Seat { body, raceway, .. } in connection.seats() {
+            let cylinder = RacewayCylinder::seat(body, &raceway);
+            let ends = raceway.raceway.ends;
+            found.extend(Bore { cylinder, ends, of_gear: false }.check(host, analysis)?);
         }
     }
     for error in found {

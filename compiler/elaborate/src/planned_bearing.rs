@@ -93,11 +93,7 @@ fn in_bore(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Option<usize> {
 /// Returns the index of the attachment whose region is the raceway of a bearing.
 fn in_seat(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Option<usize> {
     let body = bearing.outer_body().filter(|_| plan.fidelity.has_elastic_rollers())?;
-    let is_raceway = |connection: &ElasticConnection| {
-        let seats = connection.body.as_ref().map_or_else(Vec::new, |body| body.0.raceways());
-        let mut attached = connection.attachments.iter().zip(seats);
-        attached.any(|(attachment, seat)| seat.is_some() && attachment.to == Support::Body(BodyId(body)))
-    };
+    let is_raceway = |connection: &ElasticConnection| connection.seats().iter().any(|seat| seat.body == body);
     let planned = host.scene.connections.iter().zip(&plan.connections);
     let mut modelled = planned.filter(|(_, planned)| !planned.left_out);
     modelled.any(|(connection, _)| is_raceway(connection)).then_some(body)

@@ -28,6 +28,9 @@ const FORCE_TOLERANCE: f64 = 1e-12;
 /// Overlaps below this fraction of the terms of a gap count as zero.
 const GAP_TOLERANCE: f64 = 1e-13;
 
+/// Cells that close slower than this fraction of the fastest one do not stop a motion.
+const RESISTS: f64 = 1e-3;
+
 /// Solves a contact problem. `warm_start` is an estimate of the active set, for example from a
 /// neighbouring step; indices beyond the cells are ignored.
 ///
@@ -212,6 +215,18 @@ impl Scaled<'_> {
         Ok((forces, motion))
     }
 
+    /// Returns the cell outside the active set that a motion closes first, along the load if that
+    /// does work on it; `None` if it closes no gap.
+    fn stop(&self, active: &[usize], motion: &[f64]) -> Option<usize> {
+        let sense = if dot(&self.load, motion) < 0.0 { -1.0 } else { 1.0 };
+        let closing = |i: usize| -sense * row_product(&self.arms, i, motion);
+        let open = (0..self.cells()).filter(|i| active.binary_search(i).is_err());
+        let fastest = open.clone().map(closing).fold(0.0, f64::max);
+        let until = |i: usize| self.gaps[i] / closing(i);
+        open.filter(|&i| closing(i) > RESISTS * fastest)
+            .min_by(|&i, &j| until(i).total_cmp(&until(j)).then(i.cmp(&j)))
+    }
+
     /// Returns the gaps of some cells.
     fn gaps(&self, cells: &[usize], active: &[usize], forces: &[f64], motion: &[f64]) -> Vec<f64> {
         let elastic = self.sums(cells, active, forces, |term| term);
@@ -337,7 +352,15 @@ fn block_pivoting(
                 dependent.push(active.remove(position));
                 continue;
             }
-            Err(Singular::Dofs(_)) => return Ok(None),
+            // All cells of a mesh were pulled at once, and its gears are free.
+            Err(Singular::Dofs(motion)) => match scaled.stop(&active, &motion) {
+                Some(cell) if !dependent.contains(&cell) => {
+                    active.push(cell);
+                    active.sort_unstable();
+                    continue;
+                }
+                _ => return Ok(None),
+            },
             Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
         interrupt.check().map_err(ContactError::Interrupted)?;
@@ -362,7 +385,10 @@ fn block_pivoting(
             patience -= 1;
         }
         active = found.active;
-        active.retain(|i| pulled.binary_search(i).is_err());
+        // Exchanges may alternate between two sets. Then cells that overlap come first.
+        if patience > PATIENCE / 2 || overlapping.is_empty() {
+            active.retain(|i| pulled.binary_search(i).is_err());
+        }
         active.extend(overlapping.iter().map(|&(i, _)| i));
         active.sort_unstable();
     }

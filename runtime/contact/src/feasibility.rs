@@ -120,17 +120,25 @@ fn least_squares(columns: &[Vec<f64>], passive: &[usize], target: &[f64]) -> Vec
         .map_or_else(|_| vec![0.0; passive.len()], |x| x.as_slice().to_vec())
 }
 
-/// Returns an orthonormal basis of the motions that strain no spring.
+/// Returns a basis of the motions that strain no spring, of order one. The decision is made for unit
+/// diagonal, so units and the stiffness of springs on other DOFs do not matter.
 fn null_space(stiffness: &DMatrix<f64>) -> Vec<Vec<f64>> {
     let m = stiffness.nrows();
-    let unit = |k: usize| (0..m).map(|l| if l == k { 1.0 } else { 0.0 }).collect();
     if stiffness.iter().all(|&k| k == 0.0) {
+        let unit = |k: usize| (0..m).map(|l| if l == k { 1.0 } else { 0.0 }).collect();
         return (0..m).map(unit).collect();
     }
-    let eigen = SymmetricEigen::new(stiffness.clone());
+    let scale: Vec<f64> = (0..m)
+        .map(|k| if stiffness[(k, k)] > 0.0 { stiffness[(k, k)].sqrt().recip() } else { 1.0 })
+        .collect();
+    let unit = DMatrix::from_fn(m, m, |k, l| scale[k] * stiffness[(k, l)] * scale[l]);
+    let eigen = SymmetricEigen::new(unit);
+    let motion = |k: usize| {
+        let column = eigen.eigenvectors.column(k);
+        let motion: Vec<f64> = column.iter().zip(&scale).map(|(entry, scale)| entry * scale).collect();
+        let largest = motion.iter().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
+        motion.into_iter().map(|entry| entry / largest).collect()
+    };
     let cut = 1e-12 * eigen.eigenvalues.amax();
-    (0..m)
-        .filter(|&k| eigen.eigenvalues[k] <= cut)
-        .map(|k| eigen.eigenvectors.column(k).iter().copied().collect())
-        .collect()
+    (0..m).filter(|&k| eigen.eigenvalues[k] <= cut).map(motion).collect()
 }

@@ -1,6 +1,7 @@
 //! Tests of the contact solver against enumeration, Clarabel and itself.
 
 use super::active_set::solve;
+use super::feasibility::{Balance, balance};
 use super::interior_point;
 use super::problem::{ContactError, ContactProblem, Method};
 use super::rigid_limit::rigid_limit;
@@ -310,5 +311,44 @@ fn the_rigid_limit_is_that_of_small_loads() {
         let loaded = solve(&problem, None).unwrap();
         // The elastic part of the motion is of the order of the load.
         assert_close(&limit.motion, &loaded.motion, 1e-4, "motion");
+    }
+}
+
+/// A torque that a coupling locks in a loop of two meshes: each turns one end of the coupling, and
+/// nothing else holds the loop.
+fn locked_loop(n: usize, random: &mut Random) -> ContactProblem {
+    let factor = DMatrix::from_fn(n, n, |_, _| random.next());
+    let matrix = &factor * factor.transpose() * 0.2 + DMatrix::identity(n, n);
+    let stiffness = 10f64.powf(2.0 * random.next());
+    let twist = 1.0 + random.next();
+    ContactProblem {
+        compliance: matrix.as_slice().to_vec(),
+        arms: (0..n).flat_map(|i| if i % 2 == 0 { [1.0, 0.0] } else { [0.0, -1.0] }).collect(),
+        gaps: (0..n).map(|i| if i < 2 { 0.0 } else { 8.0 * random.next().powi(2) }).collect(),
+        stiffness: vec![stiffness, -stiffness, -stiffness, stiffness],
+        load: vec![-stiffness * twist, stiffness * twist],
+    }
+}
+
+/// All cells of a mesh may be pulled at once, and sets with a force of zero may alternate.
+#[test]
+fn block_pivoting_solves_locked_loops() {
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    for trial in 0..5000 {
+        let problem = locked_loop(6 + trial % 20, &mut random);
+        let found = solve(&problem, None).expect("the coupling presses both meshes");
+        assert_eq!(found.method, Method::BlockPivoting, "trial {trial}");
+    }
+}
+
+/// A spring on a DOF counts however stiff that on another DOF is: a body on it is not free.
+#[test]
+fn soft_springs_hold_next_to_stiff_ones() {
+    let arms = DMatrix::from_row_slice(2, 3, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]);
+    let stiffness = DMatrix::from_diagonal(&DVector::from_column_slice(&[1e14, 1.0, 0.0]));
+    match balance(&arms, &stiffness, &[0.0, 1.0, -1.0], &Interrupt::never()) {
+        Balance::Found { forces, .. } => assert!((forces.iter().sum::<f64>() - 1.0).abs() < 1e-12),
+        Balance::RunsAway(motion) => panic!("{motion:?}"),
+        Balance::Interrupted(error) => panic!("{error:?}"),
     }
 }

@@ -28,7 +28,7 @@ pub use terms::{add_connection_mass, add_connection_stiffness, add_mode_coupling
 
 use crate::bearing::Support;
 use crate::body::Body;
-use crate::elastic_body::{ElasticBody, MassReduction, SharedElasticBody, rigid_links};
+use crate::elastic_body::{ElasticBody, MassReduction, SeatRaceway, SharedElasticBody, rigid_links};
 use crate::fidelity::Fidelity;
 use crate::ids::BodyId;
 use crate::shaft::Shaft;
@@ -86,6 +86,17 @@ pub struct CondensedShaft {
 /// relative to the diagonal of the matrix; covers rounding of printed digits.
 const ROUNDING: f64 = 1e-6;
 
+/// Seat of an elastic body that is the raceway of bearings.
+#[derive(Clone, Copy, Debug)]
+pub struct Seat {
+    /// Index of the body that represents the attachment.
+    pub body: usize,
+    /// Series with its axes and modulus.
+    pub raceway: SeatRaceway,
+    /// Index of its first term among those of all seats of the elastic body.
+    pub first_term: usize,
+}
+
 impl ElasticConnection {
     /// Creates the connection of an elastic body between the bodies of its attachments. The frames
     /// of these bodies have their origins at the attachments and the axes of the elastic body.
@@ -108,6 +119,20 @@ impl ElasticConnection {
             body: Some(SharedElasticBody(body)),
             raceways: RacewayMatrices::default(),
         }
+    }
+
+    /// Returns the seats of its elastic body that are raceways.
+    pub fn seats(&self) -> Vec<Seat> {
+        let raceways = self.body.as_ref().map_or_else(Vec::new, |body| body.0.raceways());
+        let (mut seats, mut first_term) = (Vec::new(), 0);
+        for (raceway, attachment) in raceways.into_iter().zip(&self.attachments) {
+            let Some(raceway) = raceway else { continue };
+            if let Support::Body(id) = attachment.to {
+                seats.push(Seat { body: id.0, raceway, first_term });
+            }
+            first_term += raceway.raceway.terms();
+        }
+        seats
     }
 
     /// Returns the connection with the matrices of its elastic body.

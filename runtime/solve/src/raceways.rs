@@ -1,10 +1,9 @@
 //! Bearings whose outer raceway is the bore of a gear or a seat of an elastic body.
 
 use calyx_model::bearing::{
-    Bearing, ElasticRaceway, HalfSpaceShare, InBore, RacewayCylinder, RollingElements, Support,
-    half_space_shares,
+    Bearing, ElasticRaceway, HalfSpaceShare, InBore, RacewayCylinder, RollingElements, half_space_shares,
 };
-use calyx_model::connection::ElasticConnection;
+use calyx_model::connection::{ElasticConnection, Seat};
 use calyx_model::mechanism::Mechanism;
 use calyx_numerics::error::EngineError;
 use calyx_structure::{Raceway, RacewayMatrices};
@@ -72,8 +71,8 @@ pub(crate) fn find(
     modelled.iter().filter_map(&mut of).collect()
 }
 
-/// Returns the raceway of the seat of an elastic body and its plane-strain modulus (Pa) by the index of its attachment among the
-/// bodies.
+/// Returns the raceway of the seat of an elastic body and its plane-strain modulus (Pa) by the index
+/// of its attachment among the bodies.
 fn in_seat(
     connections: &[ElasticConnection],
     body: usize,
@@ -82,11 +81,8 @@ fn in_seat(
     let with_raceways = connections.iter().enumerate();
     let mut with_raceways = with_raceways.filter(|(_, connection)| connection.raceways.terms() > 0);
     with_raceways.find_map(|(index, connection)| {
-        let seats = connection.body.as_ref()?.0.raceways();
-        let is_on = |to: Support| matches!(to, Support::Body(id) if id.0 == body);
-        let at = connection.attachments.iter().position(|attachment| is_on(attachment.to))?;
-        let seat = (*seats.get(at)?)?;
-        let first_term = seats[..at].iter().flatten().map(|seat| seat.raceway.terms()).sum();
+        let Seat { raceway: seat, first_term, .. } =
+            connection.seats().into_iter().find(|seat| seat.body == body)?;
         let factor = factors.entry(index).or_insert_with(|| {
             let RacewayMatrices { compliance, .. } = &connection.raceways;
             let terms = connection.raceways.terms();

@@ -1,8 +1,7 @@
 //! Plan of elastic connections.
 
 use super::BodyPlan;
-use crate::bearing::Support;
-use crate::connection::{CondensedShaft, ElasticConnection};
+use crate::connection::{CondensedShaft, ElasticConnection, Seat};
 use crate::dof::DOF_NAMES;
 use crate::elastic_body::MassReduction;
 use crate::fidelity::{BodyModel, Fidelity, StructureOptions};
@@ -65,14 +64,9 @@ pub(super) fn plan_connections(
 /// Returns whether rollers run in a seat of an elastic body that is their raceway: it deforms even
 /// if its attachments are fixed.
 fn has_rollers_in_a_seat(scene: &Mechanism, connection: &ElasticConnection) -> bool {
-    let seats = connection.body.as_ref().map_or_else(Vec::new, |body| body.0.raceways());
-    let mut attached = seats.iter().zip(&connection.attachments).filter(|(seat, _)| seat.is_some());
-    attached.any(|(_, attachment)| match attachment.to {
-        Support::Body(BodyId(body)) => {
-            scene.bearings.iter().any(|bearing| bearing.outer_body() == Some(body))
-        }
-        Support::Ground => false,
-    })
+    let has_rollers =
+        |seat: &Seat| scene.bearings.iter().any(|bearing| bearing.outer_body() == Some(seat.body));
+    connection.seats().iter().any(has_rollers)
 }
 
 /// Checks the modelled elastic bodies with their attachments, and the shafts.
