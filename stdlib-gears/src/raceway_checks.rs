@@ -102,7 +102,7 @@ impl Bore {
         EngineError::new("E0700", message, help).about(body)
     }
 
-    /// Returns how a bearing on the body would run in its bore, if one is mounted on it otherwise.
+    /// Returns the change with which a bearing that is mounted on the body would run in its bore.
     fn mounted(&self, host: &ModelHost) -> Option<String> {
         let is_on_body = |bearing: &&Bearing| {
             let is = |body: BodyId| body.0 == self.cylinder.body;
@@ -111,7 +111,9 @@ impl Bore {
         host.scene.bearings.iter().filter(is_on_body).find_map(|bearing| {
             let name = &bearing.name;
             if bearing.linearization.is_some() {
-                Some(format!("leave `linearized_at` out of bearing \"{name}\": its elements have no loads"))
+                Some(format!(
+                    "leave `linearized_at` out of bearing \"{name}\" if this is its outer raceway: a linearized bearing has no elements"
+                ))
             } else {
                 let ring = if bearing.rolling()?.is_inverted() { "inner" } else { "outer" };
                 Some(format!(
@@ -131,7 +133,7 @@ impl Bore {
     ) -> RuntimeError {
         let (name, bore) = (&host.scene.bearings[bearing].name, self.name(host));
         let message = format!(
-            "the {elements} of bearing \"{name}\" run {distance} outside {bore}, which is their raceway"
+            "the middle of the {elements} of bearing \"{name}\" is {distance} outside {bore}, which is their raceway"
         );
         let help = match self.of_gear {
             true => "correct the position `at`, or choose a rim whose `bore` is \"free\"",

@@ -110,8 +110,11 @@ fn attachments(host: &ModelHost, body: &ModelElasticBody) -> Vec<String> {
         Connection::Raceway { .. } => {
             attachment.raceway.map_or_else(String::new, |SeatRaceway { raceway, .. }| {
                 let length = match raceway.ends[1] - raceway.ends[0] {
-                    0.0 => String::new(),
-                    length => format!(" its {} mm", rounded(1e3 * length)),
+                    0.0 => " it".to_owned(),
+                    length => {
+                        let LengthUnit { name, metres } = host.length_unit;
+                        format!(" its {} {name}", rounded(length / metres))
+                    }
                 };
                 let (harmonics, degree) = (raceway.harmonics, raceway.degree);
                 format!("raceway of {harmonics} harmonics and the degree {degree} along{length}")

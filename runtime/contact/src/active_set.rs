@@ -30,6 +30,8 @@ const GAP_TOLERANCE: f64 = 1e-13;
 
 /// Cells that close slower than this fraction of the fastest one do not stop a motion.
 const RESISTS: f64 = 1e-3;
+/// Work of the load on a motion, relative to the sum of magnitudes of its terms, that is rounding.
+const NO_WORK: f64 = 1e-9;
 
 /// Solves a contact problem. `warm_start` is an estimate of the active set, for example from a
 /// neighbouring step; indices beyond the cells are ignored.
@@ -158,7 +160,7 @@ impl Scaled<'_> {
         };
         let work = dot(&self.load, &motion);
         let magnitude: f64 = (0..m).map(|k| (self.load[k] * motion[k]).abs()).sum();
-        if work.abs() <= 1e-9 * magnitude {
+        if work.abs() <= NO_WORK * magnitude {
             return Err(ContactError::Unconstrained(self.free_motion(&motion)));
         }
         let motion: Vec<f64> = motion.iter().map(|v| v * work.signum()).collect();
@@ -215,10 +217,18 @@ impl Scaled<'_> {
         Ok((forces, motion))
     }
 
-    /// Returns the cell outside the active set that a motion closes first, along the load if that
-    /// does work on it; `None` if it closes no gap.
+    /// Returns the cell outside the active set whose gap without forces a free motion closes first.
+    /// The motion is taken in the sense in which the load does work; without work, in either. `None`
+    /// if it closes no gap.
     fn stop(&self, active: &[usize], motion: &[f64]) -> Option<usize> {
-        let sense = if dot(&self.load, motion) < 0.0 { -1.0 } else { 1.0 };
+        let work = dot(&self.load, motion);
+        let magnitude: f64 = self.load.iter().zip(motion).map(|(f, v)| (f * v).abs()).sum();
+        let first = if work < 0.0 { -1.0 } else { 1.0 };
+        let other = (work.abs() <= NO_WORK * magnitude).then_some(-first);
+        [Some(first), other].into_iter().flatten().find_map(|sense| self.stop_in(active, motion, sense))
+    }
+
+    fn stop_in(&self, active: &[usize], motion: &[f64], sense: f64) -> Option<usize> {
         let closing = |i: usize| -sense * row_product(&self.arms, i, motion);
         let open = (0..self.cells()).filter(|i| active.binary_search(i).is_err());
         let fastest = open.clone().map(closing).fold(0.0, f64::max);
@@ -342,6 +352,8 @@ fn block_pivoting(
     let mut fewest = usize::MAX;
     let mut patience = PATIENCE;
     let mut dependent = Vec::new();
+    // Consecutive cells that were added to hold a motion.
+    let mut stops = 0;
     loop {
         *iterations += 1;
         interrupt.check().map_err(ContactError::Interrupted)?;
@@ -354,7 +366,8 @@ fn block_pivoting(
             }
             // All cells of a mesh were pulled at once, and its gears are free.
             Err(Singular::Dofs(motion)) => match scaled.stop(&active, &motion) {
-                Some(cell) if !dependent.contains(&cell) => {
+                Some(cell) if stops < scaled.load.len() && !dependent.contains(&cell) => {
+                    stops += 1;
                     active.push(cell);
                     active.sort_unstable();
                     continue;
@@ -364,6 +377,7 @@ fn block_pivoting(
             Err(Singular::Interrupted(error)) => return Err(ContactError::Interrupted(error)),
         };
         interrupt.check().map_err(ContactError::Interrupted)?;
+        stops = 0;
         let tolerance = force_tolerance(scaled, &forces);
         let pulled: Vec<usize> =
             active.iter().zip(&forces).filter(|&(_, &q)| q < -tolerance).map(|(&i, _)| i).collect();
@@ -385,7 +399,7 @@ fn block_pivoting(
             patience -= 1;
         }
         active = found.active;
-        // Exchanges may alternate between two sets. Then cells that overlap come first.
+        // Exchanges may alternate between two sets. Then pulled cells stay until no cell overlaps.
         if patience > PATIENCE / 2 || overlapping.is_empty() {
             active.retain(|i| pulled.binary_search(i).is_err());
         }

@@ -120,7 +120,7 @@ fn least_squares(columns: &[Vec<f64>], passive: &[usize], target: &[f64]) -> Vec
         .map_or_else(|_| vec![0.0; passive.len()], |x| x.as_slice().to_vec())
 }
 
-/// Returns a basis of the motions that strain no spring, of order one. The decision is made for unit
+/// Returns an orthonormal basis of the motions that strain no spring. The decision is made for unit
 /// diagonal, so units and the stiffness of springs on other DOFs do not matter.
 fn null_space(stiffness: &DMatrix<f64>) -> Vec<Vec<f64>> {
     let m = stiffness.nrows();
@@ -133,12 +133,14 @@ fn null_space(stiffness: &DMatrix<f64>) -> Vec<Vec<f64>> {
         .collect();
     let unit = DMatrix::from_fn(m, m, |k, l| scale[k] * stiffness[(k, l)] * scale[l]);
     let eigen = SymmetricEigen::new(unit);
-    let motion = |k: usize| {
-        let column = eigen.eigenvectors.column(k);
-        let motion: Vec<f64> = column.iter().zip(&scale).map(|(entry, scale)| entry * scale).collect();
-        let largest = motion.iter().fold(0.0f64, |largest, entry| largest.max(entry.abs()));
-        motion.into_iter().map(|entry| entry / largest).collect()
-    };
     let cut = 1e-12 * eigen.eigenvalues.amax();
-    (0..m).filter(|&k| eigen.eigenvalues[k] <= cut).map(motion).collect()
+    let motions: Vec<DVector<f64>> = (0..m)
+        .filter(|&k| eigen.eigenvalues[k] <= cut)
+        .map(|k| eigen.eigenvectors.column(k).component_mul(&DVector::from_column_slice(&scale)).normalize())
+        .collect();
+    if motions.is_empty() {
+        return Vec::new();
+    }
+    let orthonormal = DMatrix::from_columns(&motions).qr().q();
+    orthonormal.column_iter().map(|column| column.iter().copied().collect()).collect()
 }

@@ -333,7 +333,7 @@ const POINTS_ALONG: usize = 6;
 /// pressure, and displacements are means with the same weights; the force of a ball acts at a
 /// point. In a plane model, and on the edge of a shell, the series has no axial part: the roller
 /// has its whole length there, and a ball its diameter. The half-space has the plane-strain modulus
-/// (Pa) of the body whose series it is: that of the ring belongs to the contact.
+/// (Pa) of the body whose series it is: that of the ring enters the contact deflection.
 pub fn half_space_share(row: &Row, (raceway, modulus): (&Raceway, f64), z: f64) -> HalfSpaceShare {
     let without_width = match &row.elements {
         Elements::Balls(balls) => balls.geometry().ball_diameter,

@@ -38,6 +38,9 @@ const NEAR_AXIS: f64 = 0.5;
 /// is on the axis.
 const ON_AXIS: f64 = 1e-6;
 
+/// Width of a raceway, relative to the radius, below which its nodes are on a circle.
+const ON_CIRCLE: f64 = 1e-6;
+
 /// Raceway in the region of an attachment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeatRaceway {
@@ -115,7 +118,10 @@ impl Fit {
             ));
         }
         let heights = || places.iter().map(|[_, _, z]| *z);
-        let ends = [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)];
+        let mut ends = [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)];
+        if ends[1] - ends[0] < ON_CIRCLE * radius {
+            ends = [0.5 * (ends[0] + ends[1]); 2];
+        }
         let areas = node_areas(model, nodes);
         // Nodes on a line, such as the edge of a shell, have no area.
         let has_area = areas.iter().any(|&area| area != 0.0);
@@ -173,21 +179,22 @@ impl Fit {
     }
 }
 
-/// Returns the mean plane-strain modulus of the elements at some nodes, Pa; weights are the numbers
-/// of these nodes in each.
+/// Returns the harmonic mean of the plane-strain moduli of the elements at some nodes, Pa, each
+/// weighted by its number of these nodes.
 fn surface_modulus(model: &ElasticModel, nodes: &[usize]) -> f64 {
     let within: HashSet<usize> = nodes.iter().copied().collect();
-    let [mut sum, mut count] = [0.0; 2];
+    let [mut compliance, mut count] = [0.0; 2];
     for element in &model.elements {
         let Some(material) = element.material.and_then(|material| model.materials.get(material)) else {
             continue;
         };
         let shared = element.nodes.iter().filter(|node| within.contains(node)).count() as f64;
-        sum += shared * material.youngs_modulus / (1.0 - material.poissons_ratio * material.poissons_ratio);
+        let lateral = material.poissons_ratio * material.poissons_ratio;
+        compliance += shared * (1.0 - lateral) / material.youngs_modulus;
         count += shared;
     }
-    // Without elements there is no displacement by a load to subtract from.
-    if count > 0.0 { sum / count } else { f64::INFINITY }
+    // Without elements nothing is subtracted.
+    if count > 0.0 { count / compliance } else { f64::INFINITY }
 }
 
 /// Returns the coefficients of a series that fits values at places along the axes of a seat (terms
