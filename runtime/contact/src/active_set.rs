@@ -218,8 +218,8 @@ impl Scaled<'_> {
     }
 
     /// Returns the cell outside the active set whose gap without forces a free motion closes first.
-    /// The motion is taken in the sense in which the load does work; without work, in either. `None`
-    /// if it closes no gap.
+    /// The motion is taken in the sense in which the load does work; without work, in either.
+    /// `None` if it closes no gap.
     fn stop(&self, active: &[usize], motion: &[f64]) -> Option<usize> {
         let work = dot(&self.load, motion);
         let magnitude: f64 = self.load.iter().zip(motion).map(|(f, v)| (f * v).abs()).sum();
@@ -364,7 +364,7 @@ fn block_pivoting(
                 dependent.push(active.remove(position));
                 continue;
             }
-            // All cells of a mesh were pulled at once, and its gears are free.
+            // All cells of a mesh were pulled, and its gears are free.
             Err(Singular::Dofs(motion)) => match scaled.stop(&active, &motion) {
                 Some(cell) if stops < scaled.load.len() && !dependent.contains(&cell) => {
                     stops += 1;

@@ -45,8 +45,8 @@ pub(crate) fn dense(matrix: MatRef<'_, f64>) -> DMatrix<f64> {
 }
 
 /// Finds the modelled bearings that run on an elastic raceway. `raceway_of` returns the
-/// raceway in the bore of a gear with its plane-strain modulus (Pa) and the compliance of its terms,
-/// if it has one.
+/// raceway in the bore of a gear with its plane-strain modulus (Pa) and the compliance of its
+/// terms, if it has one.
 pub(crate) fn find(
     scene: &Mechanism,
     modelled: &[usize],
@@ -71,8 +71,8 @@ pub(crate) fn find(
     modelled.iter().filter_map(&mut of).collect()
 }
 
-/// Returns the raceway of the seat of an elastic body and its plane-strain modulus (Pa) by the index
-/// of its attachment among the bodies.
+/// Returns the raceway of the seat of an elastic body and its plane-strain modulus (Pa) by the
+/// index of its attachment among the bodies.
 fn in_seat(
     connections: &[ElasticConnection],
     body: usize,
