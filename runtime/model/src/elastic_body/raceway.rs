@@ -49,7 +49,8 @@ pub struct SeatRaceway {
     /// Axes of the raceway along those of the body: from the axis to the angle 0, to a quarter
     /// turn, and along the axis.
     pub axes: [Vector; 3],
-    /// Plane-strain modulus `E / (1 - nu²)` of the elements at the raceway, Pa: their mean.
+    /// Plane-strain modulus `E / (1 - nu²)` of the elements at the raceway, Pa: their
+    /// harmonic mean.
     pub modulus: f64,
 }
 
