@@ -5,7 +5,7 @@
 use calyx_contact::active_set::solve_until;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    Entries, Grid, GridOptions, PatchCells, PlacedSurface, Pose, Side, build_grid, compliance,
+    Entries, Grid, GridOptions, GridSize, PatchCells, PlacedSurface, Pose, Side, build_grid, compliance,
     find_contact_line, first_guess,
 };
 use calyx_numerics::interrupt::Interrupt;
@@ -42,8 +42,7 @@ fn measure(half_count: usize, half_slices: usize) {
     let options = GridOptions {
         half_count,
         half_slices,
-        width: None,
-        length: None,
+        size: GridSize::default(),
         force: FORCE,
         contact_modulus: MODULUS,
         search_edges: true,

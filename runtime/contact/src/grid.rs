@@ -101,21 +101,26 @@ pub struct Grid {
 
 /// Rounded edge beyond whose start a grid reaches less far than on the flank.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct GradedEdge {
-    /// Start of the edge, m.
-    x: f64,
+pub(crate) struct GradedEdge {
+    /// Start of the edge from the middle of the grid, m.
+    pub x: f64,
     /// +1 if the edge lies at larger x, -1 if at smaller x.
-    towards: f64,
+    pub towards: f64,
     /// Ratio of the reach on the edge to that on the flank.
-    ratio: f64,
+    pub ratio: f64,
+}
+
+/// Returns the width, measured on the flank, of a grid that reaches `x` from its middle, m.
+pub(crate) fn width_to_reach(edges: &[GradedEdge], x: f64) -> f64 {
+    let edges = edges.iter().filter(|edge| edge.towards * x > 0.0);
+    let beyond = edges.map(|edge| (x.abs() - (edge.towards * edge.x).max(0.0)) / edge.ratio);
+    2.0 * beyond.fold(x.abs(), f64::max)
 }
 
 impl Grid {
     /// Returns the width, measured on the flank, of a grid that reaches `x`, m.
     fn width_to_reach(&self, x: f64) -> f64 {
-        let edges = self.edges.iter().filter(|edge| edge.towards * x > 0.0);
-        let beyond = edges.map(|edge| (x.abs() - (edge.towards * edge.x).max(0.0)) / edge.ratio);
-        2.0 * beyond.fold(x.abs(), f64::max)
+        width_to_reach(&self.edges, x)
     }
 }
 
@@ -443,7 +448,7 @@ pub struct GridReport {
 /// Number of loaded cells below which a patch is under-resolved.
 pub const LEAST_LOADED_CELLS: usize = 5;
 /// A grid is made narrower only to less than this part of its width.
-const LEAST_CHANGE: f64 = 0.95;
+pub(crate) const LEAST_CHANGE: f64 = 0.95;
 
 /// Assesses a grid from the pressures (Pa) on it.
 pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {

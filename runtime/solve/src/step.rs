@@ -13,6 +13,7 @@ mod contact_layout;
 mod contact_solution;
 mod contact_state;
 mod friction;
+mod grid_sizes;
 mod grid_warnings;
 mod linearized_bearings;
 mod nonlinear_bearings;

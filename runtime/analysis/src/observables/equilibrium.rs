@@ -290,7 +290,7 @@ impl Contact<'_> {
     pub fn line_length(&self) -> f64 {
         let beyond = match &self.patch.grid {
             ContactGrid::Plane { .. } => 0.0,
-            ContactGrid::Solid(grid) => (grid.line - grid.extent[1]).max(0.0),
+            ContactGrid::Solid(grid) => (grid.line - (grid.along[1] - grid.along[0])).max(0.0),
         };
         self.slices().iter().map(|slice| slice.length).sum::<f64>() + beyond
     }

@@ -74,8 +74,7 @@ fn cells_have_the_length_of_the_surface_coordinate() {
     let options = GridOptions {
         half_count: 2,
         half_slices: 8,
-        width: Some(4e-4),
-        length: Some(0.012),
+        size: GridSize { width: Some(4e-4), along: Some([-0.006, 0.006]) },
         force: 1000.0,
         contact_modulus: 1.1e11,
         search_edges: true,

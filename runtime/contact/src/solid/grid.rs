@@ -13,7 +13,7 @@ use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
 use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
-use crate::grid::{Edge, cell_bounds};
+use crate::grid::{Edge, GradedEdge, cell_bounds, width_to_reach};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -72,6 +72,10 @@ pub struct Slice {
     pub y: [f64; 2],
     /// Its cells in [`Grid::cells`], ascending in x.
     pub cells: Range<usize>,
+    /// x of the middle of its cells where no edge grades them and no surface ends, m.
+    pub middle: f64,
+    /// Edges, relative to the middle.
+    pub(super) graded: Vec<GradedEdge>,
     /// True at low and at high x if the slice ends there because a surface does.
     pub surface_ends: [bool; 2],
     /// Ends of the flanks next to the slice, within its cells or beyond them.
@@ -89,8 +93,10 @@ pub struct Grid {
     pub cells: Vec<Cell>,
     /// Slices, ascending in y.
     pub slices: Vec<Slice>,
-    /// Width across and length along, m, as requested or derived.
-    pub extent: [f64; 2],
+    /// Width across, measured on the flank, m, as requested or derived.
+    pub width: f64,
+    /// Ends along the contact line from the closest approach, ascending, m.
+    pub along: [f64; 2],
     /// Length of the contact line from end to end, also beyond the grid, m.
     pub line: f64,
     /// M and N.
@@ -101,13 +107,10 @@ pub struct Grid {
     pub unit_half_width: f64,
 }
 
-impl Grid {
-    /// Returns the length to which corrections of [`GridOptions::length`] refer, m: the least one
-    /// that covers this grid. If a surface ends near the closest approach, as in contact along a
-    /// whole face, it is nearly twice the length of the grid.
-    pub fn correctable_length(&self) -> f64 {
-        let ends = self.slices.iter().flat_map(|slice| slice.y);
-        2.0 * ends.fold(0.0, |farthest: f64, y| farthest.max(y.abs()))
+impl Slice {
+    /// Returns the width of a grid whose slice reaches `x`, m.
+    pub(super) fn width_to_reach(&self, x: f64) -> f64 {
+        width_to_reach(&self.graded, x - self.middle)
     }
 }
 
@@ -146,13 +149,14 @@ pub fn build_grid(
     let flank = flank_curvature(&height_fields, contact_line);
     let Region { y, width, surface_ends } = Region::new(contact_line, options, flank);
     let half_counts = [options.half_count, options.half_slices];
-    let extent = [width, y[1] - y[0]];
+    let length = y[1] - y[0];
     let [low, high] = contact_line.extent();
     let line = high - low;
     let unit_half_width = unit_half_width(options.contact_modulus, flank);
     let (cells, slices) = (Vec::new(), Vec::new());
-    let mut grid = Grid { frame, cells, slices, extent, line, half_counts, surface_ends, unit_half_width };
-    if !(extent.iter().all(|size| size.is_finite() && *size > 0.0)) {
+    let mut grid =
+        Grid { frame, cells, slices, width, along: y, line, half_counts, surface_ends, unit_half_width };
+    if !([width, length].iter().all(|size| size.is_finite() && *size > 0.0)) {
         return Ok(grid);
     }
     let layer = Layer {
@@ -160,7 +164,7 @@ pub fn build_grid(
         height_fields,
         frame,
         edges: edges(&placed, contact_line, flank),
-        pitch: [width / (2 * half_counts[0] + 1) as f64, extent[1] / (2 * half_counts[1] + 1) as f64],
+        pitch: [width / (2 * half_counts[0] + 1) as f64, length / (2 * half_counts[1] + 1) as f64],
         half_count: half_counts[0],
         middle: 0.5 * (y[0] + y[1]),
         reach: half_counts[1] as i32,
@@ -279,6 +283,8 @@ type Places = [[f64; 2]; 2];
 #[derive(Default)]
 struct Laid {
     cells: Vec<Cell>,
+    middle: f64,
+    graded: Vec<GradedEdge>,
     surface_ends: [bool; 2],
     edges: Option<Edges>,
     /// Surface coordinates of its contact line.
@@ -314,13 +320,14 @@ impl Layer<'_> {
         }
         found.sort_by_key(|(index, ..)| *index);
         for (index, laid) in found.into_iter().filter(|(_, laid)| !laid.cells.is_empty()) {
-            let Laid { cells, surface_ends, edges, places } = laid;
+            let Laid { cells, middle, graded, surface_ends, edges, places } = laid;
             let edges = edges.unwrap_or(Edges::parallel(ENDLESS, 0.0));
             let first = grid.cells.len();
             grid.cells.extend(cells);
             let center = self.center(index);
             let y = [center - 0.5 * self.pitch[1], center + 0.5 * self.pitch[1]];
-            grid.slices.push(Slice { y, cells: first..grid.cells.len(), surface_ends, edges, places });
+            let cells = first..grid.cells.len();
+            grid.slices.push(Slice { y, cells, middle, graded, surface_ends, edges, places });
         }
         Ok(())
     }
@@ -339,7 +346,7 @@ impl Layer<'_> {
         }
         let column = (contact_line.at()[0] / self.pitch[0]).round();
         let center = column * self.pitch[0];
-        let (bounds, mut surface_ends) = self.bounds(center, y, places);
+        let (bounds, graded, mut surface_ends) = self.bounds(center, y, places);
         let cut = self.is_cut(&bounds, y, places);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
@@ -355,11 +362,12 @@ impl Layer<'_> {
             surface_ends[1] |= last.ends(0)[1] < high - 0.5 * last.size[0];
         }
         let edges = Some(self.edges_beside(y, contact_line.at()[0], places));
-        Some(Laid { cells, surface_ends, edges, places })
+        Some(Laid { cells, middle: center, graded, surface_ends, edges, places })
     }
 
-    /// Returns the ends of the cells of a slice, and whether a surface ends it.
-    fn bounds(&self, center: f64, y: f64, places: Places) -> (Vec<f64>, [bool; 2]) {
+    /// Returns the ends of the cells of a slice, the edges that grade them, and whether a surface
+    /// ends it.
+    fn bounds(&self, center: f64, y: f64, places: Places) -> (Vec<f64>, Vec<GradedEdge>, [bool; 2]) {
         let count = 2 * self.half_count + 1;
         let half = 0.5 * count as f64 * self.pitch[0];
         let mut range = [center - half, center + half];
@@ -383,7 +391,7 @@ impl Layer<'_> {
         {
             let bounds =
                 (0..=count).map(|k| center + (k as f64 - 0.5 * count as f64) * self.pitch[0]).collect();
-            return (bounds, [false; 2]);
+            return (bounds, Vec::new(), [false; 2]);
         }
         let edges: Vec<Edge> = self.edges.iter().filter_map(|edge| self.edge_at(edge, y, places)).collect();
         for edge in &edges {
@@ -408,7 +416,12 @@ impl Layer<'_> {
             cut(high, above, 1, &mut range, &mut surface_ends);
         }
         let bounds = if range[1] > range[0] { cell_bounds(range, self.pitch[0], &edges) } else { Vec::new() };
-        (bounds, surface_ends)
+        let graded = |edge: &Edge| GradedEdge {
+            x: edge.x - center,
+            towards: edge.towards,
+            ratio: edge.cell / self.pitch[0],
+        };
+        (bounds, edges.iter().map(graded).collect(), surface_ends)
     }
 
     /// Returns the edges next to a slice at `y` whose contact line is at `closest`.

@@ -4,6 +4,16 @@ use super::contact_line::ContactLine;
 use crate::grid::MARGIN;
 use crate::pressure::hertz_half_width;
 
+/// Size of a grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GridSize {
+    /// Width across, measured on the flank, m; `None` derives it from the force.
+    pub width: Option<f64>,
+    /// Ends along the contact line from the closest approach, m. The grid ends with the contact line
+    /// if that is shorter. `None` derives them from the force.
+    pub along: Option<[f64; 2]>,
+}
+
 /// Options of a grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridOptions {
@@ -12,11 +22,8 @@ pub struct GridOptions {
     pub half_count: usize,
     /// N: a patch has 2N + 1 slices.
     pub half_slices: usize,
-    /// Width across, measured on the flank, m; `None` derives it from the force.
-    pub width: Option<f64>,
-    /// Length along the contact line, centred at the closest approach and at most that of the
-    /// contact line, m; `None` derives it from the force.
-    pub length: Option<f64>,
+    /// Size.
+    pub size: GridSize,
     /// Largest expected force on the patch, N. It determines automatic sizes, which are [`MARGIN`]
     /// times those of a Hertzian contact.
     pub force: f64,
@@ -33,6 +40,10 @@ pub struct GridOptions {
 /// The least gap plus this approach bounds the loaded part of the contact line. With this factor a
 /// circular contact gets [`MARGIN`] times its length.
 const DEPTH: f64 = 1.65;
+/// Factor on the approach of point contacts of teeth: where a tooth bends, the load spreads further
+/// along the contact line than between half-spaces. A grid that is too long is fitted to the load
+/// by one correction, one that truncates the load by several.
+const SPREAD: f64 = 3.0;
 
 /// Region of the tangent plane that a grid covers.
 pub(super) struct Region {
@@ -48,7 +59,7 @@ impl Region {
     /// `flank` is the sum of both curvatures across the contact line, 1/m.
     pub fn new(contact_line: &ContactLine, options: &GridOptions, flank: f64) -> Region {
         let (y, surface_ends) = length_along(contact_line, options);
-        let width = options.width.unwrap_or_else(|| {
+        let width = options.size.width.unwrap_or_else(|| {
             // In a point contact the middle carries 1.5 times the average line load; in a line
             // contact the load is uniform.
             let share = if surface_ends == [true; 2] { 1.0 } else { 1.5 };
@@ -66,8 +77,8 @@ fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2],
         let y = [low.max(all[0]), high.min(all[1])];
         (y, [y[0] <= all[0], y[1] >= all[1]])
     };
-    if let Some(length) = options.length {
-        return clipped([-0.5 * length, 0.5 * length]);
+    if let Some(ends) = options.size.along {
+        return clipped(ends);
     }
     // The approach decreases as more of the contact line is loaded.
     let within = |depth: f64| -> [f64; 2] {
@@ -94,11 +105,12 @@ fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2],
         let near = points.iter().filter(|[_, gap]| gap - floor <= depth).map(|[y, _]| *y);
         near.fold([low, high], |[low, high], y| [low.min(y), high.max(y)])
     };
+    let spread = if options.local_normals { SPREAD } else { 1.0 };
     let (mut shallow, mut deep) =
         (0.0, 2.0 * contact_line.points.iter().map(|point| point.gap - contact_line.gap).fold(0.0, f64::max));
     let enough = |depth: f64| {
         let [low, high] = within(depth);
-        depth * (high - low) * options.contact_modulus >= DEPTH * options.force
+        depth * (high - low) * options.contact_modulus >= spread * DEPTH * options.force
     };
     if deep == 0.0 || !enough(deep) {
         return clipped(all);

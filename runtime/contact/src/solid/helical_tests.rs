@@ -52,8 +52,7 @@ fn every_slice_of_a_grid_is_a_checkpoint() {
     let options = GridOptions {
         half_count: 2,
         half_slices: 6,
-        width: Some(4e-4),
-        length: None,
+        size: GridSize { width: Some(4e-4), along: None },
         force: 1000.0,
         contact_modulus: 1.1e11,
         search_edges: true,
@@ -74,9 +73,9 @@ fn every_slice_of_a_grid_is_a_checkpoint() {
     assert!(grid.slices.len() >= 13 && asked >= grid.slices.len(), "{asked} checkpoints");
     assert!(counted(5).0.is_err() && counted(5).1 == 6);
     // The automatic width does not need the cells.
-    let derived = GridOptions { width: None, ..options };
+    let derived = GridOptions { size: GridSize::default(), ..options };
     let whole = build_grid(placed[0], placed[1], &contact_line, &derived, &Interrupt::never()).unwrap();
-    assert_eq!(grid_width(placed[0], placed[1], &contact_line, &derived), whole.extent[0]);
+    assert_eq!(grid_width(placed[0], placed[1], &contact_line, &derived), whole.width);
 }
 
 #[test]
@@ -87,8 +86,7 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
     let options = GridOptions {
         half_count: 8,
         half_slices: 8,
-        width: Some(4e-4),
-        length: None,
+        size: GridSize { width: Some(4e-4), along: None },
         force: 1000.0,
         contact_modulus: 1.1e11,
         search_edges: true,
@@ -117,7 +115,7 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
     // The surface between the side faces is covered exactly once: areas add up, cells of
     // neighbouring slices join.
     let area: f64 = grid.cells.iter().map(Cell::area).sum();
-    assert!((area / (grid.extent[0] * grid.extent[1]) - 1.0).abs() < 1e-4);
+    assert!((area / (grid.width * (grid.along[1] - grid.along[0])) - 1.0).abs() < 1e-4);
 }
 
 #[test]
@@ -203,8 +201,7 @@ fn a_generator_that_leaves_the_flank_ends_there() {
         let options = GridOptions {
             half_count: 6,
             half_slices: 10,
-            width: Some(4e-4),
-            length: Some(1.0),
+            size: GridSize { width: Some(4e-4), along: Some([-0.5, 0.5]) },
             force: 1000.0,
             contact_modulus: 1.1e11,
             search_edges,

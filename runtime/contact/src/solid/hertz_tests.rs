@@ -57,8 +57,7 @@ impl Press {
         let mut options = GridOptions {
             half_count: self.half_counts[0],
             half_slices: self.half_counts[1],
-            width: None,
-            length: None,
+            size: GridSize::default(),
             force: self.force,
             contact_modulus: self.modulus,
             search_edges: true,
@@ -86,19 +85,21 @@ impl Press {
             assert!(solution.certificate.largest() <= 1e-12, "{:?}", solution.certificate);
             let pressures = pressures(&grid.cells, &solution.forces);
             let mut recommended = assess(&grid, &pressures).recommended;
-            if self.fitted && recommended == [None, None] {
+            if self.fitted && recommended == GridSize::default() {
                 recommended = fitting_size(&grid, &pressures);
             }
-            if recommended == [None, None] {
+            if recommended == GridSize::default() {
                 // The start of the search must not change a bit of the solution.
                 let cold = solve_until(&problem, None, &never).expect("it is well posed");
                 assert_eq!(cold.forces, solution.forces);
                 check_entries_in_contact(&patch, &grid, &problem, &solution.active);
                 return Pressed { grid, pressures, solution };
             }
-            let [width, length] = grid.extent.map(|extent| self.fitted.then_some(extent));
-            options.width = recommended[0].or(options.width).or(width);
-            options.length = recommended[1].or(options.length).or(length);
+            let GridSize { width, along } = options.size;
+            options.size = GridSize {
+                width: recommended.width.or(width).or(self.fitted.then_some(grid.width)),
+                along: recommended.along.or(along).or(self.fitted.then_some(grid.along)),
+            };
         }
         panic!("the grid does not settle");
     }

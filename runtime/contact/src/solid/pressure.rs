@@ -5,7 +5,8 @@
 //! contact.
 
 use super::grid::{Cell, Grid, Slice};
-use crate::grid::{LEAST_LOADED_CELLS, MARGIN};
+use super::grid_region::GridSize;
+use crate::grid::{LEAST_CHANGE, LEAST_LOADED_CELLS, MARGIN};
 use crate::pressure::{self, zeros_of_squared_pressure};
 use crate::zone::{self, Zone};
 
@@ -183,8 +184,8 @@ pub struct GridReport {
     /// True across and along if fewer than five cells or slices are loaded, too few for a pressure
     /// distribution.
     pub under_resolved: [bool; 2],
-    /// Recommended width and length (m), for the same M and N.
-    pub recommended: [Option<f64>; 2],
+    /// Recommended size where the present one does not suit, for the same M and N.
+    pub recommended: GridSize,
 }
 
 /// Assesses a grid from the pressures (Pa) on it.
@@ -195,104 +196,143 @@ pub fn assess(grid: &Grid, pressures: &[f64]) -> GridReport {
         loaded_cells,
         truncated: [false; 2],
         under_resolved: [false; 2],
-        recommended: [None; 2],
+        recommended: GridSize::default(),
     };
     if loaded_cells == 0 {
         return report;
     }
     let mut most_loaded = 0;
-    let mut width = None;
+    let mut width: Option<f64> = None;
     for (index, slice) in grid.slices.iter().enumerate() {
         let (cells, own) = strip(grid, pressures, index);
-        // Widths are measured from the middle of the slice.
-        let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
-        let cells: Vec<[f64; 2]> = cells.iter().map(|cell| cell.map(|x| x - middle)).collect();
-        let judged = judge(&cells, &own, slice.surface_ends, grid.extent[0]);
-        report.truncated[0] |= judged.truncated;
         most_loaded = most_loaded.max(own.iter().filter(|&&p| p > 0.0).count());
-        if judged.truncated {
-            width = Some(width.map_or(judged.recommended, |w: f64| w.max(judged.recommended)));
+        if let Some(wider) = width_without_truncation(slice, &cells, &own, grid.width) {
+            report.truncated[0] = true;
+            width = Some(width.map_or(wider, |width| width.max(wider)));
         }
     }
     let largest = (0..peaks.len()).max_by(|&i, &j| peaks[i].total_cmp(&peaks[j]).then(j.cmp(&i)));
     let available = largest.map_or(0, |slice| grid.slices[slice].cells.len());
     if width.is_none() && most_loaded < LEAST_LOADED_CELLS.min(available) {
         report.under_resolved[0] = true;
-        let farthest = largest.map(|slice| {
-            let (cells, own) = strip(grid, pressures, slice);
-            let loaded: Vec<f64> =
-                cells.iter().zip(&own).filter(|&(_, &p)| p > 0.0).flat_map(|(cell, _)| *cell).collect();
-            let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
-            loaded.iter().map(|x| (x - middle).abs()).fold(0.0, f64::max)
+        let needed = largest.map(|index| {
+            let (cells, own) = strip(grid, pressures, index);
+            let loaded = cells.iter().zip(&own).filter(|&(_, &p)| p > 0.0).flat_map(|(cell, _)| *cell);
+            loaded.map(|x| grid.slices[index].width_to_reach(x)).fold(0.0, f64::max)
         });
-        width = farthest.map(|farthest| (2.0 * MARGIN * farthest).min(0.5 * grid.extent[0]));
+        width = needed.map(|needed| (MARGIN * needed).min(0.5 * grid.width));
     }
-    report.recommended[0] = width;
-    let along = judge(&lengths(grid), &peaks, grid.surface_ends, grid.correctable_length());
-    report.truncated[1] = along.truncated;
-    report.under_resolved[1] = along.under_resolved;
-    if along.truncated || along.under_resolved {
-        report.recommended[1] = Some(along.recommended);
-    }
+    let along = ends_along(grid, &peaks);
+    report.truncated[1] = matches!(along, EndsAlong::Truncated(_));
+    report.under_resolved[1] = matches!(along, EndsAlong::UnderResolved(_));
+    report.recommended = GridSize {
+        width,
+        along: match along {
+            EndsAlong::Suitable => None,
+            EndsAlong::Truncated(ends) | EndsAlong::UnderResolved(ends) => Some(ends),
+        },
+    };
     report
 }
 
 /// Fraction of a grid below which its loaded part is too small for accurate pressures.
 const LEAST_LOADED_PART: f64 = 0.64;
 
-/// Returns the width and length (m) that a grid should have for its loaded part to be [`MARGIN`]
-/// times smaller, where that part is now less than [`LEAST_LOADED_PART`] of the grid; `None` where
-/// the grid suits. `pressures` are in Pa, one per cell.
-pub fn fitting_size(grid: &Grid, pressures: &[f64]) -> [Option<f64>; 2] {
-    let mut reach = [0.0f64; 2];
-    let mut cell = [0.0f64; 2];
-    for index in 0..grid.slices.len() {
+/// Smallest distance of the end of a grid from the load, relative to the length of the slices or
+/// the width of the cells at that end: the load may reach into cells that are unloaded on average.
+const LEAST_MARGIN: f64 = 0.75;
+
+/// Returns the size that a grid should have for its loaded part to be [`MARGIN`] times smaller,
+/// where that part is now less than [`LEAST_LOADED_PART`] of the grid; `None` where the grid suits.
+/// `pressures` are in Pa, one per cell.
+///
+/// Cells that are loaded on a part of them count as a whole: a grid that truncates the load costs
+/// more corrections than one that is too large.
+pub fn fitting_size(grid: &Grid, pressures: &[f64]) -> GridSize {
+    let mut needed = 0.0f64;
+    let mut peaks = vec![0.0f64; grid.slices.len()];
+    for (index, slice) in grid.slices.iter().enumerate() {
         let (cells, own) = strip(grid, pressures, index);
-        let middle = 0.5 * (cells[0][0] + cells[cells.len() - 1][1]);
-        for (ends, _) in cells.iter().zip(&own).filter(|(_, p)| **p > 0.0) {
-            let [from, to] = ends.map(|x| (x - middle).abs());
-            let y = grid.slices[index].y;
-            reach = [reach[0].max(from).max(to), reach[1].max(y[0].abs()).max(y[1].abs())];
-            cell = [cell[0].max(ends[1] - ends[0]), cell[1].max(y[1] - y[0])];
+        for (ends, pressure) in cells.iter().zip(&own).filter(|(_, p)| **p > 0.0) {
+            let reach = ends.map(|x| slice.width_to_reach(x)).into_iter().fold(0.0, f64::max);
+            let least = 2.0 * LEAST_MARGIN * (ends[1] - ends[0]);
+            needed = needed.max((MARGIN * reach).max(reach + least));
+            peaks[index] = peaks[index].max(*pressure);
         }
     }
-    [0, 1].map(|k: usize| {
-        // The outermost loaded cells are loaded on a part of them only.
-        let fitting = 2.0 * MARGIN * (reach[k] - 0.5 * cell[k]);
-        let present = [grid.extent[0], grid.correctable_length()][k];
-        (fitting > 0.0 && fitting < LEAST_LOADED_PART * MARGIN * present).then_some(fitting)
-    })
+    let is_small = |fitting: f64, present: f64| fitting < LEAST_LOADED_PART * MARGIN * present;
+    let [low, high] = grid.along;
+    GridSize {
+        width: Some(needed).filter(|width| *width > 0.0 && is_small(*width, grid.width)),
+        along: ends_about_load(grid, &peaks).filter(|[from, to]| is_small(to - from, high - low)),
+    }
 }
 
-struct Judgement {
-    truncated: bool,
-    under_resolved: bool,
-    /// Recommended extent, if any.
-    recommended: f64,
+/// Returns the ends of the part of a grid along the contact line that contains its load with a
+/// margin, m; `None` without load. `peaks` are positive in loaded slices.
+fn ends_about_load(grid: &Grid, peaks: &[f64]) -> Option<[f64; 2]> {
+    let loaded = |slice: &usize| peaks[*slice] > 0.0;
+    let slice = |index: usize| grid.slices[index].y;
+    let [[from, end], [start, to]] =
+        [slice((0..peaks.len()).find(loaded)?), slice((0..peaks.len()).rfind(loaded)?)];
+    let more = (0.5 * (MARGIN - 1.0) * (to - from)).max(LEAST_MARGIN * (end - from).max(to - start));
+    Some([(from - more).max(grid.along[0]), (to + more).min(grid.along[1])])
 }
 
-/// Assesses intervals, measured from the middle of the region that they should cover, with their
-/// pressures.
-fn judge(pieces: &[[f64; 2]], pressures: &[f64], surface_ends: [bool; 2], extent: f64) -> Judgement {
+/// Returns the width of a grid that does not truncate the load of a slice; `None` if the present
+/// `width` (m) does not. `cells` are the ends of its cells, and `pressures` theirs, Pa.
+fn width_without_truncation(slice: &Slice, cells: &[[f64; 2]], pressures: &[f64], width: f64) -> Option<f64> {
     let loaded = |p: Option<&f64>| p.is_some_and(|&p| p > 0.0);
-    let truncated =
-        (loaded(pressures.first()) && !surface_ends[0]) || (loaded(pressures.last()) && !surface_ends[1]);
-    let count = pressures.iter().filter(|&&p| p > 0.0).count();
-    let reach = pieces.iter().zip(pressures).filter(|&(_, &p)| p > 0.0);
-    let reach = reach.map(|(piece, _)| piece[0].abs().max(piece[1].abs())).fold(0.0, f64::max);
-    // A load at one end only must remain within a grid of the same middle.
-    let smaller = 2.0 * MARGIN * reach;
-    let few = count > 0 && count < LEAST_LOADED_CELLS.min(pieces.len());
-    let under_resolved = !truncated && few && smaller < extent;
-    let recommended = if truncated {
-        // Zero of the extrapolated p² if it lies outside; otherwise the patch is truncated too much
-        // for an estimate.
-        zeros_of_squared_pressure(pieces, pressures)
-            .map(|zeros| 2.0 * MARGIN * zeros[0].abs().max(zeros[1].abs()))
-            .filter(|&w| w > 1.1 * extent)
-            .unwrap_or(2.0 * extent)
-    } else {
-        smaller
+    let [low, high] = slice.surface_ends;
+    let truncated = [loaded(pressures.first()) && !low, loaded(pressures.last()) && !high];
+    if truncated == [false; 2] {
+        return None;
+    }
+    // On a side that is not truncated, the grid already reaches far enough.
+    let reach = |[left, right]: [f64; 2]| {
+        let left = if truncated[0] { left } else { left.max(cells[0][0]) };
+        let right = if truncated[1] { right } else { right.min(cells[cells.len() - 1][1]) };
+        MARGIN * slice.width_to_reach(left).max(slice.width_to_reach(right))
     };
-    Judgement { truncated, under_resolved, recommended }
+    let wider = zeros_of_squared_pressure(cells, pressures).map(reach).filter(|wider| *wider > 1.1 * width);
+    Some(wider.unwrap_or(1.5 * width))
+}
+
+/// Assessment of the ends of a grid along the contact line, with better ones, m.
+enum EndsAlong {
+    Suitable,
+    Truncated([f64; 2]),
+    /// Few slices are loaded.
+    UnderResolved([f64; 2]),
+}
+
+/// Assesses the ends of a grid from the largest pressures (Pa) of its slices.
+fn ends_along(grid: &Grid, peaks: &[f64]) -> EndsAlong {
+    let is_loaded = |slice: Option<usize>| slice.is_some_and(|slice| peaks[slice] > 0.0);
+    let (pieces, last) = (lengths(grid), peaks.len().checked_sub(1));
+    let [low, high] = grid.along;
+    let truncated = [is_loaded(Some(0)) && !grid.surface_ends[0], is_loaded(last) && !grid.surface_ends[1]];
+    if truncated != [false; 2] {
+        // Zeros of the extrapolated p² if they lie outside; otherwise the patch is truncated too
+        // much for an estimate.
+        let length = high - low;
+        let with_margin = |[from, to]: [f64; 2]| {
+            let more = 0.5 * (MARGIN - 1.0) * (to - from);
+            [from - more, to + more]
+        };
+        let zeros = zeros_of_squared_pressure(&pieces, peaks).map(with_margin);
+        let outside = |zero: f64| Some(zero).filter(|zero| *zero > 0.05 * length).unwrap_or(0.5 * length);
+        let beyond = |end: usize| {
+            let zero = zeros.map_or(0.0, |zeros| [low - zeros[0], zeros[1] - high][end]);
+            if truncated[end] { outside(zero) } else { 0.0 }
+        };
+        return EndsAlong::Truncated([low - beyond(0), high + beyond(1)]);
+    }
+    let loaded = peaks.iter().filter(|peak| **peak > 0.0).count();
+    let few = loaded < LEAST_LOADED_CELLS.min(pieces.len());
+    let is_shorter = |[from, to]: &[f64; 2]| to - from < LEAST_CHANGE * (high - low);
+    match ends_about_load(grid, peaks).filter(is_shorter) {
+        Some(better) if few => EndsAlong::UnderResolved(better),
+        _ => EndsAlong::Suitable,
+    }
 }

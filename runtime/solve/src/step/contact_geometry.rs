@@ -50,6 +50,16 @@ impl<S> Candidate<S> {
         std::iter::once(&self.nearest).chain(&self.others)
     }
 }
+
+/// Number of cells of a grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Resolution {
+    /// Half as many as in the model along every direction.
+    Half,
+    /// As many as in the model.
+    Full,
+}
+
 /// Dimension-dependent part of a position.
 pub(super) trait ContactGeometry: Sync {
     /// Geometry of the approach of a tooth pair.
@@ -73,7 +83,14 @@ pub(super) trait ContactGeometry: Sync {
         candidate: &Candidate<Self::Site>,
         force: f64,
         size: Option<Self::Size>,
+        resolution: Resolution,
     ) -> Result<Self::Grid, EngineError>;
+
+    /// Returns whether the size of a grid is determined with half as many cells along every
+    /// direction first. This saves time where the first size rarely suits.
+    fn sizes_at_half_resolution(&self, _candidate: &Candidate<Self::Site>) -> bool {
+        false
+    }
 
     /// Returns the number of cells of a grid.
     fn count(&self, grid: &Self::Grid) -> usize;

@@ -1,9 +1,10 @@
 //! Contact problem at one position of the bodies: creates grids, corrects their sizes and solves
 //! for the cell forces.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, Resolution};
 use super::contact_layout::{LaidOutContact, MOST_SHIFT, SEARCH_DEPTH, Solver};
 use super::contact_state::{GridState, PatchCells};
+use super::grid_sizes::GridSizes;
 use super::nonlinear_bearings::{NonlinearBearings, NonlinearIteration};
 use super::relinearization::ContactReference;
 use super::{ContactPatch, StepResult};
@@ -30,11 +31,6 @@ const WORTH_LOADING: f64 = 0.1;
 /// blocks or its copy for the next correction of grids, its static part if modes are eliminated,
 /// and the factor of the active set.
 const MATRICES: u64 = 4;
-/// Maximum number of corrections of grid sizes at a position.
-const REGRIDS: usize = 3;
-/// Maximum number of further corrections in three dimensions, which only enlarge grids: pressures
-/// on a truncated grid are too high, and a correction that makes a grid smaller could truncate it.
-const GROWTHS: usize = 3;
 
 /// Compliance matrix of the grids before their correction.
 struct KnownCompliance {
@@ -71,18 +67,25 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 return Ok(laid);
             }
         }
-        let mut sizes = vec![None; candidates.len()];
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
-        let growths = if self.space.may_grow() { GROWTHS } else { 0 };
-        let mut rounds = REGRIDS + growths;
         let space = self.space;
-        let build_grid = |patch: usize, size: Option<S::Size>| {
-            space.build_grid(candidates[patch], largest_forces[patch], size)
+        let first_resolution = |candidate: &&Candidate<S::Site>| {
+            let halved = !self.under.in_time && space.sizes_at_half_resolution(candidate);
+            if halved { Resolution::Half } else { Resolution::Full }
         };
+        let resolutions = candidates.iter().map(first_resolution).collect();
+        let mut sizes = GridSizes::new(resolutions, space.may_grow());
         // Several threads build grids, because a time step has no other position to solve
         // meanwhile.
-        let all = (0..candidates.len()).into_par_iter();
-        let mut grids = all.map(|patch| build_grid(patch, None)).collect::<Result<Vec<_>, _>>()?;
+        let build_grids = |patches: &[usize], sizes: &GridSizes<S::Size>| {
+            let build_grid = |&patch: &usize| {
+                let (size, resolution) = (sizes.sizes[patch], sizes.resolutions[patch]);
+                space.build_grid(candidates[patch], largest_forces[patch], size, resolution)
+            };
+            patches.par_iter().map(build_grid).collect::<Result<Vec<_>, _>>()
+        };
+        let all: Vec<usize> = (0..candidates.len()).collect();
+        let mut grids = build_grids(&all, &sizes)?;
         let mut known: Option<KnownCompliance> = None;
         let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
@@ -114,15 +117,14 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 break (drags, problem, modal, solution);
             }
             // Sizes that are not prescribed follow the forces of the patches.
-            let better =
-                self.corrected_grid_sizes(candidates, (&grids[..], &sizes[..]), &solution, rounds <= growths);
-            let unchanged: Vec<bool> = better.iter().map(|size| rounds == 0 || size.is_none()).collect();
-            let converged = !unchanged.contains(&false);
+            let better = self.corrected_grid_sizes(candidates, (&grids[..], &sizes), &solution);
+            let changed = sizes.correct(&better);
+            let unchanged = all.iter().map(|patch| !changed.contains(patch)).collect();
             let counts = grids.iter().map(|grid| self.space.count(grid)).collect();
             // A given state has some of the entries only.
             known =
                 given.is_none().then_some(KnownCompliance { matrix: compliance, sizes: counts, unchanged });
-            if converged {
+            if changed.is_empty() {
                 let laid: Vec<_> = candidates.iter().copied().zip(&grids).collect();
                 let Some(rotated) = self.space.with_deflected_normals(&laid, &solution.forces)? else {
                     break (drags, problem, modal, solution);
@@ -130,13 +132,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 (grids, active) = (rotated, Some(solution.active));
                 continue;
             }
-            let corrected: Vec<usize> = (0..better.len()).filter(|&patch| better[patch].is_some()).collect();
-            let rebuilt = corrected.par_iter().map(|&patch| build_grid(patch, better[patch]));
-            let rebuilt = rebuilt.collect::<Result<Vec<_>, _>>()?;
-            for (patch, grid) in corrected.into_iter().zip(rebuilt) {
-                (grids[patch], sizes[patch]) = (grid, better[patch]);
-            }
-            rounds -= 1;
+            let rebuilt = build_grids(&changed, &sizes)?;
+            changed.into_iter().zip(rebuilt).for_each(|(patch, grid)| grids[patch] = grid);
         };
 
         let mut laid =
@@ -318,13 +315,12 @@ impl<S: ContactGeometry> Solver<'_, S> {
     fn corrected_grid_sizes(
         &self,
         candidates: &[&Candidate<S::Site>],
-        (grids, sizes): (&[S::Grid], &[Option<S::Size>]),
+        (grids, sizes): (&[S::Grid], &GridSizes<S::Size>),
         solution: &Solution,
-        grow_only: bool,
     ) -> Vec<Option<S::Size>> {
-        let wide = self.under.in_time || grow_only;
+        let wide = self.under.in_time || sizes.only_grow();
         let mut end = 0;
-        let laid = candidates.iter().zip(grids).zip(sizes);
+        let laid = candidates.iter().zip(grids).zip(&sizes.sizes);
         laid.map(|((candidate, grid), &size)| {
             let own = end..end + self.space.count(grid);
             end = own.end;

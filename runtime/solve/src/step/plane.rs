@@ -1,7 +1,7 @@
 //! Plane implementation of a position: closest approach of profiles, grids along their common
 //! tangent.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, WidthReport};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, Resolution, WidthReport};
 use super::friction::Action;
 use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
@@ -110,6 +110,7 @@ impl ContactGeometry for Plane<'_> {
         candidate: &Candidate<Site>,
         force: f64,
         width: Option<f64>,
+        _: Resolution,
     ) -> Result<Grid, EngineError> {
         let width = width.or(self.pair(candidate).grid.width);
         Ok(self.grid_of_width(candidate, width.map_or(Width::Hertz { force }, Width::Total)))

@@ -1,7 +1,7 @@
 //! Three-dimensional implementation of a position: contact lines of surfaces, grids on their common
 //! tangent plane.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, WidthReport};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, Resolution, WidthReport};
 use super::friction::Action;
 use super::patch::solid_arm;
 use super::{ContactGrid, ContactPatch};
@@ -11,9 +11,9 @@ use calyx_contact::assembly::Entries;
 use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    self, ContactLine, Grid, GridOptions, LineOfAction, LoadedPatch, PatchCells, PatchFrame, PlacedSurface,
-    Pose, assess, build_grid, compliance, contact_modulus, find_contact_line, first_guess, fitting_size,
-    grid_width, lines_of_action, pressures,
+    self, ContactLine, Grid, GridOptions, GridSize, LineOfAction, LoadedPatch, PatchCells, PatchFrame,
+    PlacedSurface, Pose, assess, build_grid, compliance, contact_modulus, find_contact_line, first_guess,
+    fitting_size, grid_width, lines_of_action, pressures,
 };
 use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
@@ -30,6 +30,8 @@ use std::sync::Arc;
 
 /// Largest factor by which a correction enlarges a grid.
 const MOST_GROWTH: f64 = 2.0;
+/// Smallest M and N for which a grid with half as many cells still resolves the extent of the load.
+const FEWEST_TO_HALVE: usize = 6;
 
 pub(super) struct Solid<'a> {
     pub(super) system: &'a System<'a>,
@@ -57,8 +59,7 @@ impl Site {
 impl ContactGeometry for Solid<'_> {
     type Site = Site;
     type Grid = Grid;
-    /// Width across and length along, m, if they differ from those of the model.
-    type Size = [Option<f64>; 2];
+    type Size = GridSize;
 
     /// Tooth pairs are searched by several threads at a time.
     fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
@@ -90,17 +91,29 @@ impl ContactGeometry for Solid<'_> {
         &self,
         candidate: &Candidate<Site>,
         force: f64,
-        size: Option<[Option<f64>; 2]>,
+        size: Option<GridSize>,
+        resolution: Resolution,
     ) -> Result<Grid, EngineError> {
-        let [width, length] = size.unwrap_or_default();
-        let size = [width.or(self.pair(candidate).grid.width), length];
-        let (site, options) = (&candidate.site, self.grid_options(candidate, force, size));
+        let GridSize { width, along } = size.unwrap_or_default();
+        let size = GridSize { width: width.or(self.pair(candidate).grid.width), along };
+        let (site, mut options) = (&candidate.site, self.grid_options(candidate, force, size));
+        if resolution == Resolution::Half {
+            options.half_count = options.half_count.div_ceil(2);
+            options.half_slices = options.half_slices.div_ceil(2);
+        }
         let placed = [0, 1].map(|side| site.placed(side));
         build_grid(placed[0], placed[1], &site.contact_line, &options, &self.system.interrupt)
     }
 
+    /// Point contacts shrink with the share of the load that they carry.
+    fn sizes_at_half_resolution(&self, candidate: &Candidate<Site>) -> bool {
+        let pair = self.pair(candidate);
+        let fewest = pair.grid.half_slices.min(pair.grid.solid_half_cells());
+        has_local_normals(pair) && fewest >= FEWEST_TO_HALVE
+    }
+
     fn automatic_width(&self, candidate: &Candidate<Site>, force: f64) -> f64 {
-        let (site, options) = (&candidate.site, self.grid_options(candidate, force, [None; 2]));
+        let (site, options) = (&candidate.site, self.grid_options(candidate, force, GridSize::default()));
         grid_width(site.placed(0), site.placed(1), &site.contact_line, &options)
     }
 
@@ -109,7 +122,7 @@ impl ContactGeometry for Solid<'_> {
     }
 
     fn width(&self, grid: &Grid) -> f64 {
-        grid.extent[0]
+        grid.width
     }
 
     fn gaps(&self, grid: &Grid) -> Vec<f64> {
@@ -220,46 +233,50 @@ impl ContactGeometry for Solid<'_> {
         &self,
         candidate: &Candidate<Site>,
         grid: &Grid,
-        size: Option<[Option<f64>; 2]>,
+        size: Option<GridSize>,
         loaded: &LoadedCells,
         wide: bool,
-    ) -> Option<[Option<f64>; 2]> {
+    ) -> Option<GridSize> {
         let pressures = pressures(&grid.cells, loaded.forces);
         let report = assess(grid, &pressures);
-        let asked = |k: usize| report.recommended[k].filter(|_| !(wide && report.under_resolved[k]));
-        let mut asked = [asked(0), asked(1)];
-        if has_local_normals(self.pair(candidate)) && !wide && asked == [None; 2] {
+        let [enough_across, enough_along] = report.under_resolved.map(|few| wide && few);
+        let mut asked = GridSize {
+            width: report.recommended.width.filter(|_| !enough_across),
+            along: report.recommended.along.filter(|_| !enough_along),
+        };
+        if has_local_normals(self.pair(candidate)) && !wide && asked == GridSize::default() {
             // Several teeth share the load, and a point contact shrinks with it in both directions.
             asked = fitting_size(grid, &pressures);
         }
-        let present = [grid.extent[0], grid.correctable_length()];
         // An extrapolation from the pressure next to an edge is no estimate of the size.
-        asked = [0, 1].map(|k: usize| asked[k].map(|size| size.min(MOST_GROWTH * present[k])));
-        let [width, length] = asked;
+        let [low, high] = grid.along;
+        let growth = (MOST_GROWTH - 1.0) * (high - low);
+        let width = asked.width.map(|width| width.min(MOST_GROWTH * grid.width));
+        let along = asked.along.map(|[from, to]| [from.max(low - growth), to.min(high + growth)]);
         // A contact beyond a gap does not appear as pressure at the end of the grid.
-        let length = match self.length_to_separate_contact(candidate, grid, loaded) {
-            Some(needed) => Some(length.map_or(needed, |length| length.max(needed))),
-            None => length,
+        let along = match self.ends_with_separate_contact(candidate, grid, loaded) {
+            Some([from, to]) => {
+                let [low, high] = along.unwrap_or(grid.along);
+                Some([low.min(from), high.max(to)])
+            }
+            None => along,
         };
         let width = width.filter(|_| self.pair(candidate).grid.width.is_none());
-        if width.is_none() && length.is_none() {
+        if width.is_none() && along.is_none() {
             return None;
         }
-        // A length is centred at the closest approach, so the present one is not prescribed. The
-        // grid of a surface that ends near the closest approach, as in contact along the whole face
-        // or up to a tip, would lose its other half.
-        let length = length.or(size.and_then(|[_, length]| length));
-        Some([Some(width.unwrap_or(present[0])), length])
+        let along = along.or(size.and_then(|size| size.along));
+        Some(GridSize { width: Some(width.unwrap_or(grid.width)), along })
     }
 
     fn assess_width(&self, grid: &Grid, forces: &[f64]) -> WidthReport {
         let report = assess(grid, &pressures(&grid.cells, forces));
         WidthReport {
-            width: grid.extent[0],
+            width: grid.width,
             half_count: grid.half_counts[0],
-            truncated: report.recommended[0].is_some() && !report.under_resolved[0],
+            truncated: report.recommended.width.is_some() && !report.under_resolved[0],
             under_resolved: report.under_resolved[0],
-            recommended: report.recommended[0],
+            recommended: report.recommended.width,
         }
     }
 
@@ -270,7 +287,8 @@ impl ContactGeometry for Solid<'_> {
             frame: candidate.site.contact_line.frame,
             cells: Vec::new(),
             slices: Vec::new(),
-            extent: [0.0; 2],
+            width: 0.0,
+            along: [0.0; 2],
             line: 0.0,
             half_counts: [0; 2],
             surface_ends: [false; 2],
@@ -289,21 +307,21 @@ impl ContactGeometry for Solid<'_> {
 }
 
 impl Solid<'_> {
-    /// Returns the length of a grid that covers all points of the contact line at which the
-    /// surfaces overlap beyond its ends without load, m; `None` without such a point.
+    /// Returns the ends of a grid that covers all points of the contact line at which the surfaces
+    /// overlap beyond its ends without load, m; `None` without such a point.
     ///
     /// Bodies deflect least where they carry no load, so a point that overlaps after the deflection
     /// at the end of the grid does carry load.
-    fn length_to_separate_contact(
+    fn ends_with_separate_contact(
         &self,
         candidate: &Candidate<Site>,
         grid: &Grid,
         loaded: &LoadedCells,
-    ) -> Option<f64> {
+    ) -> Option<[f64; 2]> {
         let slices = [grid.slices.first()?, grid.slices.last()?];
         let dofs = loaded.motion.len();
         let beyond = |end: usize, y: f64| [y < slices[0].y[0], y > slices[1].y[1]][end];
-        let mut farthest = 0.0f64;
+        let mut farthest = grid.along;
         for end in [0, 1] {
             let cells = slices[end].cells.clone();
             // A load up to the end of the grid is not separate.
@@ -316,11 +334,16 @@ impl Solid<'_> {
             let deflection = loaded.gaps[nearest] - grid.cells[nearest].gap - rigid;
             for (point, approach) in candidate.site.contact_line.points.iter().zip(&candidate.others) {
                 if beyond(end, point.at[1]) && approach.gap_growth(loaded.motion) + deflection < 0.0 {
-                    farthest = farthest.max(point.at[1].abs());
+                    farthest = [farthest[0].min(point.at[1]), farthest[1].max(point.at[1])];
                 }
             }
         }
-        (farthest > 0.0).then_some(2.0 * MARGIN * farthest)
+        let margin = 0.5 * (MARGIN - 1.0) * (farthest[1] - farthest[0]);
+        let ends = [0, 1].map(|end| {
+            let beyond = if farthest[end] == grid.along[end] { 0.0 } else { margin };
+            farthest[end] + [-beyond, beyond][end]
+        });
+        (farthest != grid.along).then_some(ends)
     }
 
     /// Returns the bodies and cells of a patch; `None` if a body has no surfaces.
@@ -341,18 +364,12 @@ impl Solid<'_> {
 
     /// Returns the options of the grid of a patch of this width and length, or of those that follow
     /// from the force.
-    fn grid_options(
-        &self,
-        candidate: &Candidate<Site>,
-        force: f64,
-        [width, length]: [Option<f64>; 2],
-    ) -> GridOptions {
+    fn grid_options(&self, candidate: &Candidate<Site>, force: f64, size: GridSize) -> GridOptions {
         let grid = &self.pair(candidate).grid;
         GridOptions {
             half_count: grid.solid_half_cells(),
             half_slices: grid.half_slices,
-            width,
-            length,
+            size,
             force,
             contact_modulus: self.contact_modulus(candidate),
             search_edges: grid.edges,
