@@ -146,7 +146,7 @@ fn a_run_that_fails_before_its_first_position_changes_nothing() {
 fn a_second_run_into_a_directory_says_who_writes_there() {
     let folder = folder();
     let mut first =
-        calyx(folder.path(), &["run", "pair.cx", "--set", "steps=100", "--quiet"]).spawn().unwrap();
+        calyx(folder.path(), &["run", "pair.cx", "--set", "steps=1000", "--quiet"]).spawn().unwrap();
     let marker = folder.path().join("pair.cx.run/.calyx-run");
     let patience = Instant::now() + Duration::from_secs(60);
     while !fs::read_to_string(&marker).is_ok_and(|text| text.contains("steps.csv")) {

@@ -8,7 +8,9 @@ use calyx_gears::fillet::Side;
 use calyx_gears::flank::Flank;
 use calyx_gears::gear_surface::GearSurface;
 use calyx_gears::modification::{LeadModification, Modification, ReliefShape};
-use calyx_runtime::contact::solid::{GridOptions, PlacedSurface, Pose, build_grid, find_contact_line};
+use calyx_runtime::contact::solid::{
+    GridOptions, GridSize, PlacedSurface, Pose, build_grid, find_contact_line,
+};
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::motion::spatial_pose;
 use calyx_runtime::scene::GearMesh;
@@ -76,8 +78,7 @@ fn options() -> GridOptions {
     GridOptions {
         half_count: 8,
         half_slices: 10,
-        width: None,
-        length: None,
+        size: GridSize::default(),
         force: 30e3,
         contact_modulus: 1.1e11,
         search_edges: true,

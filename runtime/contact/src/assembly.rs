@@ -155,7 +155,8 @@ pub(crate) fn symmetric_of_blocks(
 }
 
 /// Inserts a block and its transpose into a row-major matrix of size `n`. `first` is the row and
-/// the column of the block's first entry. Tiles of the block are checkpoints.
+/// the column of the block's first entry; a block on the diagonal is symmetric. Tiles of the block
+/// are checkpoints.
 fn insert(
     matrix: &mut [f64],
     n: usize,
@@ -164,14 +165,18 @@ fn insert(
     first: [usize; 2],
     interrupt: &Interrupt,
 ) -> Result<(), EngineError> {
+    for (i, row) in block.chunks_exact(columns.max(1)).enumerate() {
+        matrix[(first[0] + i) * n + first[1]..][..columns].copy_from_slice(row);
+    }
+    if first[0] == first[1] {
+        return interrupt.check();
+    }
     for tile_rows in tiles(rows) {
         interrupt.check()?;
         for tile_columns in tiles(columns) {
             for i in tile_rows.clone() {
                 for j in tile_columns.clone() {
-                    let value = block[i * columns + j];
-                    matrix[(first[0] + i) * n + first[1] + j] = value;
-                    matrix[(first[1] + j) * n + first[0] + i] = value;
+                    matrix[(first[1] + j) * n + first[0] + i] = block[i * columns + j];
                 }
             }
         }

@@ -185,7 +185,7 @@ fn the_pressure_is_hertz_s() {
                     let ellipse = Ellipse::new(radii, 0.5 * modulus(), patch.force());
                     let peak = patch.peak().expect("it is loaded").pressure;
                     let error = peak / ellipse.peak - 1.0;
-                    assert!(error.abs() < 3e-3, "{helix:?} {torque} {part}: {error:e}, {ellipse:?}");
+                    assert!(error.abs() < 4e-3, "{helix:?} {torque} {part}: {error:e}, {ellipse:?}");
                 }
             }
         }

@@ -4,6 +4,7 @@
 //! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit
 //! for bit without averaging.
 
+use super::close_strips::CloseStrips;
 use super::grid::Cell;
 use super::half_space::HalfSpace;
 use super::image::{Images, PlacedMirror};
@@ -147,7 +148,9 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
     let [across, along] = [0, 1].map(|axis| Intervals::of(cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
     let mut known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
-    let given = |i: usize, j: usize| known.get(i, j, || half_space.influence(&cells[i], &cells[j]));
+    let given = |i: usize, j: usize, close: Option<&CloseStrips>| {
+        known.get(i, j, || half_space.influence(&cells[i], &cells[j], close))
+    };
     add_influence(cells, &half_space, given, block, interrupt)?;
     for mirror in all {
         let images = Images::new(mirror, patch.frame);
@@ -158,7 +161,7 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
         let alike = images.is_upright() || images.is_level;
         let mut known = alike.then(|| RelationCache::new([across.pairs(apart), relations()], n));
         let find = |i: usize, j: usize| images.influence(&cells[i], &cells[j]);
-        let pair = |i: usize, j: usize| match &mut known {
+        let pair = |i: usize, j: usize, _: Option<&CloseStrips>| match &mut known {
             Some(known) => known.get(i, j, || find(i, j)),
             None => find(i, j),
         };

@@ -15,6 +15,7 @@
 //! half-plane, and the Gauss rule for the distribution of `x - x'` integrates the remainder to
 //! rounding. For distant rectangles this rule suffices in both directions.
 
+use super::close_strips::CloseStrips;
 use super::grid::Cell;
 use super::strips::{Strip, StripInfluence, StripPoints};
 use calyx_structure::half_plane::mean_log_apart;
@@ -33,8 +34,12 @@ pub struct HalfSpace {
 }
 
 impl HalfSpace {
-    /// Returns the displacement of a cell by a force of 1 N on another, m/N.
-    pub fn influence(&self, first: &Cell, second: &Cell) -> f64 {
+    /// Returns the displacement of a cell by a force of 1 N on another, m/N. `close` are their
+    /// strips, if known.
+    pub fn influence(&self, first: &Cell, second: &Cell, close: Option<&CloseStrips>) -> f64 {
+        if let Some(mean) = close.and_then(|close| close.mean_inverse_distance(first, second)) {
+            return self.softness * mean;
+        }
         let offset = [0, 1].map(|k| first.center[k] - second.center[k]);
         let halves = [first, second].map(|cell| cell.size.map(|size| 0.5 * size));
         self.softness * mean_inverse_distance(offset, halves[0], halves[1])
@@ -42,6 +47,10 @@ impl HalfSpace {
 }
 
 impl StripInfluence for HalfSpace {
+    fn close(&self, observe: &Strip, load: &Strip) -> Option<CloseStrips> {
+        CloseStrips::new(observe, load)
+    }
+
     fn distance(&self, observe: &Strip, load: &Strip) -> f64 {
         let gap =
             |k: usize| ((observe.center[k] - load.center[k]).abs() - observe.half[k] - load.half[k]).max(0.0);
@@ -118,18 +127,18 @@ fn angle_between(u: f64, v: [f64; 2], r: [f64; 2], z: f64) -> f64 {
 /// Two intervals of one direction, described by the distribution of the differences of their
 /// points; invariant under exchange.
 #[derive(Clone, Copy)]
-struct Sides {
+pub(super) struct Sides {
     /// Distance of the centres, positive.
-    distance: f64,
+    pub distance: f64,
     /// Half-sizes, ascending; their sum, difference and product.
-    halves: [f64; 2],
-    sum: f64,
+    pub halves: [f64; 2],
+    pub sum: f64,
     difference: f64,
-    product: f64,
+    pub product: f64,
 }
 
 impl Sides {
-    fn new(offset: f64, first: f64, second: f64) -> Self {
+    pub fn new(offset: f64, first: f64, second: f64) -> Self {
         let (sum, difference) = (first + second, (first - second).abs());
         let halves = [first.min(second), first.max(second)];
         Self { distance: offset.abs(), halves, sum, difference, product: first * second }
@@ -137,7 +146,7 @@ impl Sides {
 
     /// Returns a Gauss rule for x - x' that is exact to rounding for functions with a singularity
     /// at this distance.
-    fn rule(&self, reach: f64) -> Rule {
+    pub fn rule(&self, reach: f64) -> Rule {
         let parts = self.halves.map(|half| half / self.sum);
         let moments = Moments::new(parts);
         let rule = if reach > SHORT_RULE_FROM * self.sum { moments.short_rule() } else { moments.rule() };
@@ -145,7 +154,7 @@ impl Sides {
     }
 
     /// Averages a function over x - x' by a rule.
-    fn average(&self, rule: &Rule, f: impl Fn(f64) -> f64) -> f64 {
+    pub fn average(&self, rule: &Rule, f: impl Fn(f64) -> f64) -> f64 {
         let pair = |(node, weight): &(f64, f64)| weight * (f(self.distance + node) + f(self.distance - node));
         rule.pairs[..rule.count].iter().map(pair).sum::<f64>() + rule.center * f(self.distance)
     }
@@ -160,14 +169,20 @@ impl Sides {
         }
     }
 
-    /// Returns the average of f'' over both intervals, for an even function f.
-    fn second_difference(&self, f: impl Fn(f64) -> f64) -> f64 {
-        let ends = [
+    /// Returns the distances of the ends of both intervals, whose signs in a second difference
+    /// alternate, beginning with a plus.
+    pub fn ends(&self) -> [f64; 4] {
+        [
             self.distance + self.sum,
             self.distance + self.difference,
             (self.distance - self.sum).abs(),
             (self.distance - self.difference).abs(),
-        ];
+        ]
+    }
+
+    /// Returns the average of f'' over both intervals, for an even function f.
+    pub fn second_difference(&self, f: impl Fn(f64) -> f64) -> f64 {
+        let ends = self.ends();
         let inner = f(ends[1]);
         let other = if self.difference == 0.0 { inner } else { f(ends[3]) };
         ((f(ends[0]) - inner) + (f(ends[2]) - other)) / (4.0 * self.product)
@@ -176,7 +191,7 @@ impl Sides {
 
 /// Quadrature rule for a symmetric distribution.
 #[derive(Clone, Copy)]
-struct Rule {
+pub(super) struct Rule {
     /// Weight of the centre.
     center: f64,
     /// Distances from the centre with their weights on either side; the first `count` are used.

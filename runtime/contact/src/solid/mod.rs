@@ -9,6 +9,7 @@
 
 mod active_set_guess;
 mod assembly;
+mod close_strips;
 mod contact_line;
 mod deflected_normals;
 mod grid;

@@ -9,6 +9,7 @@
 //! cells in them, so that rounding does not change the method from one pitch to the next. Close
 //! strips, and cells that a side face cuts, are evaluated by pairs of cells.
 
+use super::close_strips::CloseStrips;
 use super::grid::Cell;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -27,6 +28,11 @@ pub(super) trait StripInfluence {
     /// Returns a lower bound of the distance between the points of a strip and the sources of
     /// another, m.
     fn distance(&self, observe: &Strip, load: &Strip) -> f64;
+
+    /// Returns what the pairs of cells of two close strips have in common, if it saves time.
+    fn close(&self, _observe: &Strip, _load: &Strip) -> Option<CloseStrips> {
+        None
+    }
 
     /// Returns the displacements of lines by forces of 1 N on lines, m/N, row-major.
     fn between_lines(&self, observe: &StripPoints, load: &StripPoints) -> Vec<f64>;
@@ -76,14 +82,15 @@ fn inverse_distances(from: Vector, [x, y, z]: &[Vec<f64>; 3], inverse: &mut [f64
 }
 
 /// Adds an influence to a symmetric block, row-major. `pair` returns the influence between two
-/// cells by index, of which the second is at most the first. Each pair of strips is a checkpoint.
+/// cells of close strips by index, of which the second is at most the first. Each pair of strips is
+/// a checkpoint.
 ///
 /// # Errors
 /// Those of the interrupt.
 pub(super) fn add_influence(
     cells: &[Cell],
     influence: &impl StripInfluence,
-    mut pair: impl FnMut(usize, usize) -> f64,
+    mut pair: impl FnMut(usize, usize, Option<&CloseStrips>) -> f64,
     block: &mut [f64],
     interrupt: &Interrupt,
 ) -> Result<(), EngineError> {
@@ -101,9 +108,10 @@ pub(super) fn add_influence(
         for (q, second) in strips[..=p].iter().enumerate() {
             interrupt.check()?;
             let Some([along_first, along_second]) = Orders::between(first, second, influence) else {
+                let close = influence.close(first, second);
                 for i in first.cells.clone() {
                     for j in second.cells.clone().take_while(|&j| j <= i) {
-                        add(i, j, pair(i, j));
+                        add(i, j, pair(i, j, close.as_ref()));
                     }
                 }
                 continue;
@@ -151,7 +159,7 @@ struct Orders {
 }
 
 impl Strip {
-    fn of(cells: &[Cell]) -> Vec<Strip> {
+    pub fn of(cells: &[Cell]) -> Vec<Strip> {
         let mut strips = Vec::new();
         let mut first = 0;
         let along = |cell: &Cell| [cell.center[1], cell.size[1]];
@@ -272,7 +280,7 @@ mod tests {
 
     fn matrix(images: &Images, cells: &[Cell]) -> Vec<f64> {
         let mut block = vec![0.0; cells.len() * cells.len()];
-        let pair = |i: usize, j: usize| images.influence(&cells[i], &cells[j]);
+        let pair = |i: usize, j: usize, _: Option<&CloseStrips>| images.influence(&cells[i], &cells[j]);
         add_influence(cells, images, pair, &mut block, &Interrupt::never()).unwrap();
         block
     }
@@ -333,12 +341,14 @@ mod tests {
         let half_space = HalfSpace { softness: 0.7 };
         let cells = slices(1.99);
         let mut block = vec![0.0; cells.len() * cells.len()];
-        let pair = |i: usize, j: usize| half_space.influence(&cells[i], &cells[j]);
+        let pair = |i: usize, j: usize, close: Option<&CloseStrips>| {
+            half_space.influence(&cells[i], &cells[j], close)
+        };
         add_influence(&cells, &half_space, pair, &mut block, &Interrupt::never()).unwrap();
         compare(&half_space, &cells, &block, 0.3);
         for (entry, found) in block.iter().enumerate() {
             let (i, j) = (entry / cells.len(), entry % cells.len());
-            let exact = half_space.influence(&cells[i], &cells[j]);
+            let exact = half_space.influence(&cells[i], &cells[j], None);
             assert!((found / exact - 1.0).abs() < 20.0 * TOLERANCE, "{i} {j}: {found:e} {exact:e}");
             assert_eq!(found.to_bits(), block[j * cells.len() + i].to_bits());
         }
