@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 fn model_text() -> String {
     let analysis =
         "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, steps), fidelity = \"analytic\");\n";
-    pair("param steps = 3 in 1 .. 100;\n", analysis)
+    pair("param steps = 3 in 1 .. 300;\n", analysis)
 }
 
 fn calyx(folder: &Path, arguments: &[&str]) -> Command {
@@ -146,7 +146,7 @@ fn a_run_that_fails_before_its_first_position_changes_nothing() {
 fn a_second_run_into_a_directory_says_who_writes_there() {
     let folder = folder();
     let mut first =
-        calyx(folder.path(), &["run", "pair.cx", "--set", "steps=1000", "--quiet"]).spawn().unwrap();
+        calyx(folder.path(), &["run", "pair.cx", "--set", "steps=300", "--quiet"]).spawn().unwrap();
     let marker = folder.path().join("pair.cx.run/.calyx-run");
     let patience = Instant::now() + Duration::from_secs(60);
     while !fs::read_to_string(&marker).is_ok_and(|text| text.contains("steps.csv")) {
@@ -168,7 +168,7 @@ fn a_second_run_into_a_directory_says_who_writes_there() {
     first.kill().unwrap();
     first.wait().unwrap();
     let (status, err) =
-        said(calyx(folder.path(), &["run", "pair.cx", "--set", "steps=100", "--resume", "--quiet"]));
+        said(calyx(folder.path(), &["run", "pair.cx", "--set", "steps=300", "--resume", "--quiet"]));
     assert_eq!(status, Some(0), "{err}");
 }
 

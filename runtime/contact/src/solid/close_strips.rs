@@ -16,10 +16,11 @@ use super::grid::Cell;
 use super::half_space::Sides;
 use super::strips::Strip;
 use calyx_structure::half_plane::mean_log_apart;
+use std::array::from_fn;
 use std::f64::consts::PI;
 
 /// Error of the interpolation relative to the largest value.
-const TOLERANCE: f64 = 1e-12;
+const TOLERANCE: f64 = 1e-11;
 /// Largest number of polynomials.
 const MOST_TERMS: usize = 48;
 /// Distance along the patch, relative to its extent, below which intervals touch.
@@ -82,7 +83,9 @@ impl CloseStrips {
         if self.nearest < RULE_FROM * across.sum {
             return None;
         }
-        let smooth = across.average(&across.rule(self.nearest), |x| self.smooth_at(x));
+        let points = across.rule(self.nearest).points(across.distance);
+        let values = self.smooth_at(points.map(|(x, _)| x));
+        let smooth: f64 = points.iter().zip(values).map(|((_, weight), value)| weight * value).sum();
         let log = mean_log_apart(across.distance, across.halves[0], across.halves[1]);
         let apart = match self.absolute {
             0.0 => 0.0,
@@ -92,14 +95,16 @@ impl CloseStrips {
         Some(smooth + self.logarithm * log + self.absolute * apart)
     }
 
-    /// Returns the smooth part by Clenshaw's recurrence.
-    fn smooth_at(&self, x: f64) -> f64 {
-        let at = x * x * self.scale - 1.0;
-        let (mut next, mut after) = (0.0, 0.0);
+    /// Returns the smooth part at several points by Clenshaw's recurrence.
+    fn smooth_at(&self, x: [f64; 5]) -> [f64; 5] {
+        let at = x.map(|x| x * x * self.scale - 1.0);
+        let (mut next, mut after) = ([0.0; 5], [0.0; 5]);
         for coefficient in self.smooth[1..].iter().rev() {
-            (next, after) = (coefficient + 2.0 * at * next - after, next);
+            for k in 0..x.len() {
+                (next[k], after[k]) = (coefficient + 2.0 * at[k] * next[k] - after[k], next[k]);
+            }
         }
-        self.smooth[0] + at * next - after
+        from_fn(|k| self.smooth[0] + at[k] * next[k] - after[k])
     }
 }
 

@@ -199,6 +199,20 @@ pub(super) struct Rule {
     count: usize,
 }
 
+impl Rule {
+    /// Returns points about `x` with their weights, of which some may be zero.
+    pub fn points(&self, x: f64) -> [(f64, f64); 5] {
+        let [(inner, inner_weight), (outer, outer_weight)] = self.pairs;
+        [
+            (x, self.center),
+            (x + inner, inner_weight),
+            (x - inner, inner_weight),
+            (x + outer, outer_weight),
+            (x - outer, outer_weight),
+        ]
+    }
+}
+
 /// Even moments of the sum of variables uniform over ±a and ±b, a + b = 1, from the symmetric
 /// functions of a² and b².
 struct Moments {
