@@ -86,6 +86,18 @@ fn options() -> GridOptions {
     }
 }
 
+/// Slices that no surface ends reach as far as the width of their grid says, also beyond edges.
+fn slices_have_the_width_of_their_grid(grid: &Grid) {
+    for slice in &grid.slices {
+        let cells = &grid.cells[slice.cells.clone()];
+        let ends = [cells[0].ends(0)[0], cells[cells.len() - 1].ends(0)[1]];
+        for (end, _) in ends.iter().zip(slice.surface_ends).filter(|(_, ended)| !ended) {
+            let width = slice.width_to_reach(*end);
+            assert!((width / grid.width - 1.0).abs() < 1e-9, "{width} of {}: {slice:?}", grid.width);
+        }
+    }
+}
+
 #[test]
 fn spur_flanks_touch_along_their_face_from_entering_to_leaving() {
     let meeting = meeting(0.0, 0.0, 0.0);
@@ -110,6 +122,7 @@ fn spur_flanks_touch_along_their_face_from_entering_to_leaving() {
         assert!(spread < 1e-12, "{cycle}: {spread:e}");
         let grid = build_grid(first, second, &contact_line, &options(), &Interrupt::never()).unwrap();
         assert_eq!(grid.slices.len(), 21, "{cycle}");
+        slices_have_the_width_of_their_grid(&grid);
         let area: f64 = grid.cells.iter().map(|cell| cell.area()).sum();
         assert!(area > 0.0 && grid.cells.iter().all(|cell| cell.gap > contact_line.gap - 1e-12), "{cycle}");
     }
@@ -140,6 +153,7 @@ fn helical_flanks_enter_at_one_face_and_leave_at_the_other() {
                 touched.push(contact_line.frame.point[2]);
                 let grid = build_grid(first, second, &contact_line, &options(), &Interrupt::never()).unwrap();
                 assert!(!grid.cells.is_empty(), "{twist} {cycle}");
+                slices_have_the_width_of_their_grid(&grid);
                 let least = grid.cells.iter().map(|cell| cell.gap).fold(f64::INFINITY, f64::min);
                 assert!(
                     least > contact_line.gap - 1e-10,

@@ -9,8 +9,9 @@
 //! ```
 //!
 //! The term in parentheses is a smooth function of x², which Chebyshev polynomials interpolate, and
-//! a Gauss rule averages it over two cells. The averages of `ln |x|` and of `|x|` have closed forms.
-//! A pair of cells so takes a quarter of the time of [`super::half_space::mean_inverse_distance`].
+//! a Gauss rule averages it over two cells. The averages of `ln |x|` and of `|x|` are in closed
+//! form. This takes less time than [`super::half_space::mean_inverse_distance`], where most of the
+//! logarithms belong to the term in parentheses.
 
 use super::grid::Cell;
 use super::half_space::Sides;

@@ -109,7 +109,7 @@ pub struct Grid {
 
 impl Slice {
     /// Returns the width of a grid whose slice reaches `x`, m.
-    pub(super) fn width_to_reach(&self, x: f64) -> f64 {
+    pub fn width_to_reach(&self, x: f64) -> f64 {
         width_to_reach(&self.graded, x - self.middle)
     }
 }

@@ -9,8 +9,8 @@ use crate::pressure::hertz_half_width;
 pub struct GridSize {
     /// Width across, measured on the flank, m; `None` derives it from the force.
     pub width: Option<f64>,
-    /// Ends along the contact line from the closest approach, m. The grid ends with the contact line
-    /// if that is shorter. `None` derives them from the force.
+    /// Ends along the contact line from the closest approach, m. The grid ends with the contact
+    /// line if that is shorter. `None` derives them from the force.
     pub along: Option<[f64; 2]>,
 }
 

@@ -1,6 +1,6 @@
 //! Sizes of the contact grids at one position, which are corrected until they suit the forces.
 //!
-//! Where the first size rarely suits, it is corrected on grids with half as many cells along every
+//! A first size that rarely suits is corrected on grids with half as many cells along every
 //! direction, whose compliance has a sixteenth of the entries.
 
 use super::contact_geometry::Resolution;
