@@ -9,7 +9,7 @@ use calyx_gears::flank::Flank;
 use calyx_gears::gear_surface::GearSurface;
 use calyx_gears::modification::{LeadModification, Modification, ReliefShape};
 use calyx_runtime::contact::solid::{
-    GridOptions, GridSize, PlacedSurface, Pose, build_grid, find_contact_line,
+    Grid, GridOptions, GridSize, PlacedSurface, Pose, build_grid, find_contact_line,
 };
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::motion::spatial_pose;

@@ -155,8 +155,8 @@ pub(crate) fn symmetric_of_blocks(
 }
 
 /// Inserts a block and its transpose into a row-major matrix of size `n`. `first` is the row and
-/// the column of the block's first entry; a block on the diagonal is symmetric. Tiles of the block
-/// are checkpoints.
+/// the column of the block's first entry; a block on the diagonal is symmetric. Tiles of the
+/// transpose are checkpoints.
 fn insert(
     matrix: &mut [f64],
     n: usize,

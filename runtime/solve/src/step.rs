@@ -22,6 +22,7 @@ mod patch;
 mod plane;
 mod relinearization;
 mod solid;
+mod surface_boxes;
 
 pub use contact_state::{ContactState, GridState, PatchCells};
 pub use participation::Participating;

@@ -26,8 +26,10 @@ const TOLERANCE: f64 = 1e-11;
 const MOST_TERMS: usize = 48;
 /// Distance along the patch, relative to its extent, below which intervals touch.
 const TOUCHING: f64 = 1e-9;
+/// Largest distance of the centres of two strips along the patch, in sums of their half-lengths.
+const FARTHEST: f64 = 4.0;
 /// Smallest distance from the singularities of the smooth part, in sums of the halves of two cells
-/// across the patch, at which the Gauss rule of five points is exact to rounding.
+/// across the patch, at which the Gauss rule of five points is exact to about 1e-12.
 const RULE_FROM: f64 = 7.0;
 
 /// Two close strips.
@@ -46,10 +48,14 @@ pub(super) struct CloseStrips {
 }
 
 impl CloseStrips {
-    /// `None` if the smooth part varies too fast.
+    /// Creates the function of two strips; `None` if its smooth part varies too fast, or if the
+    /// strips are so distant that the second difference loses digits.
     pub fn new(first: &Strip, second: &Strip) -> Option<Self> {
         let along = Sides::new(first.center[1] - second.center[1], first.half[1], second.half[1]);
         let across = (first.center[0] - second.center[0]).abs() + first.half[0] + second.half[0];
+        if along.distance > FARTHEST * along.sum {
+            return None;
+        }
         let unit = along.distance + along.sum;
         let ends = along.ends().map(|end| if end < TOUCHING * unit { 0.0 } else { end });
         let signs = [1.0, -1.0, 1.0, -1.0];
@@ -168,6 +174,8 @@ mod tests {
             Strip::of(&[cell([-5.0, 0.0], [1.0, length]), cell([5.0, 0.0], [1.0, length])]).remove(0)
         };
         assert!(CloseStrips::new(&narrow(0.1), &narrow(0.1)).is_none());
+        let distant = Strip::of(&[cell([0.0, 45.0], [1.0, 10.0])]).remove(0);
+        assert!(CloseStrips::new(&narrow(10.0), &distant).is_none());
         let close = CloseStrips::new(&narrow(10.0), &narrow(10.0)).expect("the strips are long");
         assert!(
             close.mean_inverse_distance(&cell([0.0; 2], [2.0, 10.0]), &cell([0.0; 2], [2.0, 10.0])).is_none()

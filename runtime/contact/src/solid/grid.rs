@@ -268,7 +268,7 @@ struct Layer<'a> {
     /// Sizes of a whole cell.
     pitch: [f64; 2],
     half_count: usize,
-    /// y of the middle slice's centre.
+    /// y of the middle slice's centre, m.
     middle: f64,
     /// Number of slices on either side of the middle one.
     reach: i32,
@@ -293,12 +293,13 @@ struct Laid {
 
 impl Layer<'_> {
     fn fill(&self, grid: &mut Grid, start: Places, interrupt: &Interrupt) -> Result<(), EngineError> {
-        // Proceed upwards and downwards from the middle, each slice starting at the end of the
-        // previous one; then sort.
+        // Proceed upwards and downwards from the slice next to the closest approach, each slice
+        // starting at the end of the previous one; then sort.
+        let nearest = ((-self.middle / self.pitch[1]).round() as i32).clamp(-self.reach, self.reach);
         let mut found: Vec<(i32, Laid)> = Vec::new();
         for direction in [1, -1] {
             let mut guess = start;
-            let mut index: i32 = if direction > 0 { 0 } else { -1 };
+            let mut index: i32 = if direction > 0 { nearest } else { nearest - 1 };
             loop {
                 let beyond = index.abs() > self.reach;
                 let oblique = beyond && self.surface_ends[usize::from(direction > 0)];

@@ -41,8 +41,8 @@ pub struct GridOptions {
 /// circular contact gets [`MARGIN`] times its length.
 const DEPTH: f64 = 1.65;
 /// Factor on the approach of point contacts of teeth: where a tooth bends, the load spreads further
-/// along the contact line than between half-spaces. A grid that is too long is fitted to the load
-/// by one correction, one that truncates the load by several.
+/// along the contact line than between half-spaces, and the line load is lower. A grid that is too
+/// long is fitted to the load by one correction, one that truncates the load by several.
 const SPREAD: f64 = 3.0;
 
 /// Region of the tangent plane that a grid covers.

@@ -44,4 +44,6 @@ mod helical_tests;
 #[cfg(test)]
 mod hertz_tests;
 #[cfg(test)]
+mod size_tests;
+#[cfg(test)]
 mod test_surfaces;

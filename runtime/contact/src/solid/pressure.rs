@@ -254,9 +254,12 @@ pub fn fitting_size(grid: &Grid, pressures: &[f64]) -> GridSize {
     for (index, slice) in grid.slices.iter().enumerate() {
         let (cells, own) = strip(grid, pressures, index);
         for (ends, pressure) in cells.iter().zip(&own).filter(|(_, p)| **p > 0.0) {
-            let reach = ends.map(|x| slice.width_to_reach(x)).into_iter().fold(0.0, f64::max);
-            let least = 2.0 * LEAST_MARGIN * (ends[1] - ends[0]);
-            needed = needed.max((MARGIN * reach).max(reach + least));
+            let least = LEAST_MARGIN * (ends[1] - ends[0]);
+            for x in ends {
+                let outwards = x + least * (x - slice.middle).signum();
+                let reach = MARGIN * slice.width_to_reach(*x);
+                needed = needed.max(reach).max(slice.width_to_reach(outwards));
+            }
             peaks[index] = peaks[index].max(*pressure);
         }
     }
@@ -269,14 +272,19 @@ pub fn fitting_size(grid: &Grid, pressures: &[f64]) -> GridSize {
 }
 
 /// Returns the ends of the part of a grid along the contact line that contains its load with a
-/// margin, m; `None` without load. `peaks` are positive in loaded slices.
+/// margin, m; `None` without load, and if a slice beyond the end of the contact line at an oblique
+/// side face carries load: a shorter grid would have shorter slices there. `peaks` are positive in
+/// loaded slices.
 fn ends_about_load(grid: &Grid, peaks: &[f64]) -> Option<[f64; 2]> {
     let loaded = |slice: &usize| peaks[*slice] > 0.0;
-    let slice = |index: usize| grid.slices[index].y;
-    let [[from, end], [start, to]] =
-        [slice((0..peaks.len()).find(loaded)?), slice((0..peaks.len()).rfind(loaded)?)];
+    let (first, last) = ((0..peaks.len()).find(loaded)?, (0..peaks.len()).rfind(loaded)?);
+    let [[from, end], [start, to]] = [grid.slices[first].y, grid.slices[last].y];
+    let [low, high] = grid.along;
+    if middle(&grid.slices[first]) < low || middle(&grid.slices[last]) > high {
+        return None;
+    }
     let more = (0.5 * (MARGIN - 1.0) * (to - from)).max(LEAST_MARGIN * (end - from).max(to - start));
-    Some([(from - more).max(grid.along[0]), (to + more).min(grid.along[1])])
+    Some([(from - more).max(low), (to + more).min(high)])
 }
 
 /// Returns the width of a grid that does not truncate the load of a slice; `None` if the present
@@ -295,7 +303,7 @@ fn width_without_truncation(slice: &Slice, cells: &[[f64; 2]], pressures: &[f64]
         MARGIN * slice.width_to_reach(left).max(slice.width_to_reach(right))
     };
     let wider = zeros_of_squared_pressure(cells, pressures).map(reach).filter(|wider| *wider > 1.1 * width);
-    Some(wider.unwrap_or(1.5 * width))
+    Some(wider.unwrap_or(2.0 * width))
 }
 
 /// Assessment of the ends of a grid along the contact line, with better ones, m.
@@ -308,10 +316,13 @@ enum EndsAlong {
 
 /// Assesses the ends of a grid from the largest pressures (Pa) of its slices.
 fn ends_along(grid: &Grid, peaks: &[f64]) -> EndsAlong {
-    let is_loaded = |slice: Option<usize>| slice.is_some_and(|slice| peaks[slice] > 0.0);
-    let (pieces, last) = (lengths(grid), peaks.len().checked_sub(1));
-    let [low, high] = grid.along;
-    let truncated = [is_loaded(Some(0)) && !grid.surface_ends[0], is_loaded(last) && !grid.surface_ends[1]];
+    let (pieces, [low, high]) = (lengths(grid), grid.along);
+    let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return EndsAlong::Suitable };
+    // Where slices are missing, the surfaces do not face each other.
+    let pitch = last[1] - last[0];
+    let continues = [first[0] < low + 0.5 * pitch, last[1] > high - 0.5 * pitch];
+    let outermost = [peaks[0], peaks[peaks.len() - 1]];
+    let truncated = [0, 1].map(|end| outermost[end] > 0.0 && continues[end] && !grid.surface_ends[end]);
     if truncated != [false; 2] {
         // Zeros of the extrapolated p² if they lie outside; otherwise the patch is truncated too
         // much for an estimate.
@@ -321,10 +332,13 @@ fn ends_along(grid: &Grid, peaks: &[f64]) -> EndsAlong {
             [from - more, to + more]
         };
         let zeros = zeros_of_squared_pressure(&pieces, peaks).map(with_margin);
-        let outside = |zero: f64| Some(zero).filter(|zero| *zero > 0.05 * length).unwrap_or(0.5 * length);
         let beyond = |end: usize| {
             let zero = zeros.map_or(0.0, |zeros| [low - zeros[0], zeros[1] - high][end]);
-            if truncated[end] { outside(zero) } else { 0.0 }
+            match truncated[end] {
+                true if zero > 0.05 * length => zero,
+                true => length,
+                false => 0.0,
+            }
         };
         return EndsAlong::Truncated([low - beyond(0), high + beyond(1)]);
     }

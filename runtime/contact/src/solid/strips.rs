@@ -29,7 +29,7 @@ pub(super) trait StripInfluence {
     /// another, m.
     fn distance(&self, observe: &Strip, load: &Strip) -> f64;
 
-    /// Returns what the pairs of cells of two close strips have in common, if it saves time.
+    /// Returns the common part of the influence of all pairs of cells of two strips, if it saves time.
     fn close(&self, _observe: &Strip, _load: &Strip) -> Option<CloseStrips> {
         None
     }

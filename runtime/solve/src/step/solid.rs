@@ -4,6 +4,7 @@
 use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, Resolution, WidthReport};
 use super::friction::Action;
 use super::patch::solid_arm;
+use super::surface_boxes::Shape;
 use super::{ContactGrid, ContactPatch};
 use crate::raceways::dense;
 use crate::system::{SolidBodies, System};
@@ -28,10 +29,13 @@ use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Largest factor by which a correction enlarges a grid.
+/// Largest factor by which a correction enlarges the width of a grid. Along the contact line each
+/// end moves by at most the corresponding part of the length.
 const MOST_GROWTH: f64 = 2.0;
+/// The same for grids that may shrink again.
+const FITTED_GROWTH: f64 = 1.5;
 /// Smallest M and N for which a grid with half as many cells still resolves the extent of the load.
-const FEWEST_TO_HALVE: usize = 6;
+const FEWEST_TO_HALVE: [usize; 2] = [8, 6];
 
 pub(super) struct Solid<'a> {
     pub(super) system: &'a System<'a>,
@@ -108,8 +112,11 @@ impl ContactGeometry for Solid<'_> {
     /// Point contacts shrink with the share of the load that they carry.
     fn sizes_at_half_resolution(&self, candidate: &Candidate<Site>) -> bool {
         let pair = self.pair(candidate);
-        let fewest = pair.grid.half_slices.min(pair.grid.solid_half_cells());
-        has_local_normals(pair) && fewest >= FEWEST_TO_HALVE
+        let [fewest_across, fewest_along] = FEWEST_TO_HALVE;
+        let grid = &pair.grid;
+        has_local_normals(pair)
+            && grid.solid_half_cells() >= fewest_across
+            && grid.half_slices >= fewest_along
     }
 
     fn automatic_width(&self, candidate: &Candidate<Site>, force: f64) -> f64 {
@@ -244,14 +251,16 @@ impl ContactGeometry for Solid<'_> {
             width: report.recommended.width.filter(|_| !enough_across),
             along: report.recommended.along.filter(|_| !enough_along),
         };
-        if has_local_normals(self.pair(candidate)) && !wide && asked == GridSize::default() {
+        let fitted = has_local_normals(self.pair(candidate)) && !wide;
+        if fitted && asked == GridSize::default() {
             // Several teeth share the load, and a point contact shrinks with it in both directions.
             asked = fitting_size(grid, &pressures);
         }
         // An extrapolation from the pressure next to an edge is no estimate of the size.
+        let most = if fitted { FITTED_GROWTH } else { MOST_GROWTH };
         let [low, high] = grid.along;
-        let growth = (MOST_GROWTH - 1.0) * (high - low);
-        let width = asked.width.map(|width| width.min(MOST_GROWTH * grid.width));
+        let growth = (most - 1.0) * (high - low);
+        let width = asked.width.map(|width| width.min(most * grid.width));
         let along = asked.along.map(|[from, to]| [from.max(low - growth), to.min(high + growth)]);
         // A contact beyond a gap does not appear as pressure at the end of the grid.
         let along = match self.ends_with_separate_contact(candidate, grid, loaded) {
@@ -362,8 +371,8 @@ impl Solid<'_> {
         &self.system.scene.pairs[candidate.teeth.0]
     }
 
-    /// Returns the options of the grid of a patch of this width and length, or of those that follow
-    /// from the force.
+    /// Returns the options of the grid of a patch of this size, or of the one that follows from the
+    /// force.
     fn grid_options(&self, candidate: &Candidate<Site>, force: f64, size: GridSize) -> GridOptions {
         let grid = &self.pair(candidate).grid;
         GridOptions {
@@ -560,61 +569,4 @@ fn overlapping_length(contact_line: &ContactLine) -> f64 {
     let below = places().rev().filter(|[y, _]| *y < 0.0).map(|[y, gap]| [-y, gap]);
     let above = places().filter(|[y, _]| *y > 0.0);
     reach(&mut { below }) + reach(&mut { above })
-}
-
-/// Number of strips of a surface along its length, and of samples of each along and across.
-const STRIPS: usize = 4;
-const SAMPLES: [usize; 2] = [3, 5];
-/// Margin of boxes beyond their samples, relative to the profile's length, for bulges between
-/// samples and for gaps.
-const BOX_MARGIN: f64 = 0.25;
-
-/// Samples of a surface in its body's coordinates, in strips, for a quick search for near teeth.
-struct Shape {
-    strips: Vec<Vec<[f64; 3]>>,
-    /// Length of the profile at mid-face, m.
-    across: f64,
-}
-
-impl Shape {
-    fn of(surface: &dyn Surface) -> Shape {
-        let [[u0, u1], [v0, v1]] = surface.range();
-        let part = |ends: [f64; 2], k: usize, of: usize| ends[0] + (ends[1] - ends[0]) * k as f64 / of as f64;
-        let sample = |strip: usize, index: usize| {
-            let (along, across) = (index / SAMPLES[1], index % SAMPLES[1]);
-            let v = part([v0, v1], strip * (SAMPLES[0] - 1) + along, STRIPS * (SAMPLES[0] - 1));
-            surface.at(part([u0, u1], across, SAMPLES[1] - 1), v).position
-        };
-        let of_strip = |strip| (0..SAMPLES[0] * SAMPLES[1]).map(|index| sample(strip, index)).collect();
-        let strips: Vec<Vec<[f64; 3]>> = (0..STRIPS).map(of_strip).collect();
-        let middle = &strips[STRIPS / 2][..SAMPLES[1]];
-        let length =
-            |ends: &[[f64; 3]]| (0..3).map(|k| (ends[1][k] - ends[0][k]).powi(2)).sum::<f64>().sqrt();
-        let across = middle.windows(2).map(length).sum();
-        Shape { strips, across }
-    }
-
-    /// Returns boxes along the ground axes that enclose the surface at a pose.
-    fn boxes(&self, pose: &Pose) -> Vec<Box3> {
-        let around = |points: &Vec<[f64; 3]>| {
-            let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-            for point in points.iter().map(|&point| pose.point(point)) {
-                for (end, x) in ends.iter_mut().zip(point) {
-                    *end = [end[0].min(x), end[1].max(x)];
-                }
-            }
-            let margin = BOX_MARGIN * self.across;
-            Box3(ends.map(|[low, high]| [low - margin, high + margin]))
-        };
-        self.strips.iter().map(around).collect()
-    }
-}
-
-/// Range along each axis, m.
-struct Box3([[f64; 2]; 3]);
-
-impl Box3 {
-    fn meets(&self, other: &Box3) -> bool {
-        self.0.iter().zip(&other.0).all(|(one, other)| one[0] <= other[1] && other[0] <= one[1])
-    }
 }
