@@ -174,6 +174,8 @@ mod tests {
             Strip::of(&[cell([-5.0, 0.0], [1.0, length]), cell([5.0, 0.0], [1.0, length])]).remove(0)
         };
         assert!(CloseStrips::new(&narrow(0.1), &narrow(0.1)).is_none());
+        let apart = Strip::of(&[cell([0.0, 10.0 + 1e-7], [1.0, 10.0])]).remove(0);
+        assert!(CloseStrips::new(&narrow(10.0), &apart).is_none());
         let distant = Strip::of(&[cell([0.0, 45.0], [1.0, 10.0])]).remove(0);
         assert!(CloseStrips::new(&narrow(10.0), &distant).is_none());
         let close = CloseStrips::new(&narrow(10.0), &narrow(10.0)).expect("the strips are long");
