@@ -76,9 +76,10 @@ impl CloseStrips {
         let largest = across * across;
         let branch = 1.0 + 2.0 * (nearest * nearest) / largest;
         let rate = (branch + (branch * branch - 1.0).sqrt()).ln();
-        let terms = (-TOLERANCE.ln() / rate).ceil() as usize + 1;
-        let smooth =
-            (terms <= MOST_TERMS).then(|| chebyshev(terms, |x| smooth(0.5 * largest * (x + 1.0))))?;
+        // Infinite for ends that nearly touch.
+        let terms = (-TOLERANCE.ln() / rate).ceil() + 1.0;
+        let few = terms <= MOST_TERMS as f64;
+        let smooth = few.then(|| chebyshev(terms as usize, |x| smooth(0.5 * largest * (x + 1.0))))?;
         Some(Self { smooth, scale: 2.0 / largest, logarithm, absolute, nearest })
     }
 
@@ -174,7 +175,7 @@ mod tests {
             Strip::of(&[cell([-5.0, 0.0], [1.0, length]), cell([5.0, 0.0], [1.0, length])]).remove(0)
         };
         assert!(CloseStrips::new(&narrow(0.1), &narrow(0.1)).is_none());
-        let apart = Strip::of(&[cell([0.0, 10.0 + 1e-7], [1.0, 10.0])]).remove(0);
+        let apart = Strip::of(&[cell([0.0, 10.0 + 3e-8], [1.0, 10.0])]).remove(0);
         assert!(CloseStrips::new(&narrow(10.0), &apart).is_none());
         let distant = Strip::of(&[cell([0.0, 45.0], [1.0, 10.0])]).remove(0);
         assert!(CloseStrips::new(&narrow(10.0), &distant).is_none());
