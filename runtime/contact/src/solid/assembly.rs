@@ -161,7 +161,7 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
         let alike = images.is_upright() || images.is_level;
         let mut known = alike.then(|| RelationCache::new([across.pairs(apart), relations()], n));
         let find = |i: usize, j: usize| images.influence(&cells[i], &cells[j]);
-        let pair = |i: usize, j: usize, _: Option<&CloseStrips>| match &mut known {
+        let pair = |i: usize, j: usize, _: Option<&()>| match &mut known {
             Some(known) => known.get(i, j, || find(i, j)),
             None => find(i, j),
         };

@@ -14,7 +14,7 @@
 //! logarithms belong to the term in parentheses.
 
 use super::grid::Cell;
-use super::half_space::Sides;
+use super::interval_averages::Sides;
 use super::strips::Strip;
 use calyx_structure::half_plane::mean_log_apart;
 use std::array::from_fn;

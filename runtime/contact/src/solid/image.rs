@@ -114,6 +114,8 @@ impl<'a> Images<'a> {
 }
 
 impl StripInfluence for Images<'_> {
+    type Close = ();
+
     fn distance(&self, observe: &Strip, load: &Strip) -> f64 {
         let radius = |strip: &Strip| strip.half[0].hypot(strip.half[1]);
         let [place, other] = [observe, load].map(|strip| self.frame.at(strip.center));

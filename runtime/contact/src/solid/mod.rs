@@ -17,6 +17,7 @@ mod grid_region;
 mod half_space;
 mod height_field;
 mod image;
+mod interval_averages;
 mod interval_pairs;
 mod placement;
 mod pressure;

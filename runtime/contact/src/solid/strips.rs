@@ -9,7 +9,6 @@
 //! cells in them, so that rounding does not change the method from one pitch to the next. Close
 //! strips, and cells that a side face cuts, are evaluated by pairs of cells.
 
-use super::close_strips::CloseStrips;
 use super::grid::Cell;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -25,12 +24,15 @@ const MOST_POINTS: usize = 16;
 
 /// Influence between strips.
 pub(super) trait StripInfluence {
+    /// Common part of the influence of all pairs of cells of two strips.
+    type Close;
+
     /// Returns a lower bound of the distance between the points of a strip and the sources of
     /// another, m.
     fn distance(&self, observe: &Strip, load: &Strip) -> f64;
 
-    /// Returns the common part of the influence of all pairs of cells of two strips, if it saves time.
-    fn close(&self, _observe: &Strip, _load: &Strip) -> Option<CloseStrips> {
+    /// Returns the common part of two strips if it saves time.
+    fn close(&self, _observe: &Strip, _load: &Strip) -> Option<Self::Close> {
         None
     }
 
@@ -87,10 +89,10 @@ fn inverse_distances(from: Vector, [x, y, z]: &[Vec<f64>; 3], inverse: &mut [f64
 ///
 /// # Errors
 /// Those of the interrupt.
-pub(super) fn add_influence(
+pub(super) fn add_influence<I: StripInfluence>(
     cells: &[Cell],
-    influence: &impl StripInfluence,
-    mut pair: impl FnMut(usize, usize, Option<&CloseStrips>) -> f64,
+    influence: &I,
+    mut pair: impl FnMut(usize, usize, Option<&I::Close>) -> f64,
     block: &mut [f64],
     interrupt: &Interrupt,
 ) -> Result<(), EngineError> {
@@ -256,6 +258,7 @@ impl Orders {
 
 #[cfg(test)]
 mod tests {
+    use super::super::close_strips::CloseStrips;
     use super::super::half_space::HalfSpace;
     use super::super::image::Images;
     use super::super::image::tests::{FRAME, cell, face};
@@ -280,7 +283,7 @@ mod tests {
 
     fn matrix(images: &Images, cells: &[Cell]) -> Vec<f64> {
         let mut block = vec![0.0; cells.len() * cells.len()];
-        let pair = |i: usize, j: usize, _: Option<&CloseStrips>| images.influence(&cells[i], &cells[j]);
+        let pair = |i: usize, j: usize, _: Option<&()>| images.influence(&cells[i], &cells[j]);
         add_influence(cells, images, pair, &mut block, &Interrupt::never()).unwrap();
         block
     }
