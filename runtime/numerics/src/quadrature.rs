@@ -1,6 +1,5 @@
 //! Gauss-Legendre quadrature on -1 ..= 1.
 
-use std::array::from_fn;
 use std::sync::OnceLock;
 
 /// Number of rules that are kept.
@@ -9,9 +8,8 @@ const KEPT: usize = 32;
 /// Returns points and weights of the rule with `count` points, ascending, exact to degree
 /// `2 * count - 1`.
 pub fn gauss_legendre(count: usize) -> Vec<(f64, f64)> {
-    static RULES: OnceLock<[OnceLock<Vec<(f64, f64)>>; KEPT]> = OnceLock::new();
-    let rules = RULES.get_or_init(|| from_fn(|_| OnceLock::new()));
-    match rules.get(count) {
+    static RULES: [OnceLock<Vec<(f64, f64)>>; KEPT] = [const { OnceLock::new() }; KEPT];
+    match RULES.get(count) {
         Some(rule) => rule.get_or_init(|| computed(count)).clone(),
         None => computed(count),
     }
