@@ -318,7 +318,7 @@ enum EndsAlong {
 fn ends_along(grid: &Grid, peaks: &[f64]) -> EndsAlong {
     let (pieces, [low, high]) = (lengths(grid), grid.along);
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return EndsAlong::Suitable };
-    // Where slices are missing, the surfaces do not face each other.
+    // The surfaces do not face each other where slices are missing.
     let pitch = last[1] - last[0];
     let continues = [first[0] < low + 0.5 * pitch, last[1] > high - 0.5 * pitch];
     let outermost = [peaks[0], peaks[peaks.len() - 1]];
