@@ -4,13 +4,12 @@
 //! Every entry is the same expression with its two cells exchanged, so the matrix is symmetric bit
 //! for bit without averaging.
 
-use super::close_strips::CloseStrips;
 use super::grid::Cell;
 use super::half_space::HalfSpace;
 use super::image::{Images, PlacedMirror};
 use super::interval_pairs::{Intervals, RelationCache};
 use super::placement::{PatchFrame, Pose};
-use super::strips::add_influence;
+use super::strips::{Common, add_influence};
 use crate::assembly::{Entries, between, is_symmetric, symmetric_of_blocks};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -148,8 +147,8 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
     let [across, along] = [0, 1].map(|axis| Intervals::of(cells, axis));
     let apart = |one: f64, other: f64| (one - other).abs();
     let mut known = RelationCache::new([across.pairs(apart), along.pairs(apart)], n);
-    let given = |i: usize, j: usize, close: Option<&CloseStrips>| {
-        known.get(i, j, || half_space.influence(&cells[i], &cells[j], close))
+    let given = |i: usize, j: usize, close: &Common<HalfSpace>| {
+        known.get(i, j, || half_space.influence(&cells[i], &cells[j], close.get()))
     };
     add_influence(cells, &half_space, given, block, interrupt)?;
     for mirror in all {
@@ -161,7 +160,7 @@ fn add_half_spaces(patch: &PatchCells, block: &mut [f64], interrupt: &Interrupt)
         let alike = images.is_upright() || images.is_level;
         let mut known = alike.then(|| RelationCache::new([across.pairs(apart), relations()], n));
         let find = |i: usize, j: usize| images.influence(&cells[i], &cells[j]);
-        let pair = |i: usize, j: usize, _: Option<&()>| match &mut known {
+        let pair = |i: usize, j: usize, _: &Common<Images>| match &mut known {
             Some(known) => known.get(i, j, || find(i, j)),
             None => find(i, j),
         };

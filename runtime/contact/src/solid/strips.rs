@@ -14,6 +14,7 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::quadrature::gauss_legendre;
 use calyx_numerics::vec3::Vector;
+use std::cell::OnceCell;
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -83,6 +84,20 @@ fn inverse_distances(from: Vector, [x, y, z]: &[Vec<f64>; 3], inverse: &mut [f64
     }
 }
 
+/// Common part of two close strips, which is computed when a pair of cells first needs it.
+pub(super) struct Common<'a, I: StripInfluence> {
+    influence: &'a I,
+    strips: [&'a Strip; 2],
+    known: OnceCell<Option<I::Close>>,
+}
+
+impl<I: StripInfluence> Common<'_, I> {
+    pub fn get(&self) -> Option<&I::Close> {
+        let [observe, load] = self.strips;
+        self.known.get_or_init(|| self.influence.close(observe, load)).as_ref()
+    }
+}
+
 /// Adds an influence to a symmetric block, row-major. `pair` returns the influence between two
 /// cells of close strips by index, of which the second is at most the first. Each pair of strips is
 /// a checkpoint.
@@ -92,7 +107,7 @@ fn inverse_distances(from: Vector, [x, y, z]: &[Vec<f64>; 3], inverse: &mut [f64
 pub(super) fn add_influence<I: StripInfluence>(
     cells: &[Cell],
     influence: &I,
-    mut pair: impl FnMut(usize, usize, Option<&I::Close>) -> f64,
+    mut pair: impl FnMut(usize, usize, &Common<I>) -> f64,
     block: &mut [f64],
     interrupt: &Interrupt,
 ) -> Result<(), EngineError> {
@@ -110,10 +125,10 @@ pub(super) fn add_influence<I: StripInfluence>(
         for (q, second) in strips[..=p].iter().enumerate() {
             interrupt.check()?;
             let Some([along_first, along_second]) = Orders::between(first, second, influence) else {
-                let close = influence.close(first, second);
+                let close = Common { influence, strips: [first, second], known: OnceCell::new() };
                 for i in first.cells.clone() {
                     for j in second.cells.clone().take_while(|&j| j <= i) {
-                        add(i, j, pair(i, j, close.as_ref()));
+                        add(i, j, pair(i, j, &close));
                     }
                 }
                 continue;
@@ -258,7 +273,6 @@ impl Orders {
 
 #[cfg(test)]
 mod tests {
-    use super::super::close_strips::CloseStrips;
     use super::super::half_space::HalfSpace;
     use super::super::image::Images;
     use super::super::image::tests::{FRAME, cell, face};
@@ -283,7 +297,7 @@ mod tests {
 
     fn matrix(images: &Images, cells: &[Cell]) -> Vec<f64> {
         let mut block = vec![0.0; cells.len() * cells.len()];
-        let pair = |i: usize, j: usize, _: Option<&()>| images.influence(&cells[i], &cells[j]);
+        let pair = |i: usize, j: usize, _: &Common<Images>| images.influence(&cells[i], &cells[j]);
         add_influence(cells, images, pair, &mut block, &Interrupt::never()).unwrap();
         block
     }
@@ -344,8 +358,8 @@ mod tests {
         let half_space = HalfSpace { softness: 0.7 };
         let cells = slices(1.99);
         let mut block = vec![0.0; cells.len() * cells.len()];
-        let pair = |i: usize, j: usize, close: Option<&CloseStrips>| {
-            half_space.influence(&cells[i], &cells[j], close)
+        let pair = |i: usize, j: usize, close: &Common<HalfSpace>| {
+            half_space.influence(&cells[i], &cells[j], close.get())
         };
         add_influence(&cells, &half_space, pair, &mut block, &Interrupt::never()).unwrap();
         compare(&half_space, &cells, &block, 0.3);
