@@ -7,6 +7,7 @@ pub mod modules;
 pub mod plots;
 pub mod printed;
 pub mod python;
+pub mod scenes;
 
 use std::path::PathBuf;
 

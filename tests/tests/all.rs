@@ -26,6 +26,7 @@ mod mesh_work;
 mod microgeometry;
 mod models;
 mod moving_axes;
+mod oblique_edges;
 mod pair_form;
 mod published_blocks;
 mod radiated_sound;

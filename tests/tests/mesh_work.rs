@@ -18,17 +18,13 @@
 //!
 //! See `docs/theory/contact.md`.
 
-use calyx::rt::{ParamAssignment, Program, apply};
-use calyx::{Interpreted, check_file};
-use calyx_abi::{Context, Purity};
-use calyx_gears::host::ModelHost;
 use calyx_runtime::observables::Observe;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::resources::Resources;
 use calyx_runtime::scene::{BodyId, Fidelity, Scene, StructureOptions, Template};
 use calyx_runtime::step::{ContactPatch, StepResult};
 use calyx_runtime::system::System;
-use calyx_tests::root;
+use calyx_tests::scenes::scene_of;
 use std::f64::consts::TAU;
 
 const GEAR: BodyId = BodyId(1);
@@ -58,21 +54,10 @@ struct State {
 impl Pair {
     /// Reads an example with a torque on the pinion, N m, and other params.
     fn of(example: &str, teeth: [u32; 2], torque: f64, given: &[(&str, &str)]) -> Pair {
-        let checked = check_file(&root().join("examples").join(format!("{example}.cx"))).expect("a model");
-        let program = checked.program.expect("a correct model");
-        let interpreted = Interpreted::new(&program, Purity::Effect).expect("a program");
-        let mut context = Context::new(Box::new(ModelHost { checking: true, ..ModelHost::default() }));
-        context.kernels = interpreted.kernels();
-        let size = format!("{torque} N*m");
-        let given: Vec<ParamAssignment> = [("pinion_torque", &size[..])]
-            .iter()
-            .chain(given)
-            .map(|(name, value)| ParamAssignment::text(*name, *value))
-            .collect();
-        apply(&interpreted, &given, &mut context).expect("params of the example");
-        interpreted.main(&mut context).expect("a scene");
-        let host = context.host::<ModelHost>().expect("the host of models");
-        Pair { scene: host.scene.clone(), teeth, torque }
+        let torque_param = format!("{torque} N*m");
+        let given: Vec<(&str, &str)> =
+            [("pinion_torque", &torque_param[..])].into_iter().chain(given.iter().copied()).collect();
+        Pair { scene: scene_of(example, &given), teeth, torque }
     }
 
     /// Rotates the teeth of the pinion by an angle, rad, so that contact is laid out there.

@@ -83,8 +83,7 @@ impl Shape {
             .map(|row: usize| p[3 * row] * v[0] + p[3 * row + 1] * v[1] + p[3 * row + 2] * v[2] + p[9 + row])
     }
 
-    /// Returns the distance of a point from the planes of the triangles of a copy that contain its
-    /// projection, m.
+    /// Returns the distance of a point from the triangles of a copy, m.
     fn distance(&self, copy: usize, point: Vector) -> f64 {
         let corner = |k: usize| self.at(copy, self.points[k]);
         let of = |&[a, b, c]: &[usize; 3]| {
@@ -94,7 +93,15 @@ impl Shape {
             let inside = [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| {
                 dot(cross(minus(to, from), minus(point, from)), normal) >= -1e-6 * area * area
             });
-            (area > 0.0 && inside).then(|| (dot(minus(point, a), normal) / area).abs())
+            let side = |[from, to]: [Vector; 2]| {
+                let along = minus(to, from);
+                let part = (dot(minus(point, from), along) / dot(along, along)).clamp(0.0, 1.0);
+                length(minus(minus(point, from), along.map(|axis| part * axis)))
+            };
+            (area > 0.0).then(|| match inside {
+                true => (dot(minus(point, a), normal) / area).abs(),
+                false => [[a, b], [b, c], [c, a]].map(side).into_iter().fold(f64::INFINITY, f64::min),
+            })
         };
         self.triangles.iter().filter_map(of).fold(f64::INFINITY, f64::min)
     }

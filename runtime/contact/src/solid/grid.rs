@@ -8,10 +8,11 @@
 //! of a cell would remain. Gaps are exact separations along the normal of the frame, averaged over
 //! the cell like its uniform pressure.
 
-use super::contact_line::{ContactLine, ends_along, relative_curvature};
+use super::contact_line::{ContactLine, ContactLinePoint, ends_along, relative_curvature};
 use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
+use super::slant::{Slant, rate_on_flanks};
 use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
 use crate::grid::{Edge, GradedEdge, cell_bounds, width_to_reach};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
@@ -171,6 +172,7 @@ pub fn build_grid(
         surface_ends,
         search_edges: options.search_edges,
         local_normals: options.local_normals,
+        contact_line: &contact_line.points,
     };
     layer.fill(&mut grid, contact_line.places, interrupt)?;
     Ok(grid)
@@ -275,6 +277,7 @@ struct Layer<'a> {
     surface_ends: [bool; 2],
     search_edges: bool,
     local_normals: bool,
+    contact_line: &'a [ContactLinePoint],
 }
 
 type Places = [[f64; 2]; 2];
@@ -349,10 +352,15 @@ impl Layer<'_> {
         let center = column * self.pitch[0];
         let (bounds, graded, mut surface_ends) = self.bounds(center, y, places);
         let cut = self.is_cut(&bounds, y, places);
+        let ends = self.flank_ends(y, places);
+        let around = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
+        let on_edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
+        let rate = (!on_edge && contact_line.end.is_none()).then(|| rate_on_flanks(self.contact_line, y));
+        let slant = Slant::new(contact_line.at()[0], rate, ends, around, self.pitch[1]);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
         for x in bounds.windows(2) {
-            if let Some((cell, found)) = self.cell([x[0], x[1]], y, &contact_line, cut, guess) {
+            if let Some((cell, found)) = self.cell([x[0], x[1]], y, &contact_line, (cut, &slant), guess) {
                 guess = found;
                 cells.push(cell);
             }
@@ -362,7 +370,7 @@ impl Layer<'_> {
             surface_ends[0] |= first.ends(0)[0] > low + 0.5 * first.size[0];
             surface_ends[1] |= last.ends(0)[1] < high - 0.5 * last.size[0];
         }
-        let edges = Some(self.edges_beside(y, contact_line.at()[0], places));
+        let edges = Some(edges_beside(ends, around, contact_line.at()[0]));
         Some(Laid { cells, middle: center, graded, surface_ends, edges, places })
     }
 
@@ -425,14 +433,6 @@ impl Layer<'_> {
         (bounds, edges.iter().map(graded).collect(), surface_ends)
     }
 
-    /// Returns the edges next to a slice at `y` whose contact line is at `closest`.
-    fn edges_beside(&self, y: f64, closest: f64, places: Places) -> Edges {
-        let ends = self.flank_ends(y, places);
-        let both = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
-        let nearest = both.into_iter().fold(ends, |[low, high], [from, to]| [low.max(from), high.min(to)]);
-        Edges { ends, nearest, closest }
-    }
-
     /// Returns the nearest ends of the flanks at low and at high x of the slice at `y`.
     fn flank_ends(&self, y: f64, places: Places) -> FlankEnds {
         let surfaces = limits(&self.height_fields, y, places).map_or(ENDLESS, |[low, high]| [low.x, high.x]);
@@ -474,14 +474,14 @@ impl Layer<'_> {
         })
     }
 
-    /// Returns the cell over `x` of the slice at `y`, whose closest approach is given, optionally
-    /// `cut` at the side faces, and the surface coordinates of its centre.
+    /// Returns the cell over `x` of the slice at `y`, whose closest approach and slant are given,
+    /// optionally `cut` at the side faces, and the surface coordinates of its centre.
     fn cell(
         &self,
         x: [f64; 2],
         y: f64,
         closest: &TransverseApproach,
-        cut: bool,
+        (cut, slant): (bool, &Slant),
         guess: Places,
     ) -> Option<(Cell, Places)> {
         let middle = 0.5 * (x[0] + x[1]);
@@ -493,10 +493,13 @@ impl Layer<'_> {
             [self.height_fields[0].over(center, guess[0])?, self.height_fields[1].over(center, guess[1])?];
         let places = feet.map(|foot| foot.place);
         let own = feet[1].height - feet[0].height;
+        // The centre of a cell that is cut is not at the slice's middle, where the slant is zero.
+        let slant = if ends == slice { slant.at(middle) } else { 0.0 };
         let mut gap = 0.0;
         for (a, weight_a) in ACROSS {
             for b in ALONG {
-                let at = [center[0] + 0.5 * a * size[0], center[1] + 0.5 * b * size[1]];
+                let along = 0.5 * b * size[1];
+                let at = [middle + 0.5 * a * size[0] + slant * along, center[1] + along];
                 let there = |side: usize| self.height_fields[side].height_near(&feet[side], at);
                 let separation = there(1).zip(there(0)).map_or(own, |(second, first)| second - first);
                 gap += weight_a / ALONG.len() as f64 * separation;
@@ -555,6 +558,12 @@ impl Layer<'_> {
     fn snapped(&self, x: f64) -> f64 {
         if x.abs() < 1e-9 * self.pitch[0] { 0.0 } else { x }
     }
+}
+
+/// Returns the edges next to a slice, from the ends of the flanks at its middle and at both ends.
+fn edges_beside(ends: FlankEnds, around: [FlankEnds; 2], closest: f64) -> Edges {
+    let nearest = around.into_iter().fold(ends, |[low, high], [from, to]| [low.max(from), high.min(to)]);
+    Edges { ends, nearest, closest }
 }
 
 /// Returns the first and the last of several values.

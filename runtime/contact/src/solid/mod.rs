@@ -21,6 +21,7 @@ mod interval_averages;
 mod interval_pairs;
 mod placement;
 mod pressure;
+mod slant;
 mod strips;
 mod surface_curvature;
 mod transverse_approach;
