@@ -237,8 +237,8 @@ fn a_vanishing_load_does_no_work_on_rigid_teeth() {
     }
 }
 
-/// Contact at edges and the number of slices leave a difference, without deflected normals 2e-4
-/// (hypoid) and 5e-4 (spiral).
+/// Contact that ends at edges leaves a difference, without deflected normals 2e-4 (hypoid) and 5e-4
+/// (spiral).
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal() {
     for (name, pair) in [("spiral", spiral(10.0)), ("hypoid", hypoid(10.0))] {
@@ -246,6 +246,6 @@ fn the_work_at_both_shafts_is_nearly_equal() {
         let states = (0..16).map(|index| pair.state(&system, (f64::from(index) + 0.5) / 16.0));
         let mean = states.map(|state| state.torque_excess).sum::<f64>() / 16.0;
         println!("{name}: {mean:e}");
-        assert!(mean.abs() < 1e-4, "{name}: {mean:e}");
+        assert!(mean.abs() < 5e-5, "{name}: {mean:e}");
     }
 }
