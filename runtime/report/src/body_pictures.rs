@@ -3,9 +3,12 @@
 //! displacement of beams.
 //!
 //! The pictures are files of a run directory with a list of what they show, so that the page
-//! depends on files only. Shafts are drawn in every run. The meshes of other bodies must be
+//! depends on files only. While positions are solved, the surfaces to be shown are stored: a
+//! vibration has a new largest stress at many steps, and a drawing takes longer than a step. The
+//! pictures are drawn for the page. Shafts are drawn in every run. The meshes of other bodies must be
 //! factorized for it, so they are drawn in runs with VTU files only.
 
+mod stored;
 mod surface;
 mod view;
 
@@ -27,6 +30,8 @@ const LIST: &str = "list.json";
 const UNFINISHED: &str = "list.json.part";
 /// Beginning of the names of the pictures.
 const PREFIX: &str = "body-";
+/// Extension of surfaces that are not drawn yet.
+const STORED: &str = "surface";
 /// Largest exaggerated displacement relative to the size of the body.
 const EXAGGERATED: f64 = 0.08;
 /// Displacement relative to the size of the body below which it is a rounding error.
@@ -49,7 +54,7 @@ pub struct BodyPicture {
     pub largest_displacement: f64,
     /// Stress at the end of the colour scale, Pa.
     pub largest_stress: f64,
-    /// Width and height, pixels.
+    /// Width and height, pixels; zero before it is drawn.
     pub size: [u32; 2],
 }
 
@@ -58,7 +63,7 @@ pub struct BodyPicture {
 pub fn files_of(fields: &Fields) -> Vec<String> {
     let numbers = fields.bodies.iter().map(|body| body.number);
     let numbers = numbers.chain(fields.elastic_bodies.iter().map(|body| body.number));
-    let mut files: Vec<String> = numbers.map(name).collect();
+    let mut files: Vec<String> = numbers.map(name).flat_map(|name| [stored_name(&name), name]).collect();
     if !files.is_empty() {
         files.extend([LIST.to_owned(), UNFINISHED.to_owned()]);
     }
@@ -67,12 +72,19 @@ pub fn files_of(fields: &Fields) -> Vec<String> {
 
 /// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
-    let is_picture = name.strip_prefix(PREFIX).is_some_and(|rest| rest.ends_with(".png"));
+    let is_picture = name.strip_prefix(PREFIX).is_some_and(|rest| {
+        rest.ends_with(".png") || rest.strip_suffix(STORED).is_some_and(|rest| rest.ends_with('.'))
+    });
     is_picture || [LIST, UNFINISHED].contains(&name)
 }
 
 fn name(number: usize) -> String {
     format!("{PREFIX}{number:03}.png")
+}
+
+/// Returns the name of the stored surface of a picture.
+fn stored_name(picture: &str) -> String {
+    Path::new(picture).with_extension(STORED).to_string_lossy().into_owned()
 }
 
 /// Returns the path of a file of the pictures in a run directory.
@@ -86,8 +98,8 @@ pub fn read(directory: &Path) -> Vec<BodyPicture> {
     content.and_then(|content| serde_json::from_slice(&content).ok()).unwrap_or_default()
 }
 
-/// Draws the bodies whose largest stress at this position exceeds that of their picture, into
-/// the folder of a run directory, and updates the list.
+/// Stores the surfaces of the bodies whose largest stress at this position exceeds that of their
+/// picture in the folder of a run directory, and updates the list.
 ///
 /// # Errors
 /// A file cannot be written.
@@ -107,19 +119,17 @@ pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields)
         }
         let surface = body.surface();
         let file = name(surface.number);
-        let exaggeration = exaggeration(&surface);
-        let image = view::draw(&surface, exaggeration, largest_stress);
         fs::create_dir_all(directory.join(FOLDER))?;
-        fs::write(path(directory, &file), image.png()?)?;
+        fs::write(path(directory, &stored_name(&file)), stored::file_of(&surface))?;
         let picture = BodyPicture {
             body: surface.body.clone(),
             file,
             position,
             time,
-            exaggeration,
+            exaggeration: exaggeration(&surface),
             largest_displacement,
             largest_stress,
-            size: image.size(),
+            size: [0; 2],
         };
         match known {
             Some(known) => list[known] = picture,
@@ -127,13 +137,42 @@ pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields)
         }
         changed = true;
     }
-    if changed {
-        // A run that is ended here keeps its former list.
-        let unfinished = path(directory, UNFINISHED);
-        fs::write(&unfinished, serde_json::to_vec_pretty(&list)?)?;
-        fs::rename(unfinished, path(directory, LIST))?;
+    if changed { write_list(directory, &list) } else { Ok(()) }
+}
+
+/// Draws the stored surfaces of a run directory and removes them.
+///
+/// # Errors
+/// A file cannot be read or written.
+pub fn draw(directory: &Path) -> io::Result<()> {
+    let mut list = read(directory);
+    let mut drawn = Vec::new();
+    for picture in &mut list {
+        let stored = path(directory, &stored_name(&picture.file));
+        let bytes = match fs::read(&stored) {
+            Ok(bytes) => bytes,
+            // It is drawn already.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+            Err(error) => return Err(error),
+        };
+        // A run that was killed may leave an incomplete file, which a resumed run replaces.
+        let Ok(surface) = stored::read(&bytes) else { continue };
+        let image = view::draw(&surface, picture.exaggeration, picture.largest_stress);
+        fs::write(path(directory, &picture.file), image.png()?)?;
+        picture.size = image.size();
+        drawn.push(stored);
     }
-    Ok(())
+    if !drawn.is_empty() {
+        write_list(directory, &list)?;
+    }
+    drawn.into_iter().try_for_each(fs::remove_file)
+}
+
+/// Replaces the list. A run that is ended meanwhile keeps its former list.
+fn write_list(directory: &Path, list: &[BodyPicture]) -> io::Result<()> {
+    let unfinished = path(directory, UNFINISHED);
+    fs::write(&unfinished, serde_json::to_vec_pretty(list)?)?;
+    fs::rename(unfinished, path(directory, LIST))
 }
 
 /// Returns the factor on the displacements: 1, 2 or 5 times a power of ten, not below 1. Those of
@@ -178,6 +217,10 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         for (position, stress) in [(0, 1e6), (1, 3e6), (2, 2e6)] {
             update(directory.path(), (position, 0.1 * position as f64), &fields(stress)).unwrap();
+            // A drawn picture is replaced as well as one that is not drawn yet.
+            if position != 1 {
+                draw(directory.path()).unwrap();
+            }
         }
         let list = read(directory.path());
         assert_eq!(list.len(), 2);
@@ -191,7 +234,8 @@ mod tests {
         assert_eq!(picture.exaggeration, 1e4);
         for name in files_of(&fields(1.0)) {
             let own = name.strip_prefix("pictures/").unwrap();
-            assert_eq!(directory.path().join(&name).exists(), own != UNFINISHED, "{name}");
+            let remains = own == LIST || own.ends_with(".png");
+            assert_eq!(directory.path().join(&name).exists(), remains, "{name}");
             assert!(is_name_of_a_run(own), "{name}");
         }
         assert!(files_of(&Fields::default()).is_empty() && !is_name_of_a_run("notes.txt"));
