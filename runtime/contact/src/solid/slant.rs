@@ -58,8 +58,8 @@ impl Slant {
     }
 }
 
-/// Returns the rate of a contact line at `y`, x per y, interpolated between the middles of its parts
-/// on the flanks; zero without such a part.
+/// Returns the rate of a contact line at `y`, x per y, interpolated between the middles of its
+/// parts on the flanks; zero without such a part.
 pub(super) fn rate_on_flanks(points: &[ContactLinePoint], y: f64) -> f64 {
     let parts = points.windows(2).filter(|ends| ends.iter().all(|point| !point.on_edge && !point.at_end));
     let rates = parts.map(|ends| {
