@@ -179,6 +179,9 @@ fn a_killed_run_goes_on_and_writes_the_same_bytes() {
     // position and their lists, two pictures of bodies and their list, the parts of the viewer, the
     // meshes of both gears and a file per position.
     assert_eq!(expected.len() as u64, 3 + 5 + 1 + 3 * count + 3 + 3 + 3 + count, "{:?}", expected.keys());
+    let ends = |end: &str| expected.keys().filter(|name| name.ends_with(end)).count();
+    assert_eq!([".png", ".surface", ".surface.part"].map(ends), [2, 0, 0], "{:?}", expected.keys());
+    assert_eq!(expected["report.html"].matches("data:image/png").count(), 2);
     let moments = [(Way::CalyxRun, 0), (Way::CalyxRun, count / 2), (Way::Executable, count)];
     for (way, positions) in moments {
         let directory = tempfile::tempdir().unwrap();

@@ -241,11 +241,11 @@ fn a_vanishing_load_does_no_work_on_rigid_teeth() {
 /// (spiral).
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal() {
-    for (name, pair) in [("spiral", spiral(10.0)), ("hypoid", hypoid(10.0))] {
+    for (name, pair, bound) in [("spiral", spiral(10.0), 2e-5), ("hypoid", hypoid(10.0), 5e-5)] {
         let system = pair.system(Fidelity::Analytic);
         let states = (0..16).map(|index| pair.state(&system, (f64::from(index) + 0.5) / 16.0));
         let mean = states.map(|state| state.torque_excess).sum::<f64>() / 16.0;
         println!("{name}: {mean:e}");
-        assert!(mean.abs() < 5e-5, "{name}: {mean:e}");
+        assert!(mean.abs() < bound, "{name}: {mean:e}");
     }
 }

@@ -30,8 +30,8 @@ const LIST: &str = "list.json";
 const UNFINISHED: &str = "list.json.part";
 /// Beginning of the names of the pictures.
 const PREFIX: &str = "body-";
-/// Extension of surfaces that are not drawn yet.
-const STORED: &str = "surface";
+/// Extensions of surfaces that are not drawn yet, and of those while they are being written.
+const STORED: [&str; 2] = ["surface", "surface.part"];
 /// Largest exaggerated displacement relative to the size of the body.
 const EXAGGERATED: f64 = 0.08;
 /// Displacement relative to the size of the body below which it is a rounding error.
@@ -63,7 +63,8 @@ pub struct BodyPicture {
 pub fn files_of(fields: &Fields) -> Vec<String> {
     let numbers = fields.bodies.iter().map(|body| body.number);
     let numbers = numbers.chain(fields.elastic_bodies.iter().map(|body| body.number));
-    let mut files: Vec<String> = numbers.map(name).flat_map(|name| [stored_name(&name), name]).collect();
+    let mut files: Vec<String> =
+        numbers.map(name).flat_map(|name| [stored(&name), vec![name]].concat()).collect();
     if !files.is_empty() {
         files.extend([LIST.to_owned(), UNFINISHED.to_owned()]);
     }
@@ -72,8 +73,10 @@ pub fn files_of(fields: &Fields) -> Vec<String> {
 
 /// Returns true if a run may write a file of this name into [`FOLDER`].
 pub fn is_name_of_a_run(name: &str) -> bool {
-    let is_picture = name.strip_prefix(PREFIX).is_some_and(|rest| {
-        rest.ends_with(".png") || rest.strip_suffix(STORED).is_some_and(|rest| rest.ends_with('.'))
+    let is_picture = name.strip_prefix(PREFIX).and_then(|rest| rest.split_once('.'));
+    let is_picture = is_picture.is_some_and(|(number, extension)| {
+        number.bytes().all(|digit| digit.is_ascii_digit())
+            && (extension == "png" || STORED.contains(&extension))
     });
     is_picture || [LIST, UNFINISHED].contains(&name)
 }
@@ -82,9 +85,22 @@ fn name(number: usize) -> String {
     format!("{PREFIX}{number:03}.png")
 }
 
-/// Returns the name of the stored surface of a picture.
-fn stored_name(picture: &str) -> String {
-    Path::new(picture).with_extension(STORED).to_string_lossy().into_owned()
+/// Returns the names of the files of the surface of a picture.
+fn stored(picture: &str) -> Vec<String> {
+    let with = |extension: &&str| Path::new(picture).with_extension(extension).to_string_lossy().into_owned();
+    STORED.iter().map(with).collect()
+}
+
+/// Returns the names of the files that [`draw`] writes or removes, relative to the run directory.
+pub fn undrawn(directory: &Path) -> Vec<String> {
+    let waiting: Vec<String> = read(directory)
+        .into_iter()
+        .filter(|picture| path(directory, &stored(&picture.file)[0]).exists())
+        .flat_map(|picture| [stored(&picture.file), vec![picture.file]].concat())
+        .collect();
+    let lists = [LIST, UNFINISHED].map(str::to_owned);
+    let lists = lists.into_iter().filter(|_| !waiting.is_empty());
+    waiting.iter().cloned().chain(lists).map(|name| format!("{FOLDER}/{name}")).collect()
 }
 
 /// Returns the path of a file of the pictures in a run directory.
@@ -95,7 +111,8 @@ pub fn path(directory: &Path, file: &str) -> PathBuf {
 /// Returns the list of the pictures in a run directory; empty if there is none.
 pub fn read(directory: &Path) -> Vec<BodyPicture> {
     let content = fs::read(path(directory, LIST)).ok();
-    content.and_then(|content| serde_json::from_slice(&content).ok()).unwrap_or_default()
+    let list: Option<Vec<BodyPicture>> = content.and_then(|content| serde_json::from_slice(&content).ok());
+    list.unwrap_or_default().into_iter().filter(|picture| is_name_of_a_run(&picture.file)).collect()
 }
 
 /// Stores the surfaces of the bodies whose largest stress at this position exceeds that of their
@@ -119,8 +136,6 @@ pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields)
         }
         let surface = body.surface();
         let file = name(surface.number);
-        fs::create_dir_all(directory.join(FOLDER))?;
-        fs::write(path(directory, &stored_name(&file)), stored::file_of(&surface))?;
         let picture = BodyPicture {
             body: surface.body.clone(),
             file,
@@ -131,6 +146,10 @@ pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields)
             largest_stress,
             size: [0; 2],
         };
+        fs::create_dir_all(directory.join(FOLDER))?;
+        let [complete, unfinished] = [0, 1].map(|k: usize| path(directory, &stored(&picture.file)[k]));
+        fs::write(&unfinished, stored::file_of(&picture, &surface))?;
+        fs::rename(unfinished, complete)?;
         match known {
             Some(known) => list[known] = picture,
             None => list.push(picture),
@@ -140,27 +159,28 @@ pub fn update(directory: &Path, (position, time): (usize, f64), fields: &Fields)
     if changed { write_list(directory, &list) } else { Ok(()) }
 }
 
-/// Draws the stored surfaces of a run directory and removes them.
+/// Draws the stored surfaces of a run directory and removes them. One that another version wrote
+/// is left out.
 ///
 /// # Errors
 /// A file cannot be read or written.
 pub fn draw(directory: &Path) -> io::Result<()> {
     let mut list = read(directory);
     let mut drawn = Vec::new();
-    for picture in &mut list {
-        let stored = path(directory, &stored_name(&picture.file));
-        let bytes = match fs::read(&stored) {
+    for listed in &mut list {
+        let waiting = path(directory, &stored(&listed.file)[0]);
+        let bytes = match fs::read(&waiting) {
             Ok(bytes) => bytes,
             // It is drawn already.
             Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
             Err(error) => return Err(error),
         };
-        // A run that was killed may leave an incomplete file, which a resumed run replaces.
-        let Ok(surface) = stored::read(&bytes) else { continue };
+        let Some((picture, surface)) = stored::read(&bytes) else { continue };
         let image = view::draw(&surface, picture.exaggeration, picture.largest_stress);
-        fs::write(path(directory, &picture.file), image.png()?)?;
-        picture.size = image.size();
-        drawn.push(stored);
+        fs::write(path(directory, &listed.file), image.png()?)?;
+        // A run that was killed may have stored the surface and not the list.
+        *listed = BodyPicture { size: image.size(), file: listed.file.clone(), ..picture };
+        drawn.push(waiting);
     }
     if !drawn.is_empty() {
         write_list(directory, &list)?;
@@ -238,10 +258,17 @@ mod tests {
             assert_eq!(directory.path().join(&name).exists(), remains, "{name}");
             assert!(is_name_of_a_run(own), "{name}");
         }
-        assert!(files_of(&Fields::default()).is_empty() && !is_name_of_a_run("notes.txt"));
+        assert!(files_of(&Fields::default()).is_empty() && undrawn(directory.path()).is_empty());
+        for foreign in ["notes.txt", "body-000.svg", "../body-000.png", "body-/../000.png"] {
+            assert!(!is_name_of_a_run(foreign), "{foreign}");
+        }
         let file = fs::File::open(path(directory.path(), &picture.file)).unwrap();
         let reader = png::Decoder::new(io::BufReader::new(file)).read_info().unwrap();
         assert_eq!([reader.info().width, reader.info().height], picture.size);
+        // A list of somebody else does not lead to other files.
+        let foreign = [BodyPicture { file: "../run.json".into(), ..picture.clone() }];
+        write_list(directory.path(), &foreign).unwrap();
+        assert!(read(directory.path()).is_empty());
         // A new run replaces the pictures.
         update(directory.path(), (0, 0.0), &fields(1e5)).unwrap();
         assert_eq!(read(directory.path())[1].largest_stress, 2e5);

@@ -351,6 +351,8 @@ fn write_results(
     results.flank_tables().write(path)?;
     directory.claim_all(signals::files(results.signals()))?;
     signals::write(path, description, results.signals())?;
+    // Before the journal is removed, so that a run that is killed here is resumed.
+    directory.draw_pictures()?;
     let listed = signals::list(description, results.signals());
     let outputs = RunOutputs { description, rows: results.rows(), summaries: results.summaries() };
     write_run(path, head, (outputs, result), listed, &warnings, stages)?;

@@ -298,13 +298,24 @@ impl RunDirectory {
         &self.path
     }
 
-    /// Generates the report page, lists it as a file of the run, and returns its path.
+    /// Draws the pictures of bodies and generates the report page, lists them as files of the run,
+    /// and returns the path of the page.
     ///
     /// # Errors
     /// The page cannot be generated, see [`page::write()`], or there is a page that no run wrote.
     pub fn write_page(&self) -> io::Result<PathBuf> {
+        self.draw_pictures()?;
         self.claim_all(page::FILES)?;
         page::write(&self.path)
+    }
+
+    /// Draws the pictures of bodies that are not drawn yet.
+    ///
+    /// # Errors
+    /// A file cannot be read or written, or no run wrote it.
+    pub fn draw_pictures(&self) -> io::Result<()> {
+        self.claim_all(body_pictures::undrawn(&self.path))?;
+        body_pictures::draw(&self.path)
     }
 
     /// Removes the files that an earlier run wrote.

@@ -6,13 +6,14 @@
 //! on one lattice. Near a rounded edge the cells of a slice are graded as in plane contact. At an
 //! oblique side face the last cells of a slice are cut at the face, or lengthened where too little
 //! of a cell would remain. Gaps are exact separations along the normal of the frame, averaged over
-//! the cell like its uniform pressure.
+//! the cell like its uniform pressure, or over a parallelogram where an edge or the contact line is
+//! oblique.
 
 use super::contact_line::{ContactLine, ContactLinePoint, ends_along, relative_curvature};
 use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::slant::{Slant, rate_on_flanks};
+use super::slant::{FlankEnd, Slant, rate_on_flanks};
 use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
 use crate::grid::{Edge, GradedEdge, cell_bounds, width_to_reach};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
@@ -36,7 +37,7 @@ pub struct Cell {
     /// Length in the surface coordinate `v`, by side: `axial` on extruded surfaces.
     pub spans: [f64; 2],
     /// Average separation of the undeformed surfaces along the normal of the frame, m; negative for
-    /// overlap.
+    /// overlap. It is averaged over a parallelogram if the contact line or an edge is oblique.
     pub gap: f64,
     /// Point of action of the force, m: the nearest point of the contact line. The offset of the
     /// cell from the contact line and the rotation of its own normal are neglected together; on
@@ -277,6 +278,7 @@ struct Layer<'a> {
     surface_ends: [bool; 2],
     search_edges: bool,
     local_normals: bool,
+    /// Points of the contact line.
     contact_line: &'a [ContactLinePoint],
 }
 
@@ -354,9 +356,8 @@ impl Layer<'_> {
         let cut = self.is_cut(&bounds, y, places);
         let ends = self.flank_ends(y, places);
         let around = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
-        let on_edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
-        let rate = (!on_edge && contact_line.end.is_none()).then(|| rate_on_flanks(self.contact_line, y));
-        let slant = Slant::new(contact_line.at()[0], rate, ends, around, self.pitch[1]);
+        let flank_ends = [0, 1].map(|side| self.flank_end(side, ends[side], y, places));
+        let slant = Slant::new(rate_on_flanks(self.contact_line, y), flank_ends, self.pitch[1]);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
         for x in bounds.windows(2) {
@@ -443,6 +444,23 @@ impl Layer<'_> {
         })
     }
 
+    /// Returns the end of the flanks at low (`side` 0) or high x of the slice at `y`, which is at
+    /// `x`; `None` without one, or if it is not an end at both ends of the slice.
+    fn flank_end(&self, side: usize, x: f64, y: f64, places: Places) -> Option<FlankEnd> {
+        let ends = [-0.5, 0.5].map(|part| y + part * self.pitch[1]);
+        let along = |at: &dyn Fn(f64) -> Option<f64>| {
+            let [from, to] = [at(ends[0])?, at(ends[1])?];
+            Some(FlankEnd { x, rate: (to - from) / self.pitch[1] })
+        };
+        let is_here = |edge: &&RoundedEdge| self.edge_at(edge, y, places).is_some_and(|at| at.x == x);
+        if let Some(edge) = self.edges.iter().find(is_here) {
+            return along(&|y| Some(self.edge_at(edge, y, places)?.x));
+        }
+        let surface = |y: f64| limits(&self.height_fields, y, places).map(|limits| limits[side]);
+        let ending = surface(y).filter(|limit| limit.x == x && x.is_finite())?.side;
+        along(&|y| surface(y).filter(|limit| limit.side == ending).map(|limit| limit.x))
+    }
+
     /// Returns the start of an edge on the tangent plane at `y`.
     fn edge_at(&self, edge: &RoundedEdge, y: f64, places: Places) -> Option<Edge> {
         let height_field = &self.height_fields[edge.side];
@@ -493,13 +511,12 @@ impl Layer<'_> {
             [self.height_fields[0].over(center, guess[0])?, self.height_fields[1].over(center, guess[1])?];
         let places = feet.map(|foot| foot.place);
         let own = feet[1].height - feet[0].height;
-        // The centre of a cell that is cut is not at the slice's middle, where the slant is zero.
-        let slant = if ends == slice { slant.at(middle) } else { 0.0 };
+        let slant = slant.at(middle);
         let mut gap = 0.0;
         for (a, weight_a) in ACROSS {
             for b in ALONG {
-                let along = 0.5 * b * size[1];
-                let at = [middle + 0.5 * a * size[0] + slant * along, center[1] + along];
+                let along = center[1] + 0.5 * b * size[1];
+                let at = [middle + 0.5 * a * size[0] + slant * (along - y), along];
                 let there = |side: usize| self.height_fields[side].height_near(&feet[side], at);
                 let separation = there(1).zip(there(0)).map_or(own, |(second, first)| second - first);
                 gap += weight_a / ALONG.len() as f64 * separation;

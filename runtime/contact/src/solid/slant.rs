@@ -1,67 +1,71 @@
 //! Slant of the cells of a slice that its contact line or the end of a flank crosses obliquely.
 //!
-//! Gaps are averaged over parallelograms. Their long sides follow the contact line, next to the end
-//! of a flank that end, and between them a direction in between. The mean gap of a rectangle would
-//! include the space beyond an oblique edge, so that the edge and the cells next to it would carry
-//! no load. Across an oblique contact line it would be too large by κ d² / 24, with the relative
-//! curvature κ and the displacement d of the contact line within the slice. The compliance is that
-//! of rectangles of the same size and centre.
+//! Gaps are averaged over parallelograms. Their long sides follow the contact line, and those that
+//! the end of a flank crosses follow that end. The mean gap of a rectangle would include the space
+//! beyond an oblique edge, so that the edge and the cells next to it would carry too little load.
+//! Across an oblique contact line it would be too large by κ d² / 24, with the relative curvature κ
+//! and the displacement d of the contact line within the slice. The compliance is that of
+//! rectangles of the same size and centre.
 
 use super::contact_line::ContactLinePoint;
-use crate::zone::FlankEnds;
 
-/// Ends of flanks that are steeper than this, x per y, cut cells instead.
+/// Ends of flanks that are steeper than this, x per y, do not slant cells.
 const STEEPEST: f64 = 1.0;
+/// Parts of a contact line that are shorter than this fraction of it have no direction.
+const SHORTEST: f64 = 1e-3;
+
+/// End of a flank in a slice.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FlankEnd {
+    /// x at the middle of the slice, m.
+    pub x: f64,
+    /// Rate along the slice, x per y.
+    pub rate: f64,
+}
 
 /// Direction of the cells of a slice as a function of x, x per y.
 pub(super) struct Slant {
-    /// x of the contact line, and its rate.
-    line: [f64; 2],
-    /// The same of the ends of the flanks at low and at high x.
-    ends: [Option<[f64; 2]>; 2],
+    /// Rate of the contact line.
+    line: f64,
+    /// Ends of the flanks at low and at high x.
+    ends: [Option<FlankEnd>; 2],
+    /// Length of the slice, m.
+    length: f64,
 }
 
 impl Slant {
-    /// `closest` is x of the contact line at `y`; `rate` is its rate, `None` if the contact line is
-    /// on an edge there. `ends` are those of the flanks at `y`, `around` at both ends of the slice
-    /// of length `length`.
-    pub fn new(
-        closest: f64,
-        rate: Option<f64>,
-        ends: FlankEnds,
-        around: [FlankEnds; 2],
-        length: f64,
-    ) -> Slant {
-        let ends = [0, 1].map(|side| {
-            let end = [ends[side], (around[1][side] - around[0][side]) / length];
-            (end.iter().all(|value| value.is_finite()) && end[1].abs() <= STEEPEST).then_some(end)
-        });
-        let from_line = |end: &&[f64; 2]| (end[0] - closest).abs();
-        let nearest = ends.iter().flatten().min_by(|a, b| from_line(a).total_cmp(&from_line(b)));
-        match rate {
-            Some(rate) => Slant { line: [closest, rate], ends },
-            // On an edge the contact line follows it.
-            None => Slant { line: [closest, nearest.map_or(0.0, |[_, rate]| *rate)], ends: [None; 2] },
-        }
+    /// Creates the slant of a slice of this length.
+    pub fn new(line: f64, ends: [Option<FlankEnd>; 2], length: f64) -> Slant {
+        let oblique = |end: Option<FlankEnd>| end.filter(|end| end.rate.abs() <= STEEPEST);
+        Slant { line, ends: ends.map(oblique), length }
     }
 
     /// Returns the direction of a cell whose centre is at `x`.
+    ///
+    /// An end crosses cells that follow the contact line up to half of its displacement relative
+    /// to them. Cells follow it up to there; over as much again they turn to the contact line.
     pub fn at(&self, x: f64) -> f64 {
-        let [closest, rate] = self.line;
-        match self.ends[usize::from(x > closest)] {
-            Some([end, end_rate]) if end != closest => {
-                let part = ((x - closest) / (end - closest)).clamp(0.0, 1.0);
-                rate + part * (end_rate - rate)
-            }
-            _ => rate,
-        }
+        let turn = |side: usize| {
+            let FlankEnd { x: end, rate } = self.ends[side]?;
+            let inside = if side == 0 { x - end } else { end - x };
+            let crossed = 0.5 * (rate - self.line).abs() * self.length;
+            let part = if crossed > 0.0 { (2.0 - inside / crossed).clamp(0.0, 1.0) } else { 0.0 };
+            Some(part * (rate - self.line))
+        };
+        let turns = [0, 1].map(|side| turn(side).unwrap_or(0.0));
+        // Where both ends cross a cell, it follows neither.
+        self.line + turns[0] + turns[1]
     }
 }
 
 /// Returns the rate of a contact line at `y`, x per y, interpolated between the middles of its
 /// parts on the flanks; zero without such a part.
 pub(super) fn rate_on_flanks(points: &[ContactLinePoint], y: f64) -> f64 {
-    let parts = points.windows(2).filter(|ends| ends.iter().all(|point| !point.on_edge && !point.at_end));
+    let [from, to] = [points.first(), points.last()].map(|point| point.map_or(0.0, |point| point.at[1]));
+    let shortest = SHORTEST * (to - from);
+    let parts = points.windows(2).filter(|ends| {
+        ends.iter().all(|point| !point.on_edge && !point.at_end) && ends[1].at[1] - ends[0].at[1] > shortest
+    });
     let rates = parts.map(|ends| {
         let [from, to] = [ends[0].at, ends[1].at];
         [0.5 * (from[1] + to[1]), (to[0] - from[0]) / (to[1] - from[1])]
@@ -85,22 +89,33 @@ pub(super) fn rate_on_flanks(points: &[ContactLinePoint], y: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Contact line with rate 0.1 at x = 0, and an edge with rate -0.4 at x = 2.
+    /// A contact line with rate 0.1, and an edge with rate -0.4 at either side. In a slice of
+    /// length 2 the edge crosses cells within 0.5.
     #[test]
     fn cells_turn_from_the_contact_line_to_the_edge() {
-        let around = [[f64::NEG_INFINITY, 2.2], [f64::NEG_INFINITY, 1.8]];
-        let slant = Slant::new(0.0, Some(0.1), [f64::NEG_INFINITY, 2.0], around, 1.0);
-        for (x, expected) in [(-1.0, 0.1), (0.0, 0.1), (1.0, -0.15), (2.0, -0.4), (3.0, -0.4)] {
-            assert!((slant.at(x) - expected).abs() < 1e-12, "{x}: {}", slant.at(x));
+        for sense in [1.0, -1.0] {
+            let end = Some(FlankEnd { x: 2.0 * sense, rate: -0.4 });
+            let ends = if sense > 0.0 { [None, end] } else { [end, None] };
+            let slant = Slant::new(0.1, ends, 2.0);
+            for (x, expected) in
+                [(-1.0, 0.1), (1.0, 0.1), (1.25, -0.15), (1.5, -0.4), (2.0, -0.4), (3.0, -0.4)]
+            {
+                let found = slant.at(sense * x);
+                assert!((found - expected).abs() < 1e-12, "{sense} {x}: {found}");
+            }
         }
-        let on_edge = Slant::new(2.001, None, [f64::NEG_INFINITY, 2.0], around, 1.0);
-        assert!([0.0, 2.0, 3.0].iter().all(|x| (on_edge.at(*x) + 0.4).abs() < 1e-12));
     }
 
     #[test]
     fn a_side_face_across_the_slices_does_not_turn_cells() {
-        let slant = Slant::new(0.0, Some(0.1), [-3.0, 2.0], [[-3.0, 6.0], [-3.0, -2.0]], 1.0);
-        assert_eq!(slant.at(1.0), 0.1);
+        let slant = Slant::new(0.1, [None, Some(FlankEnd { x: 2.0, rate: -8.0 })], 1.0);
+        assert_eq!(slant.at(1.9), 0.1);
+    }
+
+    #[test]
+    fn an_end_parallel_to_the_contact_line_does_not_turn_cells() {
+        let slant = Slant::new(0.1, [None, Some(FlankEnd { x: 2.0, rate: 0.1 })], 1.0);
+        assert_eq!([1.0, 2.0, 3.0].map(|x| slant.at(x)), [0.1; 3]);
     }
 
     #[test]
@@ -118,5 +133,8 @@ mod tests {
             assert!((rate_on_flanks(&points, y) - expected).abs() < 1e-12, "{y}");
         }
         assert_eq!(rate_on_flanks(&points[..1], 0.0), 0.0);
+        // Its last point is found twice.
+        let twice = [point(0.0, 0.0, false), point(1.0, 1.0, false), point(1.1, 1.0, false)];
+        assert_eq!(rate_on_flanks(&twice, 1.0), 1.0);
     }
 }

@@ -1,11 +1,11 @@
 //! Surfaces of pictures that are not drawn yet, as array files in a run directory.
 
-use super::Surface;
+use super::{BodyPicture, Surface};
 use calyx_view::array_file::{ArrayFile, Arrays, InvalidArrayFile};
 use serde_json::{Value, json};
 
-/// Returns the content of the file of a surface.
-pub fn file_of(surface: &Surface) -> Vec<u8> {
+/// Returns the content of the file of a surface and of what its picture shows.
+pub fn file_of(picture: &BodyPicture, surface: &Surface) -> Vec<u8> {
     let index = |index: usize| u32::try_from(index).unwrap_or(u32::MAX);
     // A triangle repeats its last corner.
     let face =
@@ -17,7 +17,7 @@ pub fn file_of(surface: &Surface) -> Vec<u8> {
     let faces = arrays.indices(surface.faces.iter().filter(|face| !face.is_empty()).map(face));
     let lines = arrays.indices(surface.lines.iter().map(|line| line.map(index)));
     arrays.file(&json!({
-        "body": surface.body,
+        "picture": picture,
         "number": surface.number,
         "points": points,
         "displacements": displacements,
@@ -27,29 +27,30 @@ pub fn file_of(surface: &Surface) -> Vec<u8> {
     }))
 }
 
-/// Reads the file of a surface.
-///
-/// # Errors
-/// The bytes are not those of [`file_of`].
-pub fn read(bytes: &[u8]) -> Result<Surface, InvalidArrayFile> {
-    let file = ArrayFile::read(bytes)?;
+/// Reads the file of a surface; `None` if it is not one of [`file_of`].
+pub fn read(bytes: &[u8]) -> Option<(BodyPicture, Surface)> {
+    let file = ArrayFile::read(bytes).ok()?;
     let header = &file.header;
-    let number = header["number"].as_u64().and_then(|number| usize::try_from(number).ok());
-    let faces = rows::<4>(&file, &header["faces"])?.into_iter().map(|face| {
+    let picture: BodyPicture = serde_json::from_value(header["picture"].clone()).ok()?;
+    let faces = rows::<4>(&file, &header["faces"]).ok()?.into_iter().map(|face| {
         let mut corners = face.map(|corner| corner as usize).to_vec();
         corners.dedup();
         corners
     });
-    let lines = rows::<2>(&file, &header["lines"])?;
-    Ok(Surface {
-        body: header["body"].as_str().unwrap_or_default().to_owned(),
-        number: number.unwrap_or_default(),
-        points: rows(&file, &header["points"])?,
-        displacements: rows(&file, &header["displacements"])?,
-        stresses: file.numbers(&header["stresses"])?,
+    let lines = rows::<2>(&file, &header["lines"]).ok()?;
+    let surface = Surface {
+        body: picture.body.clone(),
+        number: usize::try_from(header["number"].as_u64()?).ok()?,
+        points: rows(&file, &header["points"]).ok()?,
+        displacements: rows(&file, &header["displacements"]).ok()?,
+        stresses: file.numbers(&header["stresses"]).ok()?,
         faces: faces.collect(),
         lines: lines.into_iter().map(|line| line.map(|point| point as usize)).collect(),
-    })
+    };
+    let count = surface.points.len();
+    let mut corners = surface.faces.iter().flatten().chain(surface.lines.iter().flatten());
+    let complete = [surface.displacements.len(), surface.stresses.len()] == [count; 2];
+    (complete && corners.all(|&point| point < count)).then_some((picture, surface))
 }
 
 fn rows<const N: usize>(file: &ArrayFile<'_>, reference: &Value) -> Result<Vec<[f64; N]>, InvalidArrayFile> {
@@ -71,11 +72,25 @@ mod tests {
             faces: vec![vec![0, 1, 2], vec![0, 1, 3, 2]],
             lines: vec![[0, 3]],
         };
-        let found = read(&file_of(&surface)).unwrap();
-        assert_eq!((found.body.as_str(), found.number), ("shaft", 3));
+        let picture = BodyPicture {
+            body: "shaft".into(),
+            file: "body-003.png".into(),
+            position: 5,
+            time: 0.25,
+            exaggeration: 200.0,
+            largest_displacement: 0.3,
+            largest_stress: 3.0,
+            size: [0; 2],
+        };
+        let bytes = file_of(&picture, &surface);
+        let (shown, found) = read(&bytes).unwrap();
+        assert_eq!((shown, found.body.as_str(), found.number), (picture.clone(), "shaft", 3));
         assert_eq!((&found.points, &found.displacements), (&surface.points, &surface.displacements));
         assert_eq!((&found.faces, &found.lines), (&surface.faces, &surface.lines));
         assert!(found.stresses[1].is_nan() && found.stresses[3] == 0.1);
-        assert!(read(b"nothing").is_err());
+        // An incomplete file, and one that refers to points that it does not have.
+        assert!(read(&bytes[..bytes.len() - 8]).is_none());
+        let wrong = Surface { lines: vec![[0, 4]], ..surface };
+        assert!(read(&file_of(&picture, &wrong)).is_none());
     }
 }

@@ -34,7 +34,6 @@ mod units;
 mod vibration;
 mod waterfall;
 
-use crate::body_pictures;
 use crate::directory::REPORT;
 use crate::summary_table::{variation, without_rounding};
 use calyx_abi::units::shortest;
@@ -69,13 +68,11 @@ fn document(title: &str, header: Markup, main: Markup) -> Markup {
 /// Names of the finished page and of the one that is being written, in a run directory.
 pub const FILES: [&str; 2] = [REPORT, "report.html.part"];
 
-/// Generates the page of the run in a directory with its pictures, replaces an earlier page, and
-/// returns its path.
+/// Generates the page of the run in a directory, replaces an earlier page, and returns its path.
 ///
 /// # Errors
 /// There is no run, its files cannot be read, or the page cannot be written.
 pub fn write(directory: &Path) -> io::Result<PathBuf> {
-    body_pictures::draw(directory)?;
     write_run(directory, &Run::read(directory)?)
 }
 
@@ -93,7 +90,6 @@ fn write_run(directory: &Path, run: &Run) -> io::Result<PathBuf> {
 /// # Errors
 /// Fails as [`write()`] does.
 pub fn write_with_advice(directory: &Path) -> io::Result<Option<String>> {
-    body_pictures::draw(directory)?;
     let run = Run::read(directory)?;
     write_run(directory, &run)?;
     Ok(accuracy::advice(&run.outputs))
