@@ -357,7 +357,8 @@ impl Layer<'_> {
         let ends = self.flank_ends(y, places);
         let around = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
         let flank_ends = [0, 1].map(|side| self.flank_end(side, ends[side], y, places));
-        let slant = Slant::new(rate_on_flanks(self.contact_line, y), flank_ends, self.pitch[1]);
+        let line = [contact_line.at()[0], rate_on_flanks(self.contact_line, y)];
+        let slant = Slant::new(line, flank_ends, self.pitch[1]);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
         for x in bounds.windows(2) {
@@ -515,8 +516,8 @@ impl Layer<'_> {
         let mut gap = 0.0;
         for (a, weight_a) in ACROSS {
             for b in ALONG {
-                let along = center[1] + 0.5 * b * size[1];
-                let at = [middle + 0.5 * a * size[0] + slant * (along - y), along];
+                let along = 0.5 * b * size[1];
+                let at = [middle + 0.5 * a * size[0] + slant * along, center[1] + along];
                 let there = |side: usize| self.height_fields[side].height_near(&feet[side], at);
                 let separation = there(1).zip(there(0)).map_or(own, |(second, first)| second - first);
                 gap += weight_a / ALONG.len() as f64 * separation;

@@ -25,8 +25,8 @@ pub(super) struct FlankEnd {
 
 /// Direction of the cells of a slice as a function of x, x per y.
 pub(super) struct Slant {
-    /// Rate of the contact line.
-    line: f64,
+    /// x of the contact line, m, and its rate.
+    line: [f64; 2],
     /// Ends of the flanks at low and at high x.
     ends: [Option<FlankEnd>; 2],
     /// Length of the slice, m.
@@ -34,8 +34,9 @@ pub(super) struct Slant {
 }
 
 impl Slant {
-    /// Creates the slant of a slice of this length.
-    pub fn new(line: f64, ends: [Option<FlankEnd>; 2], length: f64) -> Slant {
+    /// Creates the slant of a slice of this length. `line` is x of the contact line, m, and its
+    /// rate.
+    pub fn new(line: [f64; 2], ends: [Option<FlankEnd>; 2], length: f64) -> Slant {
         let oblique = |end: Option<FlankEnd>| end.filter(|end| end.rate.abs() <= STEEPEST);
         Slant { line, ends: ends.map(oblique), length }
     }
@@ -43,18 +44,21 @@ impl Slant {
     /// Returns the direction of a cell whose centre is at `x`.
     ///
     /// An end crosses cells that follow the contact line up to half of its displacement relative
-    /// to them. Cells follow it up to there; over as much again they turn to the contact line.
+    /// to them. These cells follow the end. From there they turn, up to the contact line or, if
+    /// that is nearer, over the same distance: a quick turn would make parallelograms overlap.
     pub fn at(&self, x: f64) -> f64 {
+        let [closest, line] = self.line;
         let turn = |side: usize| {
             let FlankEnd { x: end, rate } = self.ends[side]?;
-            let inside = if side == 0 { x - end } else { end - x };
-            let crossed = 0.5 * (rate - self.line).abs() * self.length;
-            let part = if crossed > 0.0 { (2.0 - inside / crossed).clamp(0.0, 1.0) } else { 0.0 };
-            Some(part * (rate - self.line))
+            let inside = |x: f64| if side == 0 { x - end } else { end - x };
+            let crossed = 0.5 * (rate - line).abs() * self.length;
+            let turned = inside(closest).max(2.0 * crossed);
+            let part = if crossed > 0.0 { (turned - inside(x)) / (turned - crossed) } else { 0.0 };
+            Some(part.clamp(0.0, 1.0) * (rate - line))
         };
         let turns = [0, 1].map(|side| turn(side).unwrap_or(0.0));
         // Where both ends cross a cell, it follows neither.
-        self.line + turns[0] + turns[1]
+        line + turns[0] + turns[1]
     }
 }
 
@@ -89,17 +93,17 @@ pub(super) fn rate_on_flanks(points: &[ContactLinePoint], y: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// A contact line with rate 0.1, and an edge with rate -0.4 at either side. In a slice of
-    /// length 2 the edge crosses cells within 0.5.
+    /// An edge with rate -0.4 and a contact line with rate 0.1 at the middle, or next to the edge. In
+    /// a slice of length 2 the edge crosses cells within 0.5.
     #[test]
     fn cells_turn_from_the_contact_line_to_the_edge() {
-        for sense in [1.0, -1.0] {
+        let far = [(-1.0, 0.1), (0.0, 0.1), (0.75, -0.15), (1.5, -0.4), (2.0, -0.4), (3.0, -0.4)];
+        let near = [(0.75, 0.1), (1.0, 0.1), (1.25, -0.15), (1.5, -0.4), (2.0, -0.4), (3.0, -0.4)];
+        for (sense, closest, expected) in [(1.0, 0.0, far), (-1.0, 0.0, far), (1.0, 1.9, near)] {
             let end = Some(FlankEnd { x: 2.0 * sense, rate: -0.4 });
             let ends = if sense > 0.0 { [None, end] } else { [end, None] };
-            let slant = Slant::new(0.1, ends, 2.0);
-            for (x, expected) in
-                [(-1.0, 0.1), (1.0, 0.1), (1.25, -0.15), (1.5, -0.4), (2.0, -0.4), (3.0, -0.4)]
-            {
+            let slant = Slant::new([sense * closest, 0.1], ends, 2.0);
+            for (x, expected) in expected {
                 let found = slant.at(sense * x);
                 assert!((found - expected).abs() < 1e-12, "{sense} {x}: {found}");
             }
@@ -108,13 +112,13 @@ mod tests {
 
     #[test]
     fn a_side_face_across_the_slices_does_not_turn_cells() {
-        let slant = Slant::new(0.1, [None, Some(FlankEnd { x: 2.0, rate: -8.0 })], 1.0);
+        let slant = Slant::new([0.0, 0.1], [None, Some(FlankEnd { x: 2.0, rate: -8.0 })], 1.0);
         assert_eq!(slant.at(1.9), 0.1);
     }
 
     #[test]
     fn an_end_parallel_to_the_contact_line_does_not_turn_cells() {
-        let slant = Slant::new(0.1, [None, Some(FlankEnd { x: 2.0, rate: 0.1 })], 1.0);
+        let slant = Slant::new([0.0, 0.1], [None, Some(FlankEnd { x: 2.0, rate: 0.1 })], 1.0);
         assert_eq!([1.0, 2.0, 3.0].map(|x| slant.at(x)), [0.1; 3]);
     }
 
