@@ -13,7 +13,7 @@ use super::contact_line::{ContactLine, ContactLinePoint, ends_along, relative_cu
 use super::grid_region::{GridOptions, Region};
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::slant::{FlankEnd, Slant, rate_on_flanks};
+use super::slant::{Slant, rate_on_flanks};
 use super::transverse_approach::{SurfaceEnd, TransverseApproach, closest_across, limits};
 use crate::grid::{Edge, GradedEdge, cell_bounds, width_to_reach};
 use crate::zone::{ENDLESS, Edges, FlankEnds, unit_half_width};
@@ -356,9 +356,9 @@ impl Layer<'_> {
         let cut = self.is_cut(&bounds, y, places);
         let ends = self.flank_ends(y, places);
         let around = [-0.5, 0.5].map(|part| self.flank_ends(y + part * self.pitch[1], places));
-        let flank_ends = [0, 1].map(|side| self.flank_end(side, ends[side], y, places));
-        let line = [contact_line.at()[0], rate_on_flanks(self.contact_line, y)];
-        let slant = Slant::new(line, flank_ends, self.pitch[1]);
+        let on_edge = (0..2).any(|side| self.placed[side].on_edge(places[side]));
+        let rate = (!on_edge && contact_line.end.is_none()).then(|| rate_on_flanks(self.contact_line, y));
+        let slant = Slant::new(contact_line.at()[0], rate, ends, around, self.pitch[1]);
         let mut cells = Vec::with_capacity(bounds.len());
         let mut guess = places;
         for x in bounds.windows(2) {
@@ -445,23 +445,6 @@ impl Layer<'_> {
         })
     }
 
-    /// Returns the end of the flanks at low (`side` 0) or high x of the slice at `y`, which is at
-    /// `x`; `None` without one, or if it is not an end at both ends of the slice.
-    fn flank_end(&self, side: usize, x: f64, y: f64, places: Places) -> Option<FlankEnd> {
-        let ends = [-0.5, 0.5].map(|part| y + part * self.pitch[1]);
-        let along = |at: &dyn Fn(f64) -> Option<f64>| {
-            let [from, to] = [at(ends[0])?, at(ends[1])?];
-            Some(FlankEnd { x, rate: (to - from) / self.pitch[1] })
-        };
-        let is_here = |edge: &&RoundedEdge| self.edge_at(edge, y, places).is_some_and(|at| at.x == x);
-        if let Some(edge) = self.edges.iter().find(is_here) {
-            return along(&|y| Some(self.edge_at(edge, y, places)?.x));
-        }
-        let surface = |y: f64| limits(&self.height_fields, y, places).map(|limits| limits[side]);
-        let ending = surface(y).filter(|limit| limit.x == x && x.is_finite())?.side;
-        along(&|y| surface(y).filter(|limit| limit.side == ending).map(|limit| limit.x))
-    }
-
     /// Returns the start of an edge on the tangent plane at `y`.
     fn edge_at(&self, edge: &RoundedEdge, y: f64, places: Places) -> Option<Edge> {
         let height_field = &self.height_fields[edge.side];
@@ -512,7 +495,8 @@ impl Layer<'_> {
             [self.height_fields[0].over(center, guess[0])?, self.height_fields[1].over(center, guess[1])?];
         let places = feet.map(|foot| foot.place);
         let own = feet[1].height - feet[0].height;
-        let slant = slant.at(middle);
+        // A parallelogram is centred at the middle of the slice, a cell that is cut is not.
+        let slant = if ends == slice { slant.at(middle) } else { 0.0 };
         let mut gap = 0.0;
         for (a, weight_a) in ACROSS {
             for b in ALONG {

@@ -1,64 +1,62 @@
 //! Slant of the cells of a slice that its contact line or the end of a flank crosses obliquely.
 //!
-//! Gaps are averaged over parallelograms. Their long sides follow the contact line, and those that
-//! the end of a flank crosses follow that end. The mean gap of a rectangle would include the space
-//! beyond an oblique edge, so that the edge and the cells next to it would carry too little load.
-//! Across an oblique contact line it would be too large by κ d² / 24, with the relative curvature κ
-//! and the displacement d of the contact line within the slice. The compliance is that of
-//! rectangles of the same size and centre.
+//! Gaps are averaged over parallelograms. Their long sides follow the contact line, next to the end
+//! of a flank that end, and between them a direction in between. The mean gap of a rectangle would
+//! include the space beyond an oblique edge, so that the edge and the cells next to it would carry
+//! too little load. Across an oblique contact line it would be too large by κ d² / 24, with the relative
+//! curvature κ and the displacement d of the contact line within the slice. The compliance is that
+//! of rectangles of the same size and centre.
 
 use super::contact_line::ContactLinePoint;
+use crate::zone::FlankEnds;
 
 /// Ends of flanks that are steeper than this, x per y, do not slant cells.
 const STEEPEST: f64 = 1.0;
 /// Parts of a contact line that are shorter than this fraction of it have no direction.
 const SHORTEST: f64 = 1e-3;
 
-/// End of a flank in a slice.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct FlankEnd {
-    /// x at the middle of the slice, m.
-    pub x: f64,
-    /// Rate along the slice, x per y.
-    pub rate: f64,
-}
-
 /// Direction of the cells of a slice as a function of x, x per y.
 pub(super) struct Slant {
     /// x of the contact line, m, and its rate.
     line: [f64; 2],
-    /// Ends of the flanks at low and at high x.
-    ends: [Option<FlankEnd>; 2],
-    /// Length of the slice, m.
-    length: f64,
+    /// x, m, and rates of the ends of the flanks at low and at high x.
+    ends: [Option<[f64; 2]>; 2],
 }
 
 impl Slant {
-    /// Creates the slant of a slice of this length. `line` is x of the contact line, m, and its
-    /// rate.
-    pub fn new(line: [f64; 2], ends: [Option<FlankEnd>; 2], length: f64) -> Slant {
-        let oblique = |end: Option<FlankEnd>| end.filter(|end| end.rate.abs() <= STEEPEST);
-        Slant { line, ends: ends.map(oblique), length }
+    /// `closest` is x of the contact line at `y`; `rate` is its rate, `None` if the contact line is
+    /// on an edge there. `ends` are those of the flanks at `y`, `around` at both ends of the slice
+    /// of length `length`.
+    pub fn new(
+        closest: f64,
+        rate: Option<f64>,
+        ends: FlankEnds,
+        around: [FlankEnds; 2],
+        length: f64,
+    ) -> Slant {
+        let ends = [0, 1].map(|side| {
+            let end = [ends[side], (around[1][side] - around[0][side]) / length];
+            (end.iter().all(|value| value.is_finite()) && end[1].abs() <= STEEPEST).then_some(end)
+        });
+        let from_line = |end: &&[f64; 2]| (end[0] - closest).abs();
+        let nearest = ends.iter().flatten().min_by(|a, b| from_line(a).total_cmp(&from_line(b)));
+        match rate {
+            Some(rate) => Slant { line: [closest, rate], ends },
+            // On an edge the contact line follows it.
+            None => Slant { line: [closest, nearest.map_or(0.0, |[_, rate]| *rate)], ends: [None; 2] },
+        }
     }
 
     /// Returns the direction of a cell whose centre is at `x`.
-    ///
-    /// An end crosses cells that follow the contact line up to half of its displacement relative
-    /// to them. These cells follow the end. From there they turn, up to the contact line or, if
-    /// that is nearer, over the same distance: a quick turn would make parallelograms overlap.
     pub fn at(&self, x: f64) -> f64 {
-        let [closest, line] = self.line;
-        let turn = |side: usize| {
-            let FlankEnd { x: end, rate } = self.ends[side]?;
-            let inside = |x: f64| if side == 0 { x - end } else { end - x };
-            let crossed = 0.5 * (rate - line).abs() * self.length;
-            let turned = inside(closest).max(2.0 * crossed);
-            let part = if crossed > 0.0 { (turned - inside(x)) / (turned - crossed) } else { 0.0 };
-            Some(part.clamp(0.0, 1.0) * (rate - line))
-        };
-        let turns = [0, 1].map(|side| turn(side).unwrap_or(0.0));
-        // Where both ends cross a cell, it follows neither.
-        line + turns[0] + turns[1]
+        let [closest, rate] = self.line;
+        match self.ends[usize::from(x > closest)] {
+            Some([end, end_rate]) if end != closest => {
+                let part = ((x - closest) / (end - closest)).clamp(0.0, 1.0);
+                rate + part * (end_rate - rate)
+            }
+            _ => rate,
+        }
     }
 }
 
@@ -93,33 +91,22 @@ pub(super) fn rate_on_flanks(points: &[ContactLinePoint], y: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// An edge with rate -0.4 and a contact line with rate 0.1 at the middle, or next to the edge. In
-    /// a slice of length 2 the edge crosses cells within 0.5.
+    /// Contact line with rate 0.1 at x = 0, and an edge with rate -0.4 at x = 2.
     #[test]
     fn cells_turn_from_the_contact_line_to_the_edge() {
-        let far = [(-1.0, 0.1), (0.0, 0.1), (0.75, -0.15), (1.5, -0.4), (2.0, -0.4), (3.0, -0.4)];
-        let near = [(0.75, 0.1), (1.0, 0.1), (1.25, -0.15), (1.5, -0.4), (2.0, -0.4), (3.0, -0.4)];
-        for (sense, closest, expected) in [(1.0, 0.0, far), (-1.0, 0.0, far), (1.0, 1.9, near)] {
-            let end = Some(FlankEnd { x: 2.0 * sense, rate: -0.4 });
-            let ends = if sense > 0.0 { [None, end] } else { [end, None] };
-            let slant = Slant::new([sense * closest, 0.1], ends, 2.0);
-            for (x, expected) in expected {
-                let found = slant.at(sense * x);
-                assert!((found - expected).abs() < 1e-12, "{sense} {x}: {found}");
-            }
+        let around = [[f64::NEG_INFINITY, 2.2], [f64::NEG_INFINITY, 1.8]];
+        let slant = Slant::new(0.0, Some(0.1), [f64::NEG_INFINITY, 2.0], around, 1.0);
+        for (x, expected) in [(-1.0, 0.1), (0.0, 0.1), (1.0, -0.15), (2.0, -0.4), (3.0, -0.4)] {
+            assert!((slant.at(x) - expected).abs() < 1e-12, "{x}: {}", slant.at(x));
         }
+        let on_edge = Slant::new(2.001, None, [f64::NEG_INFINITY, 2.0], around, 1.0);
+        assert!([0.0, 2.0, 3.0].iter().all(|x| (on_edge.at(*x) + 0.4).abs() < 1e-12));
     }
 
     #[test]
     fn a_side_face_across_the_slices_does_not_turn_cells() {
-        let slant = Slant::new([0.0, 0.1], [None, Some(FlankEnd { x: 2.0, rate: -8.0 })], 1.0);
-        assert_eq!(slant.at(1.9), 0.1);
-    }
-
-    #[test]
-    fn an_end_parallel_to_the_contact_line_does_not_turn_cells() {
-        let slant = Slant::new([0.0, 0.1], [None, Some(FlankEnd { x: 2.0, rate: 0.1 })], 1.0);
-        assert_eq!([1.0, 2.0, 3.0].map(|x| slant.at(x)), [0.1; 3]);
+        let slant = Slant::new(0.0, Some(0.1), [-3.0, 2.0], [[-3.0, 6.0], [-3.0, -2.0]], 1.0);
+        assert_eq!(slant.at(1.0), 0.1);
     }
 
     #[test]
