@@ -15,8 +15,8 @@
 //! grid and converges.
 //!
 //! A slice of a three-dimensional patch has a length. An oblique edge approaches over that length,
-//! and the load may end before the edge at the middle of the slice, with the raised pressure next to
-//! that end. Therefore the half-width
+//! and the load may end before the edge at the middle of the slice, with the raised pressure next
+//! to that end. Therefore the half-width
 //! is measured from the end of the load ([`Edges::effective`]). As slices become shorter, that end
 //! tends to the edge itself.
 
