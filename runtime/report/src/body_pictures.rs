@@ -4,7 +4,7 @@
 //!
 //! The pictures are files of a run directory with a list of what they show, so that the page
 //! depends on files only. While positions are solved, the surfaces to be shown are stored: a
-//! vibration has a new largest stress at many steps, and a drawing takes longer than a step. The
+//! vibration has a new largest stress at many steps, and a drawing takes long. The
 //! pictures are drawn for the page. Shafts are drawn in every run. The meshes of other bodies must
 //! be factorized for it, so they are drawn in runs with VTU files only.
 

@@ -3,9 +3,9 @@
 //! Gaps are averaged over parallelograms. Their long sides follow the contact line, next to the end
 //! of a flank that end, and between them a direction in between. The mean gap of a rectangle would
 //! include the space beyond an oblique edge, so that the edge and the cells next to it would carry
-//! too little load. Across an oblique contact line it would be too large by κ d² / 24, with the relative
-//! curvature κ and the displacement d of the contact line within the slice. The compliance is that
-//! of rectangles of the same size and centre.
+//! too little load. Across an oblique contact line it would be too large by κ d² / 24, with the
+//! relative curvature κ and the displacement d of the contact line within the slice. The compliance
+//! is that of rectangles of the same size and centre.
 
 use super::contact_line::ContactLinePoint;
 use crate::zone::FlankEnds;
