@@ -214,37 +214,53 @@ fn edges_hardly_change_the_work_of_conjugate_flanks() {
     }
 }
 
-/// Contact is laid out at the position of rigid contact: gaps and moment arms are linear about the
-/// position where it is laid out, and the unloaded transmission error is 1e-4 rad.
+/// Returns the work of the torques on the motion of rigid teeth, relative to that of the pinion,
+/// and whether an edge carries the load. Contact is laid out at the position of rigid contact: gaps
+/// and moment arms are linear about the position where it is laid out, and the unloaded
+/// transmission error is 1e-4 rad.
+fn work_on_rigid_teeth(pair: &Pair, system: &System<'_>, part: f64) -> (f64, bool) {
+    let rate = pair.rate(part, |part| pair.unloaded(system, part));
+    let touching = pair.advanced(pair.unloaded(system, part));
+    let state = touching.state(&touching.system(Fidelity::Analytic), part);
+    println!("at {part}: {:e}, error {:e}", state.torque_excess, state.torque_excess - rate);
+    (state.torque_excess - rate, state.on_edge)
+}
+
 #[test]
 fn a_vanishing_load_does_no_work_on_rigid_teeth() {
     for (name, pair) in [("straight", straight(1e-3)), ("spiral", spiral(1e-3)), ("hypoid", hypoid(1e-3))] {
         let system = pair.system(Fidelity::Analytic);
-        let mut compared = 0;
-        for part in PARTS {
-            let rate = pair.rate(part, |part| pair.unloaded(&system, part));
-            let touching = pair.advanced(pair.unloaded(&system, part));
-            let state = touching.state(&touching.system(Fidelity::Analytic), part);
-            if state.on_edge {
-                continue;
-            }
-            compared += 1;
-            let error = state.torque_excess - rate;
-            println!("{name} at {part}: {:e}, error {error:e}", state.torque_excess);
-            assert!(error.abs() < 5e-7, "{name} at {part}: {error:e}");
-        }
-        assert!(compared >= 4, "{name}: edges carry load");
+        let works = PARTS.map(|part| work_on_rigid_teeth(&pair, &system, part));
+        let on_flanks: Vec<f64> =
+            works.iter().filter(|(_, on_edge)| !on_edge).map(|(work, _)| *work).collect();
+        assert!(on_flanks.len() >= 4, "{name}: edges carry load");
+        assert!(on_flanks.iter().all(|work| work.abs() < 5e-7), "{name}: {on_flanks:?}");
     }
 }
 
-/// Contact that ends at edges leaves a difference, without deflected normals 2e-4 (hypoid) and 5e-4
-/// (spiral).
+/// A force on an edge has the direction of the normal of the other flank. The error of a mean with
+/// the slope of the edge along the contact line is 1.2e-4 for the hypoid pair.
+#[test]
+fn a_vanishing_load_on_an_edge_does_no_work_on_rigid_teeth() {
+    for (name, pair) in [("spiral", spiral(1e-3)), ("hypoid", hypoid(1e-3))] {
+        let system = pair.system(Fidelity::Analytic);
+        for part in [0.82, 0.87, 0.92] {
+            let (work, on_edge) = work_on_rigid_teeth(&pair, &system, part);
+            assert!(on_edge && work.abs() < 5e-6, "{name} at {part}: {work}, on an edge: {on_edge}");
+        }
+    }
+}
+
+/// Without deflected normals the difference is 2e-4 (hypoid) and 5e-4 (spiral), and 1e-4 at
+/// positions where an edge carries load if the slopes along an oblique edge are a mean of those of
+/// the edge and of the flank. With 96 positions the means are 1.3e-6 and 7.8e-6, with 64 they are
+/// 9e-7 and 1.2e-5.
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal() {
-    for (name, pair, bound) in [("spiral", spiral(10.0), 2e-5), ("hypoid", hypoid(10.0), 5e-5)] {
+    for (name, pair, bound) in [("spiral", spiral(10.0), 3e-6), ("hypoid", hypoid(10.0), 1.5e-5)] {
         let system = pair.system(Fidelity::Analytic);
-        let states = (0..16).map(|index| pair.state(&system, (f64::from(index) + 0.5) / 16.0));
-        let mean = states.map(|state| state.torque_excess).sum::<f64>() / 16.0;
+        let states = (0..64).map(|index| pair.state(&system, (f64::from(index) + 0.5) / 64.0));
+        let mean = states.map(|state| state.torque_excess).sum::<f64>() / 64.0;
         println!("{name}: {mean:e}");
         assert!(mean.abs() < bound, "{name}: {mean:e}");
     }

@@ -46,7 +46,7 @@ fn a_pair_that_leans_as_a_whole_has_the_same_results() {
     let helical = || Options::helical(0.35, Hand::Right);
     let pairs = [Options::spur(), helical(), edges(Options::spur()), edges(helical())];
     // The helical pairs vary by 2e-9, the others by less than 1e-10. Rounding determines which
-    // cells the ends of the face cut, and these are not slanted.
+    // cells the ends of the face cut.
     for (options, of_error) in pairs.into_iter().zip([1e-9, 1e-8, 1e-9, 1e-8]) {
         let options = Options { misalignment: in_action(1e-4), ..options };
         let all = |options: Options| {

@@ -39,7 +39,8 @@ pub struct LoadedPatch<'a> {
 pub struct LineOfAction {
     /// Point half-way between both flanks, m.
     pub point: Vector,
-    /// Slopes along x and y of the deflected surface between both flanks, a weighted mean.
+    /// Slopes along x and y of the deflected surface between both flanks, where their slopes across
+    /// the slice are equal.
     pub slope: [f64; 2],
 }
 
@@ -67,8 +68,10 @@ struct LoadedSlice {
     index: usize,
     load: Load,
     feet: [FootPoint; 2],
-    /// Shares of both flanks in the common slopes along x and y.
-    shares: [[f64; 2]; 2],
+    /// Mean slopes along x and y of both flanks.
+    slopes: [[f64; 2]; 2],
+    /// Variation of the slopes across the slice.
+    variation: SlopeVariation,
     /// Distance over which slopes are differences, m.
     step: f64,
 }
@@ -104,12 +107,9 @@ fn of_patch(
     let frame = patch.cells.frame;
     for (index, slice) in slices.iter().enumerate() {
         let feet = &slice.feet;
-        let slope = [0, 1].map(|axis| {
-            let of = |side: usize| {
-                slice.shares[axis][side] * (feet[side].slope[axis] + deflections[side][index][axis])
-            };
-            of(0) + of(1)
-        });
+        let slope = slice.variation.common([0, 1].map(|side: usize| {
+            [0, 1].map(|axis: usize| slice.slopes[side][axis] + deflections[side][index][axis])
+        }));
         let height = 0.5 * (feet[0].height + feet[1].height);
         let point = plus(frame.at(slice.load.center), scaled(frame.normal, height));
         lines[slice.index] = Some(LineOfAction { point, slope });
@@ -137,25 +137,60 @@ fn deflection_slopes(
     Ok(slices.iter().zip(deflections.chunks_exact(4)).map(slope).collect())
 }
 
-/// Returns the shares of both flanks in their common slope across the patch. An error of the centre
-/// of pressure changes the slope of a flank in proportion to its curvature, so each counts with the
-/// curvature of the other: the direction of a force on a sharp edge is that of the flank that it
-/// touches.
-fn shares_across(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoint; 2]) -> [f64; 2] {
-    let [x, y] = load.center;
-    let half = 0.5 * load.size[0];
-    let change = |side: usize| {
-        let at = |x: f64| height_fields[side].over([x, y], feet[side].place);
-        Some((at(x + half)?.slope[0] - at(x - half)?.slope[0]).abs())
-    };
-    match (change(0), change(1)) {
-        (Some(first), Some(second)) if first + second > 0.0 => {
-            [second / (first + second), first / (first + second)]
+/// How the slopes of both flanks vary along x near a centre of pressure.
+#[derive(Clone, Copy, Debug)]
+enum SlopeVariation {
+    /// Changes of the slopes along x and y of both flanks per x, 1/m, over a distance of up to
+    /// `reach` (m) on both sides.
+    Linear { changes: [[f64; 2]; 2], reach: f64 },
+    /// The flank of the other side ends there, so contact has the normal of this one.
+    OneSided(usize),
+    /// Both flanks end there.
+    Unknown,
+}
+
+impl SlopeVariation {
+    /// Measures the changes over the width of a load.
+    fn measure(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoint; 2]) -> Self {
+        let [x, y] = load.center;
+        let reach = 0.5 * load.size[0];
+        let change = |side: usize| {
+            let at = |x: f64| height_fields[side].over([x, y], feet[side].place);
+            let [before, after] = [at(x - reach)?, at(x + reach)?];
+            Some([0, 1].map(|axis| (after.slope[axis] - before.slope[axis]) / (2.0 * reach)))
+        };
+        match (change(0), change(1)) {
+            (Some(first), Some(second)) => Self::Linear { changes: [first, second], reach },
+            // A flank that ends there is an edge.
+            (None, Some(_)) => Self::OneSided(1),
+            (Some(_), None) => Self::OneSided(0),
+            _ => Self::Unknown,
         }
-        // A flank that ends there is an edge.
-        (None, Some(_)) => [0.0, 1.0],
-        (Some(_), None) => [1.0, 0.0],
-        _ => [0.5; 2],
+    }
+
+    /// Returns the common slopes along x and y of two flanks with these slopes at the centre of
+    /// pressure. The centre of pressure is accurate to a fraction of a cell. On a sharp edge this
+    /// changes the slope by much more than the deflection does, so the slopes are taken at the
+    /// nearest x where those along x are equal, as they are where flanks touch.
+    fn common(&self, slopes: [[f64; 2]; 2]) -> [f64; 2] {
+        let mean =
+            |slopes: [[f64; 2]; 2]| [0, 1].map(|axis: usize| 0.5 * (slopes[0][axis] + slopes[1][axis]));
+        let (changes, reach) = match *self {
+            Self::OneSided(side) => return slopes[side],
+            Self::Unknown => return mean(slopes),
+            Self::Linear { changes, reach } => (changes, reach),
+        };
+        let curvature = changes[1][0] - changes[0][0];
+        // A load without width has no curvature.
+        if curvature.is_nan() || curvature <= 0.0 {
+            return mean(slopes);
+        }
+        let shift = ((slopes[0][0] - slopes[1][0]) / curvature).clamp(-reach, reach);
+        mean(
+            [0, 1].map(|side: usize| {
+                [0, 1].map(|axis: usize| slopes[side][axis] + shift * changes[side][axis])
+            }),
+        )
     }
 }
 
@@ -165,10 +200,36 @@ fn loaded_slices(patch: &LoadedPatch, height_fields: &[HeightField; 2]) -> Vec<L
         let load = load_of(patch, slice)?;
         let foot = |side: usize| height_fields[side].over(load.center, slice.places[side]);
         let feet = [foot(0)?, foot(1)?];
-        let shares = [shares_across(height_fields, &load, &feet), [0.5; 2]];
-        Some(LoadedSlice { index, load, feet, shares, step: STEP * (slice.y[1] - slice.y[0]) })
+        let variation = SlopeVariation::measure(height_fields, &load, &feet);
+        let slopes = mean_slopes(patch, slice, height_fields).unwrap_or(feet.map(|foot| foot.slope));
+        Some(LoadedSlice { index, load, feet, slopes, variation, step: STEP * (slice.y[1] - slice.y[0]) })
     };
     patch.slices.iter().enumerate().filter_map(of_slice).collect()
+}
+
+/// Returns the slopes along x and y of both flanks, weighted by the forces of the cells of a slice
+/// whose load is partly on an edge; `None` for others, where the slopes at the centre of pressure
+/// are the same.
+fn mean_slopes(
+    patch: &LoadedPatch,
+    slice: &Slice,
+    height_fields: &[HeightField; 2],
+) -> Option<[[f64; 2]; 2]> {
+    let cells = patch.cells.cells.get(slice.cells.clone())?;
+    let forces = patch.forces.get(slice.cells.clone())?;
+    let loaded = || cells.iter().zip(forces).filter(|(_, force)| **force > 0.0);
+    if !loaded().any(|(cell, _)| cell.edge) {
+        return None;
+    }
+    let total: f64 = loaded().map(|(_, force)| force).sum();
+    let mut slopes = [[0.0; 2]; 2];
+    for (cell, force) in loaded() {
+        for (side, slopes) in slopes.iter_mut().enumerate() {
+            let slope = height_fields[side].foot(cell.places[side]).slope;
+            (0..2).for_each(|axis| slopes[axis] += force / total * slope[axis]);
+        }
+    }
+    Some(slopes)
 }
 
 /// Returns four points on the surface of a side: at a step before and behind the centre of pressure
@@ -250,4 +311,52 @@ fn load_of(patch: &LoadedPatch, slice: &Slice) -> Option<Load> {
     let mean = |axis: usize| loaded().map(|(cell, part)| part / force * cell.center[axis]).sum::<f64>();
     let size = [ends(0)?, ends(1)?].map(|[low, high]| high - low);
     Some(Load { center: [mean(0), mean(1)], size, force })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Slopes of two flanks `offset` (m) before the place where they touch with the slopes `at`,
+    /// and their common slopes.
+    fn common(changes: [[f64; 2]; 2], at: [f64; 2], offset: f64) -> [f64; 2] {
+        let slopes =
+            [0, 1].map(|side: usize| [0, 1].map(|axis: usize| at[axis] - offset * changes[side][axis]));
+        SlopeVariation::Linear { changes, reach: 1e-4 }.common(slopes)
+    }
+
+    /// Convex flanks, a convex and a concave one, and a rounded edge that crosses the slice
+    /// obliquely.
+    const CHANGES: [[[f64; 2]; 2]; 3] =
+        [[[-20.0, 0.0], [30.0, 1.0]], [[20.0, 3.0], [50.0, 0.0]], [[-9000.0, 4000.0], [30.0, 0.0]]];
+
+    #[test]
+    fn the_common_slope_is_that_where_flanks_touch() {
+        let at = [2e-3, -1e-3];
+        for changes in CHANGES {
+            for offset in [-5e-5, 0.0, 5e-5] {
+                let found = common(changes, at, offset);
+                assert!((0..2).all(|axis| (found[axis] - at[axis]).abs() < 1e-12), "{changes:?}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn slopes_are_not_taken_beyond_the_load() {
+        let slopes = [[1e-2, 0.0], [0.0, 2e-3]];
+        let variation = SlopeVariation::Linear { changes: [[-20.0, 0.0], [30.0, 0.0]], reach: 1e-4 };
+        // At 1e-4 the slopes along x are 8e-3 and 3e-3.
+        let [x, y] = variation.common(slopes);
+        assert!((x - 5.5e-3).abs() < 1e-12 && (y - 1e-3).abs() < 1e-12, "{x} {y}");
+    }
+
+    #[test]
+    fn an_end_of_a_flank_has_the_slope_of_the_other_flank() {
+        let slopes = [[1e-2, 1e-3], [0.0, 2e-3]];
+        assert_eq!(SlopeVariation::OneSided(1).common(slopes), slopes[1]);
+        let without_width = SlopeVariation::Linear { changes: [[f64::NAN; 2]; 2], reach: 0.0 };
+        for variation in [SlopeVariation::Unknown, without_width] {
+            assert_eq!(variation.common(slopes), [5e-3, 1.5e-3]);
+        }
+    }
 }

@@ -495,8 +495,7 @@ impl Layer<'_> {
             [self.height_fields[0].over(center, guess[0])?, self.height_fields[1].over(center, guess[1])?];
         let places = feet.map(|foot| foot.place);
         let own = feet[1].height - feet[0].height;
-        // A parallelogram is centred at the middle of the slice, a cell that is cut is not.
-        let slant = if ends == slice { slant.at(middle) } else { 0.0 };
+        let slant = slant.at(middle);
         let mut gap = 0.0;
         for (a, weight_a) in ACROSS {
             for b in ALONG {
