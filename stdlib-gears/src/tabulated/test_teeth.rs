@@ -148,15 +148,14 @@ impl Conical {
     }
 }
 
-/// Spiral bevel pinion (12 teeth) or gear (36 teeth) of chapter 6 of the report, from its machine
-/// settings.
+/// Spiral bevel gear (36 teeth), pinion (12 teeth) or pinion with wider edges of its blades
+/// ("pinion 0.07") of chapter 6 of the report, from the machine settings.
 pub fn aerospace(name: &str) -> ToothTable {
     const INCH: f64 = 0.0254;
     let (mut flanks, mut fillets) =
         ([PointGrid::new(), PointGrid::new()], [PointGrid::new(), PointGrid::new()]);
     let rows = include_str!("../../tests/data/bevel_teeth.csv").lines();
-    for row in rows.filter(|row| row.starts_with(name)) {
-        let cells: Vec<&str> = row.split(',').collect();
+    for cells in rows.map(|row| row.split(',').collect::<Vec<&str>>()).filter(|cells| cells[0] == name) {
         let count = |cell: usize| cells[cell].parse::<usize>().expect("an index");
         let (side, section) = (count(2), count(3));
         let grid = if cells[1] == "flank" { &mut flanks[side] } else { &mut fillets[side] };
@@ -165,6 +164,6 @@ pub fn aerospace(name: &str) -> ToothTable {
         }
         grid[section].push([4, 5, 6].map(|cell: usize| INCH * cells[cell].parse::<f64>().expect("a number")));
     }
-    let (teeth, pitch_angle) = if name == "pinion" { (12, 18.433_f64) } else { (36, 71.5666) };
+    let (teeth, pitch_angle) = if name == "gear" { (36, 71.5666_f64) } else { (12, 18.433) };
     ToothTable { teeth, pitch_angle: pitch_angle.to_radians(), flanks, fillets }
 }
