@@ -170,11 +170,12 @@ fn powers_and_strain_energy_are_balanced() {
     }
 }
 
-#[test]
-fn the_pressure_is_hertz_s() {
+/// Returns the deviations of the peak pressures from Hertz's, for every position, torque and pair.
+fn deviations_from_hertz(half_cells: [usize; 2]) -> Vec<f64> {
+    let mut deviations = Vec::new();
     for helix in [[0.9, 0.67], [0.3, 0.25]] {
         for torque in [0.5, 20.0] {
-            let options = Options { helix, torque, ..Options::default() };
+            let options = Options { helix, torque, half_cells, ..Options::default() };
             let (scene, mesh) = options.scene();
             let system = built(&scene, MEDIUM, StructureOptions::default());
             for part in [0.3, 0.5] {
@@ -184,10 +185,21 @@ fn the_pressure_is_hertz_s() {
                     let radii = relative_radii(&options, grid.frame.point, grid.frame.normal);
                     let ellipse = Ellipse::new(radii, 0.5 * modulus(), patch.force());
                     let peak = patch.peak().expect("it is loaded").pressure;
-                    let error = peak / ellipse.peak - 1.0;
-                    assert!(error.abs() < 4e-3, "{helix:?} {torque} {part}: {error:e}, {ellipse:?}");
+                    deviations.push(peak / ellipse.peak - 1.0);
                 }
             }
         }
     }
+    deviations
+}
+
+#[test]
+fn the_pressure_is_hertz_s() {
+    let largest = |half_cells| {
+        let deviations = deviations_from_hertz(half_cells);
+        println!("{half_cells:?}: {deviations:.5?}");
+        deviations.into_iter().map(f64::abs).fold(0.0, f64::max)
+    };
+    let (usual, twice) = (largest([10, 8]), largest([20, 16]));
+    assert!(usual < 4e-3 && twice < 0.5 * usual, "{usual} {twice}");
 }
