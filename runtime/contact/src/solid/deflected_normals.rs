@@ -232,16 +232,21 @@ fn mean_slopes(
     Some(slopes)
 }
 
-/// Returns four points on the surface of a side: at a step before and behind the centre of pressure
-/// across the slice, then along it.
+/// Returns four points on the surface of a side: at a step before and after the centre of pressure
+/// across the slice, then along it. Near a rounded edge they are moved to the flank before it,
+/// since the edge's own normals are not those of the force.
 fn observers(patch: &LoadedPatch, side: usize, slice: &LoadedSlice) -> [Observer; 4] {
     let foot = &slice.feet[side];
+    let Side { structure, chart, .. } = &patch.cells.sides[side];
+    let last = structure.surface(chart.surface).edge_from().unwrap_or(f64::INFINITY);
+    let reach = slice.step * (0..2).map(|axis| foot.place_by(axis)[0].abs()).fold(0.0, f64::max);
+    let beyond = (foot.place[0] + reach - last).max(0.0);
     let first = patch.slices[slice.index].cells.start;
     let length = patch.cells.cells.get(first).map_or(0.0, |cell| cell.spans[side]);
     [(0, -slice.step), (0, slice.step), (1, -slice.step), (1, slice.step)].map(|(axis, step)| {
         let (mut at, change) = (foot.at, foot.place_by(axis));
         at[axis] += step;
-        let place = [0, 1].map(|k| foot.place[k] + step * change[k]);
+        let place = [foot.place[0] - beyond + step * change[0], foot.place[1] + step * change[1]];
         Observer { segment: SurfaceSegment { place, length }, at }
     })
 }

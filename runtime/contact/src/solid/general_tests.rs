@@ -190,6 +190,7 @@ fn images_lie_in_the_side_face_where_the_patch_meets_it() {
         center: [1e-5 * k, 1e-3 * k],
         size: [1e-4, 1e-3],
         places: [[0.1 * k, k]; 2],
+        loaded_at: [[0.1 * k, k]; 2],
         axial: [0.0; 2],
         spans: [1.0; 2],
         gap: 0.0,

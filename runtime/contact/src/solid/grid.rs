@@ -32,6 +32,9 @@ pub struct Cell {
     pub size: [f64; 2],
     /// Surface coordinates of the centre, by side.
     pub places: [[f64; 2]; 2],
+    /// Surface coordinates where the bodies are loaded: with [`GridOptions::local_normals`] on a
+    /// rounded edge those of its start.
+    pub loaded_at: [[f64; 2]; 2],
     /// Length along the body's axis, m, by side.
     pub axial: [f64; 2],
     /// Length in the surface coordinate `v`, by side: `axial` on extruded surfaces.
@@ -58,7 +61,7 @@ impl Cell {
 
     /// Returns the loaded spot on the body of a side.
     pub fn segment(&self, side: usize) -> SurfaceSegment {
-        SurfaceSegment { place: self.places[side], length: self.spans[side] }
+        SurfaceSegment { place: self.loaded_at[side], length: self.spans[side] }
     }
 
     /// Returns the ends across (axis 0) or along (1) the contact line, m.
@@ -526,7 +529,12 @@ impl Layer<'_> {
             }
             false => (self.frame.at([self.snapped(closest.at()[0]), center[1]]), [0.0; 2]),
         };
-        Some((Cell { center, size, places, axial, spans, gap, point, slope, edge }, places))
+        let loaded_at = match self.local_normals {
+            true => [0, 1].map(|side: usize| self.placed[side].loaded_at(places[side])),
+            // As in plane models.
+            false => places,
+        };
+        Some((Cell { center, size, places, loaded_at, axial, spans, gap, point, slope, edge }, places))
     }
 
     /// Returns the ends along the contact line of a cell at `x` of a slice: those of the side faces

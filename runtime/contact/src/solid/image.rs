@@ -278,6 +278,7 @@ pub(super) mod tests {
             center,
             size,
             places,
+            loaded_at: places,
             axial: [size[1]; 2],
             spans: [size[1]; 2],
             gap: 0.0,

@@ -128,6 +128,7 @@ mod tests {
             center,
             size,
             places: [[0.0; 2]; 2],
+            loaded_at: [[0.0; 2]; 2],
             axial: [0.0; 2],
             spans: [0.0; 2],
             gap: 0.0,

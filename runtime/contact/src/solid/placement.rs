@@ -72,6 +72,13 @@ impl PlacedSurface<'_> {
         [[first, last], v]
     }
 
+    /// Returns the surface coordinates where a force at `place` loads the body. It acts along the
+    /// normal of the other flank, whereas structures know forces along their own normals, which
+    /// are rotated on a rounded edge: there it loads the start of the edge.
+    pub(super) fn loaded_at(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+        [self.surface.edge_from().map_or(u, |start| u.min(start)), v]
+    }
+
     pub(super) fn on_edge(&self, [u, _]: [f64; 2]) -> bool {
         self.surface.edge_from().is_some_and(|edge| u >= edge)
     }
