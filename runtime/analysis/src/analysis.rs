@@ -4,12 +4,12 @@
 //! observer.
 
 mod differentiation;
+mod position_solver;
 
 use crate::component_recorder::ComponentRecorder;
 use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
 use crate::forced_response::{self, ForcedResponse};
 use crate::method::QuasiStatic;
-use crate::observables::Observe;
 use crate::observables::{CampbellDiagram, Displayed, Equilibrium, Fields, MeshedBodies, ModesTable, parts};
 pub use crate::options::AnalysisOptions;
 use crate::radiated_sound::{self, SoundTask};
@@ -20,9 +20,10 @@ use crate::scene::Scene;
 use crate::sensitivity::SensitivityRequest;
 use crate::summary::summarize;
 use crate::validate::Request;
+use self::position_solver::{Found, PositionSolver, Receiver};
 use calyx_contact::problem::Certificate;
 use calyx_model::fidelity::StructureOptions;
-use calyx_model::observed::{Observed, OutputRequest};
+use calyx_model::observed::OutputRequest;
 use calyx_model::plan::Plan;
 pub use calyx_model::position::{Position, mesh_cycle};
 use calyx_model::resources::Resources;
@@ -136,17 +137,10 @@ impl<'s> PlannedAnalysis<'s> {
     }
 }
 
-/// Equilibrium at a position with its observables.
-struct Found {
-    step: StepResult,
-    observed: Vec<Observed>,
-    /// Loads of meshes and bearings, if they are recorded.
-    loads: Option<Vec<f64>>,
-}
-
 /// Quasi-static analysis in progress: an iterator over its positions, in order.
 ///
 /// It solves as many positions in parallel as there are threads, starting with the requested one.
+/// [`quasi_static`] and [`Steps::finish`] solve the next ones while the caller receives a position.
 /// After an error it ends.
 pub struct Steps<'s> {
     scene: &'s Scene,
@@ -223,18 +217,20 @@ impl<'s> Steps<'s> {
     ///
     /// # Errors
     /// The first error of a position, or those of the interrupt.
-    pub fn finish(self) -> Result<AnalysisResult, EngineError> {
-        self.finish_observed(&mut ())
-    }
-
-    /// Does the same as [`Steps::finish`] and reports the stages to an observer.
-    fn finish_observed(mut self, observer: &mut dyn Observer) -> Result<AnalysisResult, EngineError> {
-        for step in self.by_ref() {
-            step?;
-        }
+    pub fn finish(mut self) -> Result<AnalysisResult, EngineError> {
         if let Some(error) = self.failed {
             return Err(error);
         }
+        for _ in 0..self.ahead.len() {
+            self.next().transpose()?;
+        }
+        self.solve_remaining(Receiver { fields: 0, displayed: &Displayed::default(), observer: &mut () })?;
+        self.summarized(&mut ())
+    }
+
+    /// Computes everything that follows from the solved positions, and reports the stages to an
+    /// observer.
+    fn summarized(mut self, observer: &mut dyn Observer) -> Result<AnalysisResult, EngineError> {
         let sensitivities = self.differentiate(observer)?;
         let first = Certificate::default();
         let certificate = self.solved.iter().fold(first, |worst, solved| worst.worst(&solved.certificate));
@@ -333,43 +329,31 @@ impl<'s> Steps<'s> {
         if self.ahead.is_empty() {
             self.solve_ahead();
         }
-        let Found { step, observed, loads } = match self.ahead.pop_front() {
+        let found = match self.ahead.pop_front() {
             Some(Ok(found)) => found,
             // Solve the position again, alone, so that notes of kernels about an error refer to
             // this position only.
-            _ => self.solve_alone(position)?,
+            _ => PositionSolver::of(self).solve(position)?,
         };
-        let row = StepRow::new(position.clone(), self.outputs, &observed, step.warnings.clone());
-        refuse_nan(&row, self.outputs, &self.plan)?;
+        let solved = found.solved(position, self.outputs, &self.plan)?;
+        let Found { step, loads, .. } = found;
         if let (Some(recorder), Some(loads)) = (&mut self.recorder, loads) {
             recorder.push(loads);
         }
-        let certificate = step.certificate;
         if self.sensitivities.is_some() {
             self.states.push(differentiation::state_of(&step));
         }
         self.current = Some(step);
-        Ok(Solved { row, certificate, state: Vec::new() })
+        Ok(solved)
     }
 
     /// Solves the next positions in parallel, one per thread.
     fn solve_ahead(&mut self) {
         let positions = &self.positions[self.solved.len()..];
         let together = &positions[..self.resources.threads().min(positions.len())];
-        let this = &*self;
-        let all = || together.par_iter().map(|position| this.solve_alone(position)).collect::<Vec<_>>();
+        let solver = PositionSolver::of(self);
+        let all = || together.par_iter().map(|position| solver.solve(position)).collect::<Vec<_>>();
         self.ahead = self.resources.install(all).into();
-    }
-
-    fn solve_alone(&self, position: &Position) -> Result<Found, EngineError> {
-        let step = self.system.solve(position.time)?;
-        let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
-        let of_position = (self.scene, &observed[..]);
-        let loads = self.recorder.as_ref();
-        let loads = loads.map(|loads| loads.evaluate(&self.system, &step, self.plan.fidelity, of_position));
-        // An interrupted observable has no value, which is not an error of the model.
-        self.resources.interrupt.check()?;
-        Ok(Found { step, observed, loads })
     }
 }
 
@@ -481,21 +465,14 @@ pub fn quasi_static(
         steps.prepare()?;
     }
     observer.observe(Event::Stage("positions"))?;
-    while let Some(solved) = steps.next() {
-        let solved = &solved?;
-        let index = steps.solved().len() - 1;
-        let requested = requests_fields(options.fields, index, positions.len());
-        let equilibrium = steps.equilibrium().filter(|_| requested);
-        let fields = equilibrium.map(|at| at.fields_with(&displayed)).transpose()?;
-        observer.observe(Event::Step { index, count: positions.len(), solved, fields: fields.as_ref() })?;
-    }
+    steps.solve_remaining(Receiver { fields: options.fields, displayed: &displayed, observer })?;
     if scene.forced_response.is_some() && scene.sounds.is_empty() {
         observer.observe(Event::Stage(FORCED_RESPONSE))?;
     }
     if options.error_estimates != Estimates::None {
         observer.observe(Event::Stage(ERRORS))?;
     }
-    steps.finish_observed(observer)
+    steps.summarized(observer)
 }
 
 impl Timing {

@@ -14,6 +14,7 @@ pub mod fidelity;
 pub mod flanks;
 pub mod frames;
 pub mod ids;
+mod in_order;
 mod interior_modes;
 pub mod load;
 pub mod lubrication;

@@ -8,20 +8,26 @@
 //! The store is optional: a full or missing disk makes analyses slower but never makes them fail.
 
 use super::Key;
-use sha2::{Digest, Sha256};
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
+use twox_hash::XxHash3_128;
 
 /// Start of a file. The last byte is the version of the layout: this, the key, the hash of the
 /// content, the content.
-const MAGIC: [u8; 16] = *b"calyx structure\x02";
-const HEADER: usize = MAGIC.len() + 32 + 32;
+const MAGIC: [u8; 16] = *b"calyx structure\x03";
+const HEADER: usize = MAGIC.len() + 32 + size_of::<u128>();
 const WHOLE: &str = "structure";
 const PARTIAL: &str = "partial";
 const LOCK: &str = "lock";
+
+/// Returns a hash that detects damage. Structures have hundreds of megabytes, and a cryptographic
+/// hash would take longer than reading them.
+fn hash_of(content: &[u8]) -> [u8; size_of::<u128>()] {
+    XxHash3_128::oneshot(content).to_be_bytes()
+}
 
 /// Directory of structures with a limit on its size.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,7 +60,7 @@ impl Store {
         }
         let mut content = Vec::new();
         file.read_to_end(&mut content).ok()?;
-        if Sha256::digest(&content).as_slice() != hash {
+        if hash_of(&content) != hash {
             return None;
         }
         // Mark the file as used. Without the permission, the file may be evicted and written again.
@@ -78,7 +84,7 @@ impl Store {
         let written = File::create_new(&partial).and_then(|mut file| {
             file.write_all(&MAGIC)?;
             file.write_all(key.bytes())?;
-            file.write_all(&Sha256::digest(content))?;
+            file.write_all(&hash_of(content))?;
             file.write_all(content)
         });
         let lock = File::options().create(true).append(true).open(self.directory.join(LOCK));

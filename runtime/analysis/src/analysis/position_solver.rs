@@ -1,0 +1,160 @@
+//! Solution of the positions of a quasi-static analysis. While the observer receives a position,
+//! the following ones are solved in parallel.
+
+use super::{Event, Observer, Steps, differentiation, refuse_nan, requests_fields};
+use crate::component_recorder::ComponentRecorder;
+use crate::observables::{Displayed, Equilibrium, Fields, Observe};
+use crate::rows::{Solved, StepRow};
+use crate::scene::Scene;
+use calyx_model::observed::{Observed, OutputRequest};
+use calyx_model::plan::Plan;
+use calyx_model::position::Position;
+use calyx_numerics::error::EngineError;
+use calyx_numerics::interrupt::Interrupt;
+use calyx_solve::step::{ContactState, StepResult};
+use calyx_solve::system::System;
+use std::ops::ControlFlow;
+use std::time::Instant;
+
+/// Equilibrium at a position with its observables.
+pub(super) struct Found {
+    pub step: StepResult,
+    pub observed: Vec<Observed>,
+    /// Loads of meshes and bearings, if they are recorded.
+    pub loads: Option<Vec<f64>>,
+}
+
+impl Found {
+    /// Returns the row of the position.
+    ///
+    /// # Errors
+    /// An output is not a number.
+    pub fn solved(
+        &self,
+        position: &Position,
+        outputs: &[OutputRequest],
+        plan: &Plan,
+    ) -> Result<Solved, EngineError> {
+        let row = StepRow::new(position.clone(), outputs, &self.observed, self.step.warnings.clone());
+        refuse_nan(&row, outputs, plan)?;
+        Ok(Solved { row, certificate: self.step.certificate, state: Vec::new() })
+    }
+}
+
+/// What solving a position needs.
+pub(super) struct PositionSolver<'a, 's> {
+    pub scene: &'s Scene,
+    pub plan: &'a Plan,
+    pub system: &'a System<'s>,
+    pub recorder: Option<&'a ComponentRecorder>,
+    pub interrupt: &'a Interrupt,
+}
+
+impl<'a, 's> PositionSolver<'a, 's> {
+    /// Returns the solver of an analysis.
+    pub fn of(steps: &'a Steps<'s>) -> Self {
+        let (scene, system, plan) = (steps.scene, &steps.system, &steps.plan);
+        let (recorder, interrupt) = (steps.recorder.as_ref(), &steps.resources.interrupt);
+        PositionSolver { scene, plan, system, recorder, interrupt }
+    }
+
+    /// Solves a position and evaluates the observables.
+    ///
+    /// # Errors
+    /// Those of the solution, and those of the interrupt.
+    pub fn solve(&self, position: &Position) -> Result<Found, EngineError> {
+        self.interrupt.check()?;
+        let step = self.system.solve(position.time)?;
+        let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
+        let of_position = (self.scene, &observed[..]);
+        let evaluate = |loads: &ComponentRecorder| {
+            loads.evaluate(self.system, &step, self.plan.fidelity, of_position)
+        };
+        let loads = self.recorder.map(evaluate);
+        // An interrupted observable has no value, which is not an error of the model.
+        self.interrupt.check()?;
+        Ok(Found { step, observed, loads })
+    }
+}
+
+/// What remains of a solved position.
+struct Results {
+    solved: Solved,
+    loads: Option<Vec<f64>>,
+    /// State of contact, if it is kept; `None` within at a change of the state.
+    state: Option<Option<ContactState>>,
+    fields: Option<Fields>,
+}
+
+/// Receiver of solved positions and their fields.
+pub(super) struct Receiver<'a> {
+    /// Largest number of positions with fields.
+    pub fields: usize,
+    pub displayed: &'a Displayed,
+    pub observer: &'a mut dyn Observer,
+}
+
+impl Steps<'_> {
+    /// Solves the remaining positions in parallel and reports them in order.
+    ///
+    /// # Errors
+    /// The first error of a position or of the observer, or those of the interrupt.
+    pub(super) fn solve_remaining(&mut self, receiver: Receiver<'_>) -> Result<(), EngineError> {
+        self.prepare()?;
+        let started = Instant::now();
+        let (positions, outputs) = (self.positions, self.outputs);
+        let (mut next, count) = (self.solved.len(), positions.len());
+        let Receiver { fields: wanted, displayed, observer } = receiver;
+        let mut all = std::mem::take(&mut self.solved);
+        let (mut states, mut loads) = (Vec::new(), Vec::new());
+
+        let keeps_states = self.sensitivities.is_some();
+        let (solver, system, plan) = (PositionSolver::of(self), &self.system, &self.plan);
+        let solve = |index: usize| {
+            let found = solver.solve(&positions[index])?;
+            let fields = || Equilibrium::new(system, &found.step).fields_with(displayed);
+            let fields = requests_fields(wanted, index, count).then(fields).transpose()?;
+            Ok(Results {
+                solved: found.solved(&positions[index], outputs, plan)?,
+                loads: found.loads,
+                state: keeps_states.then(|| differentiation::state_of(&found.step)),
+                fields,
+            })
+        };
+        let mut receive = |index: usize, own: Results| {
+            let fields = own.fields;
+            states.extend(own.state);
+            loads.extend(own.loads);
+            all.push(own.solved);
+            let solved = &all[index];
+            observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })
+        };
+        let mut result = Ok(());
+        while next < count && result.is_ok() {
+            let first = next;
+            self.resources.in_order(
+                count - first,
+                |index| solve(first + index),
+                |_, solved| {
+                    let Ok(solved) = solved else { return ControlFlow::Break(()) };
+                    result = receive(next, solved);
+                    next += 1;
+                    if result.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+                },
+            );
+            if next < count && result.is_ok() {
+                // Solve the position again, alone, so that notes of kernels about an error refer to
+                // this position only.
+                result = solve(next).and_then(|solved| receive(next, solved));
+                next += 1;
+            }
+        }
+        self.solved = all;
+        self.states.extend(states);
+        if let Some(recorder) = &mut self.recorder {
+            loads.into_iter().for_each(|loads| recorder.push(loads));
+        }
+        self.solving += started.elapsed();
+        result
+    }
+}
