@@ -8,9 +8,9 @@ use super::dense::tiles;
 use super::grid::Cell;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
+use calyx_numerics::parallel::try_map;
 use calyx_structure::half_plane::HalfPlane;
 use calyx_structure::{Chart, Structure};
-use rayon::prelude::*;
 
 /// Body in a patch.
 #[derive(Clone, Copy)]
@@ -131,8 +131,8 @@ fn spread(reduced: &[f64], wanted: &[Vec<bool>]) -> Vec<f64> {
 
 /// Assembles a symmetric matrix, row-major. `block(p, q)` returns the block, row-major, of the
 /// `sizes[p]` rows of patch `p` and the `sizes[q]` columns of patch `q`. It is called for `p <= q`
-/// unless both are unchanged since the `former` matrix, by several threads at a time: a time step
-/// has no other position to solve meanwhile.
+/// unless both are unchanged since the `former` matrix, by several threads at a time unless all are
+/// busy with other positions.
 pub(crate) fn symmetric_of_blocks(
     sizes: &[usize],
     former: Option<FormerCompliance>,
@@ -141,11 +141,10 @@ pub(crate) fn symmetric_of_blocks(
 ) -> Result<Vec<f64>, EngineError> {
     let (n, patches): (usize, usize) = (sizes.iter().sum(), sizes.len());
     let pairs: Vec<[usize; 2]> = (0..patches).flat_map(|p| (p..patches).map(move |q| [p, q])).collect();
-    let blocks = pairs.par_iter().map(|&[p, q]| match former.and_then(|former| former.block(p, q)) {
+    let blocks = try_map(&pairs, |&[p, q]| match former.and_then(|former| former.block(p, q)) {
         Some(known) => Ok(known),
         None => block(p, q),
-    });
-    let blocks: Vec<Vec<f64>> = blocks.collect::<Result<_, EngineError>>()?;
+    })?;
     let mut matrix = vec![0.0; n * n];
     let first = |patch: usize| -> usize { sizes[..patch].iter().sum() };
     for ([p, q], block) in pairs.into_iter().zip(blocks) {

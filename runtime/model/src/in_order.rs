@@ -1,6 +1,7 @@
 //! Parallel computation of values that are passed on in order.
 
 use crate::resources::Resources;
+use calyx_numerics::parallel::while_all_are_busy;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
@@ -27,7 +28,7 @@ impl Resources {
         for first in (0..count).step_by(length) {
             let block = first..count.min(first + length);
             let ended = if waits {
-                self.pass_on(block, &compute, &mut take)
+                self.pass_on((block, count), &compute, &mut take)
             } else {
                 let all = || block.clone().into_par_iter().map(&compute).collect::<Vec<_>>();
                 block.clone().zip(self.install(all)).try_for_each(|(index, value)| take(index, value))
@@ -38,15 +39,16 @@ impl Resources {
         }
     }
 
-    /// Computes and passes on a block of values on a thread outside of the pool. Every thread of the
+    /// Computes and passes on a block of all values on a thread outside of the pool. Every thread of the
     /// pool has one job that computes one value after another: of several jobs, a thread might
     /// begin the next one while it waits for others to complete a part of the first.
     fn pass_on<T: Send>(
         &self,
-        block: Range<usize>,
+        (block, count): (Range<usize>, usize),
         compute: &(impl Fn(usize) -> T + Sync),
         take: &mut impl FnMut(usize, T) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
+        let threads = self.threads();
         let (next, ended) = (AtomicUsize::new(block.start), AtomicBool::new(false));
         let (sender, receiver) = mpsc::channel();
         let compute_all = || {
@@ -55,7 +57,11 @@ impl Resources {
                 if index >= block.end {
                     return;
                 }
-                let value = catch_unwind(AssertUnwindSafe(|| compute(index)));
+                let compute = || match count - index >= threads {
+                    true => while_all_are_busy(|| compute(index)),
+                    false => compute(index),
+                };
+                let value = catch_unwind(AssertUnwindSafe(compute));
                 // There is no receiver any more if the computation has ended.
                 let _ = sender.send((index, value));
             }

@@ -1,5 +1,6 @@
 //! Numerical foundations of the engine: dense matrices, vectors in two and three dimensions,
-//! interpolation, quadrature, Fourier transform, and the errors and interrupts of all other crates.
+//! interpolation, quadrature, Fourier transform, and the errors, interrupts and parallel parts of all
+//! other crates.
 
 #![warn(missing_docs)]
 
@@ -9,6 +10,7 @@ pub mod error;
 pub mod fourier;
 pub mod interpolation;
 pub mod interrupt;
+pub mod parallel;
 pub mod quadrature;
 pub mod stress;
 pub mod vec2;

@@ -21,8 +21,8 @@ use calyx_model::position::Position;
 use calyx_model::resources::Resources;
 use calyx_numerics::error::EngineError;
 use calyx_solve::system::System;
-use rayon::prelude::*;
 use std::f64::consts::SQRT_2;
+use std::ops::ControlFlow;
 
 /// Factor for contact grids with half as many cells.
 pub(super) const OF_GRID: f64 = 0.4;
@@ -275,22 +275,30 @@ impl BaseAnalysis<'_, '_> {
         positions: &[Position],
     ) -> Result<AddedPositions, Failed> {
         self.prepare_sound(system, plan).map_err(|error| self.failed(error))?;
-        let solve = |position: &Position| {
+        let solve = |index: usize| {
+            let position: &Position = &positions[index];
             self.resources.interrupt.check()?;
             let step = system.solve(position.time)?;
             let observed = system.values(&step, plan.fidelity, &self.scene.observables);
             let rounding = rounding::of_outputs(self.scene, self.outputs, &observed, position.time);
             Ok((StepRow::new(position.clone(), self.outputs, &observed, Vec::new()), rounding))
         };
-        let all = || positions.par_iter().map(solve).collect::<Result<Vec<_>, EngineError>>();
-        let solved = self.resources.install(all).map_err(|error| self.failed(error))?;
+        let mut besides = AddedPositions { rows: Vec::new(), rounding: vec![0.0; self.outputs.len()] };
+        let mut result = Ok(());
+        self.resources.in_order(positions.len(), solve, |_, solved| match solved {
+            Ok((row, rounding)) => {
+                besides.rows.push(row);
+                besides.rounding.iter_mut().zip(rounding).for_each(|(most, own)| *most = most.max(own));
+                ControlFlow::Continue(())
+            }
+            Err(error) => {
+                result = Err(self.failed(error));
+                ControlFlow::Break(())
+            }
+        });
+        result?;
         // An interrupted observable has no value.
         self.resources.interrupt.check().map_err(Failed::Ended)?;
-        let mut besides = AddedPositions { rows: Vec::new(), rounding: vec![0.0; self.outputs.len()] };
-        for (row, rounding) in solved {
-            besides.rows.push(row);
-            besides.rounding.iter_mut().zip(rounding).for_each(|(most, own)| *most = most.max(own));
-        }
         Ok(besides)
     }
 

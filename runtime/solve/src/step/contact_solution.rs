@@ -17,8 +17,8 @@ use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibr
 use calyx_model::dof::Dof;
 use calyx_model::ids::BodyId;
 use calyx_numerics::error::EngineError;
+use calyx_numerics::parallel::try_map;
 use faer::Mat;
-use rayon::prelude::*;
 use std::sync::OnceLock;
 
 /// Gap, relative to the length of the profile, below which rigid surfaces touch: conjugate teeth
@@ -75,14 +75,13 @@ impl<S: ContactGeometry> Solver<'_, S> {
         };
         let resolutions = candidates.iter().map(first_resolution).collect();
         let mut sizes = GridSizes::new(resolutions, space.may_grow());
-        // Several threads build grids, because a time step has no other position to solve
-        // meanwhile.
+        // Several threads build grids unless all are busy with other positions.
         let build_grids = |patches: &[usize], sizes: &GridSizes<S::Size>| {
             let build_grid = |&patch: &usize| {
                 let (size, resolution) = (sizes.sizes[patch], sizes.resolutions[patch]);
                 space.build_grid(candidates[patch], largest_forces[patch], size, resolution)
             };
-            patches.par_iter().map(build_grid).collect::<Result<Vec<_>, _>>()
+            try_map(patches, build_grid)
         };
         let all: Vec<usize> = (0..candidates.len()).collect();
         let mut grids = build_grids(&all, &sizes)?;

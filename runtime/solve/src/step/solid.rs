@@ -20,11 +20,11 @@ use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
+use calyx_numerics::parallel::try_map;
 use calyx_structure::Chart;
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::surface::Surface;
 use nalgebra::DMatrix;
-use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use std::sync::Arc;
@@ -75,13 +75,11 @@ impl ContactGeometry for Solid<'_> {
                 near.extend(teeth.into_iter().map(|teeth| (placed.clone(), teeth)));
             }
         }
-        let candidate = |(placed, teeth): (Arc<PlacedPair<'_>>, [ToothAt; 2])| {
+        let candidate = |(placed, teeth): &(Arc<PlacedPair<'_>>, [ToothAt; 2])| {
             self.system.interrupt.check()?;
-            Ok(self.candidate(&placed, teeth))
+            Ok::<_, EngineError>(self.candidate(placed, *teeth))
         };
-        let found: Vec<Option<Candidate<Site>>> =
-            near.into_par_iter().map(candidate).collect::<Result<_, EngineError>>()?;
-        Ok(found.into_iter().flatten().collect())
+        Ok(try_map(&near, candidate)?.into_iter().flatten().collect())
     }
 
     /// The surface displacement is about Q / (E* length), over the overlapping length of the
