@@ -6,6 +6,7 @@
 mod differentiation;
 mod position_solver;
 
+use self::position_solver::{Found, PositionSolver, Receiver};
 use crate::component_recorder::ComponentRecorder;
 use crate::estimate::{self, BaseAnalysis, Estimates, quasi_static_perturbed_solves};
 use crate::forced_response::{self, ForcedResponse};
@@ -20,7 +21,6 @@ use crate::scene::Scene;
 use crate::sensitivity::SensitivityRequest;
 use crate::summary::summarize;
 use crate::validate::Request;
-use self::position_solver::{Found, PositionSolver, Receiver};
 use calyx_contact::problem::Certificate;
 use calyx_model::fidelity::StructureOptions;
 use calyx_model::observed::OutputRequest;

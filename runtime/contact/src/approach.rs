@@ -40,6 +40,13 @@ impl PlacedProfile<'_> {
         }
     }
 
+    /// Returns the arc length at which a force at `s` loads the body. It acts along the normal of
+    /// the other flank, whereas structures know forces along their own normals, which are rotated
+    /// on a rounded edge: there it loads the start of the edge.
+    pub(super) fn loaded_at(&self, s: f64) -> f64 {
+        self.profile.edge_from().map_or(s, |start| s.min(start))
+    }
+
     pub(super) fn on_edge(&self, s: f64) -> bool {
         self.profile.edge_from().is_some_and(|edge| s >= edge)
     }

@@ -204,7 +204,7 @@ fn block(
                 continue;
             }
             let arcs = |patch: &PatchCells, side: usize| -> Vec<f64> {
-                patch.cells.iter().map(|c| c.s[side]).collect()
+                patch.cells.iter().map(|c| c.loaded_at[side]).collect()
             };
             observer.structure.add_compliance_until(
                 observer.chart,

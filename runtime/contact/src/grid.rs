@@ -22,6 +22,8 @@ pub struct Cell {
     pub arc: [[f64; 2]; 2],
     /// Arc length of the cell's centre on each surface.
     pub s: [f64; 2],
+    /// Arc length at which each body is loaded: on a rounded edge that of its start.
+    pub loaded_at: [f64; 2],
     /// Average separation of the undeformed surfaces, m; negative for overlap.
     pub gap: f64,
     /// True if either surface is on its rounded edge here.
@@ -213,7 +215,8 @@ pub fn build_grid(
             let middle = 0.5 * (x[0] + x[1]);
             let s = [0, 1].map(|side| surfaces[side].arc_at(middle, 0.5 * (arc[side][0] + arc[side][1])));
             let edge = placed[0].on_edge(s[0]) || placed[1].on_edge(s[1]);
-            Cell { x, arc, s, gap: average_gap(&surfaces, x, arc, s), edge }
+            let loaded_at = [0, 1].map(|side| placed[side].loaded_at(s[side]));
+            Cell { x, arc, s, loaded_at, gap: average_gap(&surfaces, x, arc, s), edge }
         })
         .collect();
     let unit_half_width = unit_half_width(options.contact_modulus, flank[0] + flank[1]);

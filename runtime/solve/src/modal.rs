@@ -92,7 +92,7 @@ impl Modes {
     pub fn add_arms(&self, arms: &mut Mat<f64>, row: usize, sides: [(usize, Chart); 2], cells: &[Cell]) {
         for (side, (body, chart)) in sides.into_iter().enumerate() {
             let Some((own, from)) = self.of_body(body) else { continue };
-            let places: Vec<f64> = cells.iter().map(|cell| cell.s[side]).collect();
+            let places: Vec<f64> = cells.iter().map(|cell| cell.loaded_at[side]).collect();
             let mut target = arms.as_mut().submatrix_mut(row, from, places.len(), own.count());
             target += own.displacements(chart, &places);
         }

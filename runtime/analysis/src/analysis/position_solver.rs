@@ -67,9 +67,8 @@ impl<'a, 's> PositionSolver<'a, 's> {
         let step = self.system.solve(position.time)?;
         let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
         let of_position = (self.scene, &observed[..]);
-        let evaluate = |loads: &ComponentRecorder| {
-            loads.evaluate(self.system, &step, self.plan.fidelity, of_position)
-        };
+        let evaluate =
+            |loads: &ComponentRecorder| loads.evaluate(self.system, &step, self.plan.fidelity, of_position);
         let loads = self.recorder.map(evaluate);
         // An interrupted observable has no value, which is not an error of the model.
         self.interrupt.check()?;

@@ -132,7 +132,7 @@ impl<'a> Equilibrium<'a> {
         for (Contact { patch, .. }, side) in self.contacts_on(body) {
             let chart = Chart { tooth: patch.teeth[side], surface: patch.surfaces[side] };
             let loaded = patch.cells().iter().zip(&patch.forces).filter(|(_, force)| **force > 0.0);
-            loads.extend(loaded.map(|(cell, &force)| SurfaceLoad { chart, s: cell.s[side], force }));
+            loads.extend(loaded.map(|(cell, &force)| SurfaceLoad { chart, s: cell.loaded_at[side], force }));
         }
         loads
     }

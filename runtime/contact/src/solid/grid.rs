@@ -32,8 +32,7 @@ pub struct Cell {
     pub size: [f64; 2],
     /// Surface coordinates of the centre, by side.
     pub places: [[f64; 2]; 2],
-    /// Surface coordinates where the bodies are loaded: with [`GridOptions::local_normals`] on a
-    /// rounded edge those of its start.
+    /// Surface coordinates where the bodies are loaded: on a rounded edge those of its start.
     pub loaded_at: [[f64; 2]; 2],
     /// Length along the body's axis, m, by side.
     pub axial: [f64; 2],
@@ -529,11 +528,7 @@ impl Layer<'_> {
             }
             false => (self.frame.at([self.snapped(closest.at()[0]), center[1]]), [0.0; 2]),
         };
-        let loaded_at = match self.local_normals {
-            true => [0, 1].map(|side: usize| self.placed[side].loaded_at(places[side])),
-            // As in plane models.
-            false => places,
-        };
+        let loaded_at = [0, 1].map(|side: usize| self.placed[side].loaded_at(places[side]));
         Some((Cell { center, size, places, loaded_at, axial, spans, gap, point, slope, edge }, places))
     }
 

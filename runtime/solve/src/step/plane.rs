@@ -184,7 +184,7 @@ impl ContactGeometry for Plane<'_> {
                 let pair = self.pair(candidate);
                 for side in (0..2).filter(|&side| pair.bodies[side].0 == *body) {
                     let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
-                    let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
+                    let places: Vec<f64> = grid.cells.iter().map(|cell| cell.loaded_at[side]).collect();
                     self.system.interrupt.check()?;
                     let moved = structure.interface_displacements(chart, &places);
                     // A rigid body has none.
@@ -218,7 +218,7 @@ impl ContactGeometry for Plane<'_> {
             let pair = self.pair(candidate);
             for side in (0..2).filter(|&side| pair.bodies[side].0 == body) {
                 let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
-                let places: Vec<f64> = grid.cells.iter().map(|cell| cell.s[side]).collect();
+                let places: Vec<f64> = grid.cells.iter().map(|cell| cell.loaded_at[side]).collect();
                 self.system.interrupt.check()?;
                 let moved = dense(structure.interface_displacements(chart, &places).transpose());
                 growth.rows_mut(first, places.len()).copy_from(&moved);
