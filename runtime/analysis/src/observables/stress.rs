@@ -188,8 +188,7 @@ pub(super) fn around_contact(at: &Equilibrium<'_>, body: BodyId) -> Option<Vec<R
 }
 
 /// Largest principal stress in the fillets of a body on the loaded side, Pa. Zero if all are in
-/// compression, as in a thin free rim next to a loaded tooth ([`MaxRootCompression`]). Between
-/// recovery points it is that of parabolas along the profile and along the face.
+/// compression, as in a thin free rim next to a loaded tooth ([`MaxRootCompression`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaxRootStress(pub BodyId);
 
@@ -232,63 +231,17 @@ impl Observable for MaxRootCompression {
     }
 }
 
-/// Points with less than this fraction of the largest value at recovery points are not near the
-/// largest value.
-const NEAR_LARGEST: f64 = 0.9;
-
-/// Returns the largest value and the recovery point next to it; zero if there is no positive value.
 fn largest(stresses: Option<Vec<RootStress>>, value: impl Fn(&RootStress) -> f64) -> Observed {
     let Some(stresses) = stresses else { return Observed::number(f64::NAN) };
-    let found = |value: f64, point: &RootStress| Observed {
-        value,
-        least: None,
-        location: Some(point.location.clone()),
-    };
-    // NaN must persist.
-    if let Some(point) = stresses.iter().find(|point| value(point).is_nan()) {
-        return found(f64::NAN, point);
-    }
-    let at_points = stresses.iter().map(&value).fold(0.0, f64::max);
     let mut largest = Observed::number(0.0);
-    for point in stresses.iter().filter(|point| value(point) > NEAR_LARGEST * at_points) {
-        let heights = [0, 1].map(|axis| height_of_vertex(&stresses, point, axis, &value));
-        let value = value(point) + heights.iter().sum::<f64>();
-        if value > largest.value {
-            largest = found(value, point);
+    for stress in stresses {
+        let value = value(&stress);
+        // NaN must persist.
+        if value > largest.value || (value.is_nan() && !largest.value.is_nan()) {
+            largest = Observed { value, least: None, location: Some(stress.location) };
         }
     }
     largest
-}
-
-/// Returns the height of the vertex of a parabola over a recovery point. The parabola passes
-/// through the values at this `point` and at its neighbours along one coordinate of the fillet.
-/// Zero at the ends of the fillet, and if a neighbour has a larger value.
-fn height_of_vertex(
-    stresses: &[RootStress],
-    point: &RootStress,
-    axis: usize,
-    value: impl Fn(&RootStress) -> f64,
-) -> f64 {
-    let on_line = stresses.iter().filter(|other| {
-        let of_fillet = |stress: &RootStress| (stress.location.tooth, stress.surface);
-        of_fillet(other) == of_fillet(point) && other.chart[1 - axis] == point.chart[1 - axis]
-    });
-    let mut neighbours: [Option<[f64; 2]>; 2] = [None; 2];
-    for other in on_line {
-        let apart = other.chart[axis] - point.chart[axis];
-        let nearest = &mut neighbours[usize::from(apart > 0.0)];
-        if apart != 0.0 && nearest.is_none_or(|[known, _]| apart.abs() < known.abs()) {
-            *nearest = Some([apart, value(other) - value(point)]);
-        }
-    }
-    let [Some([a, of_a]), Some([b, of_b])] = neighbours else { return 0.0 };
-    if of_a > 0.0 || of_b > 0.0 {
-        return 0.0;
-    }
-    // The parabola p x + q x^2 from the point, with its values at both neighbours.
-    let q = (of_b / b - of_a / a) / (b - a);
-    let p = of_a / a - q * a;
-    if q < 0.0 { -p * p / (4.0 * q) } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -306,34 +259,6 @@ mod tests {
             principal: [*along; 2],
         };
         Some(along.iter().map(stress).collect())
-    }
-
-    /// Stresses at recovery points of two fillets, `f` of the coordinates of the first and half of
-    /// it in the second.
-    fn fillets(f: impl Fn([f64; 2]) -> f64) -> Option<Vec<RootStress>> {
-        let places: Vec<[f64; 2]> =
-            [0.0, 0.3, 1.0, 1.4].iter().flat_map(|&s| [-1.0, -0.2, 0.1, 0.9].map(|z| [s, z])).collect();
-        let values: Vec<f64> = places.iter().map(|&place| f(place)).collect();
-        let halves = values.iter().map(|value| 0.5 * value);
-        let mut all = stresses(&values.iter().copied().chain(halves).collect::<Vec<_>>())?;
-        for (index, stress) in all.iter_mut().enumerate() {
-            stress.chart = places[index % places.len()];
-            stress.surface = u32::from(index >= places.len());
-        }
-        Some(all)
-    }
-
-    #[test]
-    fn the_largest_stress_may_lie_between_recovery_points() {
-        let value = |f: &dyn Fn([f64; 2]) -> f64| largest(fillets(f), |stress| stress.principal[0]).value;
-        let peak = |[s, z]: [f64; 2]| 5.0 - 2.0 * (s - 0.8).powi(2) - 3.0 * (z + 0.1).powi(2);
-        assert!((value(&peak) - 5.0).abs() < 1e-14);
-        // It lies at an end along the profile, or at both.
-        let end = |[s, z]: [f64; 2]| 5.0 - 2.0 * s - 3.0 * (z + 0.1).powi(2);
-        assert!((value(&end) - 5.0).abs() < 1e-14);
-        assert_eq!(value(&|[s, z]| 5.0 - s - z), 6.0);
-        // Constant along the face, as in plane strain.
-        assert!((value(&|[s, _]| 5.0 - (s - 0.8).powi(2)) - 5.0).abs() < 1e-14);
     }
 
     #[test]
