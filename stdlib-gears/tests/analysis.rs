@@ -162,6 +162,17 @@ fn an_interrupt_ends_the_iterator_and_what_was_solved_remains() {
     assert_eq!(steps.finish().err(), Some(enough()));
 }
 
+/// Whether the caller asks for positions one by one, and how many, changes nothing.
+#[test]
+fn an_analysis_can_be_finished_at_any_position() {
+    let all = EDGES.steps(&options(Resources::default())).expect("structures").finish().expect("equilibrium");
+    for taken in 0..=EDGES.positions.len() {
+        let mut steps = EDGES.steps(&options(Resources::default())).expect("structures");
+        assert_eq!(steps.by_ref().take(taken).filter(Result::is_ok).count(), taken);
+        assert_eq!(steps.finish().expect("equilibrium").rows, all.rows);
+    }
+}
+
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let [one, two, eight] = [1, 2, 8].map(|threads| {

@@ -140,7 +140,7 @@ impl<'s> PlannedAnalysis<'s> {
 /// Quasi-static analysis in progress: an iterator over its positions, in order.
 ///
 /// It solves as many positions in parallel as there are threads, starting with the requested one.
-/// [`quasi_static`] and [`Steps::finish`] solve the next ones while the caller receives a position.
+/// [`quasi_static`] and [`Steps::finish`] do not wait for all of them before they solve the next.
 /// After an error it ends.
 pub struct Steps<'s> {
     scene: &'s Scene,
@@ -162,7 +162,7 @@ pub struct Steps<'s> {
     forced_response: Option<ForcedResponse>,
     /// Following positions, solved in parallel with the requested one.
     ahead: VecDeque<Result<Found, EngineError>>,
-    /// Time spent on positions.
+    /// Time spent on positions, including the observer of [`quasi_static`].
     solving: Duration,
     current: Option<StepResult>,
     failed: Option<EngineError>,

@@ -40,9 +40,10 @@ impl PlacedProfile<'_> {
         }
     }
 
-    /// Returns the arc length at which a force at `s` loads the body. It acts along the normal of
-    /// the other flank, whereas structures know forces along their own normals, which are rotated
-    /// on a rounded edge: there it loads the start of the edge.
+    /// Returns the arc length at which a contact force at `s` is applied to the body. It acts along
+    /// the normal of the other flank. Compliances of structures are those of forces along their own
+    /// normals, which are rotated on a rounded edge, so there the force is applied at the start of
+    /// the edge.
     pub(super) fn loaded_at(&self, s: f64) -> f64 {
         self.profile.edge_from().map_or(s, |start| s.min(start))
     }

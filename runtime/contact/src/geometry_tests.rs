@@ -262,6 +262,11 @@ fn cells_shrink_towards_an_edge() {
     }
     assert!(grid.cells.iter().any(|c| (c.width() / flank_cell - 1.0).abs() < 0.1));
     assert!(grid.cells.len() < 60);
+    // Forces on the edge are applied at its start.
+    for cell in &grid.cells {
+        let expected = if cell.edge { 0.01 } else { cell.s[0] };
+        assert!((cell.loaded_at[0] - expected).abs() < 1e-12 && cell.loaded_at[1] == cell.s[1], "{cell:?}");
+    }
     // A cell ends at the start of the edge.
     assert!(grid.cells.iter().any(|c| (c.arc[0][1] - 0.01).abs() < 1e-12));
 }

@@ -10,44 +10,52 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
 
 /// Number of values per thread that are computed before a thread may have to wait for others.
-const AHEAD: usize = 8;
+const AHEAD: usize = 4;
 
 impl Resources {
     /// Computes the values of the indices below `count` in parallel and passes them on in order, on
     /// the calling thread, until `take` breaks. Meanwhile the pool computes the following values, of
-    /// which a limited number exists at a time.
+    /// which a limited number exists at a time. Returns those that are left after a break, with
+    /// their indices.
     pub fn in_order<T: Send>(
         &self,
         count: usize,
         compute: impl Fn(usize) -> T + Sync,
         mut take: impl FnMut(usize, T) -> ControlFlow<()>,
-    ) {
-        // A thread of a pool must not wait for values that it may have to compute itself.
-        let waits = rayon::current_thread_index().is_none();
+    ) -> Vec<(usize, T)> {
+        // A thread of a pool must not wait for values that it may have to compute itself, and few
+        // values need not wait for all threads of the pool.
+        let waits = rayon::current_thread_index().is_none() && count > self.threads();
         let length = if waits { AHEAD * self.threads() } else { self.threads() };
         for first in (0..count).step_by(length) {
             let block = first..count.min(first + length);
-            let ended = if waits {
-                self.pass_on((block, count), &compute, &mut take)
+            let left = if waits {
+                self.compute_and_take((block, count), &compute, &mut take)
             } else {
                 let all = || block.clone().into_par_iter().map(&compute).collect::<Vec<_>>();
-                block.clone().zip(self.install(all)).try_for_each(|(index, value)| take(index, value))
+                let mut values = block.clone().zip(self.install(all));
+                let broken = values.any(|(index, value)| take(index, value).is_break());
+                broken.then(|| values.collect())
             };
-            if ended.is_break() {
-                return;
+            if let Some(left) = left {
+                return left;
             }
         }
+        Vec::new()
     }
 
-    /// Computes and passes on a block of all values on a thread outside of the pool. Every thread of the
-    /// pool has one job that computes one value after another: of several jobs, a thread might
-    /// begin the next one while it waits for others to complete a part of the first.
-    fn pass_on<T: Send>(
+    /// Computes a block of all values on the pool and takes them on this thread, outside of the
+    /// pool. Returns the computed values that are left if `take` breaks.
+    ///
+    /// Every thread of the pool has one job that computes one value after another: of several jobs,
+    /// a thread might begin the next one while it waits for others to complete a part of the first.
+    /// It may still begin the job of another caller that shares the pool.
+    fn compute_and_take<T: Send>(
         &self,
         (block, count): (Range<usize>, usize),
         compute: &(impl Fn(usize) -> T + Sync),
         take: &mut impl FnMut(usize, T) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
+    ) -> Option<Vec<(usize, T)>> {
         let threads = self.threads();
         let (next, ended) = (AtomicUsize::new(block.start), AtomicBool::new(false));
         let (sender, receiver) = mpsc::channel();
@@ -62,17 +70,21 @@ impl Resources {
                     false => compute(index),
                 };
                 let value = catch_unwind(AssertUnwindSafe(compute));
-                // There is no receiver any more if the computation has ended.
+                if value.is_err() {
+                    // Values before this one are being computed already.
+                    ended.store(true, Ordering::Relaxed);
+                }
+                // The receiver exists until all jobs have ended.
                 let _ = sender.send((index, value));
             }
         };
+        let mut waiting = BTreeMap::new();
         let mut take_all = || {
-            let mut waiting = BTreeMap::new();
             for index in block.clone() {
                 let value = loop {
                     match waiting.remove(&index) {
                         Some(value) => break value,
-                        // The jobs send all values of the block.
+                        // The jobs send all values up to the end or a panic.
                         None => waiting.extend(receiver.recv()),
                     }
                 };
@@ -83,7 +95,7 @@ impl Resources {
             }
             ControlFlow::Continue(())
         };
-        match &self.pool {
+        let result = match &self.pool {
             Some(pool) => pool.in_place_scope(|scope| {
                 scope.spawn_broadcast(|_, _| compute_all());
                 take_all()
@@ -92,7 +104,10 @@ impl Resources {
                 scope.spawn_broadcast(|_, _| compute_all());
                 take_all()
             }),
-        }
+        };
+        waiting.extend(receiver.try_iter());
+        let computed = waiting.into_iter().filter_map(|(index, value)| Some((index, value.ok()?)));
+        result.is_break().then(|| computed.collect())
     }
 }
 
@@ -150,6 +165,34 @@ mod tests {
         resources.in_order(30, compute, |_, computing| {
             assert!(computing < 3);
             ControlFlow::Continue(())
+        });
+    }
+
+    #[test]
+    fn values_computed_after_the_end_are_returned() {
+        let resources = with_threads(3);
+        let take = |index, _| if index == 1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+        let slow_second = |index: usize| {
+            std::thread::sleep(Duration::from_millis(if index == 1 { 20 } else { 0 }));
+            10 * index
+        };
+        let left = resources.in_order(100, slow_second, take);
+        assert_eq!(left, (2..12).map(|index| (index, 10 * index)).collect::<Vec<_>>());
+        let left = resources.install(|| resources.in_order(100, slow_second, take));
+        assert_eq!(left, [(2, 20)], "on a thread of the pool");
+        assert_eq!(resources.in_order(5, slow_second, |_, _| ControlFlow::Continue(())), []);
+    }
+
+    /// Several callers share a pool whose threads they all wait for.
+    #[test]
+    fn callers_share_a_pool() {
+        let resources = with_threads(2);
+        let expected: Vec<usize> = (0..50).map(|index| index * index).collect();
+        std::thread::scope(|scope| {
+            let callers: Vec<_> = (0..4).map(|_| scope.spawn(|| squares(&resources))).collect();
+            for caller in callers {
+                assert_eq!(caller.join().expect("no caller panics"), expected);
+            }
         });
     }
 

@@ -13,6 +13,7 @@ use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_solve::step::{ContactState, StepResult};
 use calyx_solve::system::System;
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -41,7 +42,7 @@ impl Found {
     }
 }
 
-/// What solving a position needs.
+/// Inputs of the solution of a position.
 pub(super) struct PositionSolver<'a, 's> {
     pub scene: &'s Scene,
     pub plan: &'a Plan,
@@ -76,11 +77,11 @@ impl<'a, 's> PositionSolver<'a, 's> {
     }
 }
 
-/// What remains of a solved position.
+/// Results of a position that are kept.
 struct Results {
     solved: Solved,
     loads: Option<Vec<f64>>,
-    /// State of contact, if it is kept; `None` within at a change of the state.
+    /// State of contact, if it is requested; the inner value is `None` at a change of the state.
     state: Option<Option<ContactState>>,
     fields: Option<Fields>,
 }
@@ -129,24 +130,34 @@ impl Steps<'_> {
             observer.observe(Event::Step { index, count, solved, fields: fields.as_ref() })
         };
         let mut result = Ok(());
+        // Solutions of following positions that are left after an error.
+        let mut ahead: BTreeMap<usize, Result<Results, EngineError>> = BTreeMap::new();
         while next < count && result.is_ok() {
+            if let Some(solved) = ahead.remove(&next) {
+                // Solve a position with an error again, alone, so that notes of kernels about it
+                // refer to this position only.
+                let solved = solved.or_else(|_| solve(next));
+                result = solved.and_then(|solved| receive(next, solved));
+                next += 1;
+                continue;
+            }
             let first = next;
-            self.resources.in_order(
+            let left = self.resources.in_order(
                 count - first,
                 |index| solve(first + index),
                 |_, solved| {
-                    let Ok(solved) = solved else { return ControlFlow::Break(()) };
-                    result = receive(next, solved);
+                    match solved {
+                        Ok(solved) => result = receive(next, solved),
+                        Err(error) => {
+                            ahead.insert(next, Err(error));
+                            return ControlFlow::Break(());
+                        }
+                    }
                     next += 1;
                     if result.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
                 },
             );
-            if next < count && result.is_ok() {
-                // Solve the position again, alone, so that notes of kernels about an error refer to
-                // this position only.
-                result = solve(next).and_then(|solved| receive(next, solved));
-                next += 1;
-            }
+            ahead.extend(left.into_iter().map(|(index, solved)| (first + index, solved)));
         }
         self.solved = all;
         self.states.extend(states);

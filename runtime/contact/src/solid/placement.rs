@@ -72,9 +72,10 @@ impl PlacedSurface<'_> {
         [[first, last], v]
     }
 
-    /// Returns the surface coordinates where a force at `place` loads the body. It acts along the
-    /// normal of the other flank, whereas structures know forces along their own normals, which
-    /// are rotated on a rounded edge: there it loads the start of the edge.
+    /// Returns the surface coordinates at which a contact force at `place` is applied to the body.
+    /// It acts along the normal of the other flank. Compliances of structures are those of forces
+    /// along their own normals, which are rotated on a rounded edge, so there the force is applied
+    /// at the start of the edge.
     pub(super) fn loaded_at(&self, [u, v]: [f64; 2]) -> [f64; 2] {
         [self.surface.edge_from().map_or(u, |start| u.min(start)), v]
     }
