@@ -24,8 +24,8 @@ pub struct Fillets {
     pub over_face: Plot,
     /// Stresses along the face if a profile has one point; empty in a plane model.
     pub along_face: Plot,
-    /// Radius of that point, m.
-    pub one_radius: Option<f64>,
+    /// Smallest and largest radius of that point along the face, m.
+    pub radii: Option<[f64; 2]>,
 }
 
 /// Returns the bodies of a run with stresses, in descending order of stress; and the number of
@@ -45,7 +45,7 @@ pub fn fillets(seen: &[StressExtremes], units: Units) -> (Vec<Fillets>, usize) {
             along_profile: if one_place { Plot::default() } else { along_profile(&seen, units) },
             over_face: if one_place { Plot::default() } else { over_face(&seen, units) },
             along_face: if one_place { along_face(&seen, units) } else { Plot::default() },
-            one_radius: seen.first().filter(|_| one_place).map(|seen| seen.radius),
+            radii: one_place.then(|| radii(&seen)),
         }
     };
     let mut all: Vec<Fillets> = bodies.into_iter().map(of_body).collect();
@@ -53,6 +53,14 @@ pub fn fillets(seen: &[StressExtremes], units: Units) -> (Vec<Fillets>, usize) {
     let left_out = all.len().saturating_sub(SHOWN);
     all.truncate(SHOWN);
     (all, left_out)
+}
+
+/// Returns the smallest and the largest radius, m.
+fn radii(seen: &[&StressExtremes]) -> [f64; 2] {
+    let radii = seen.iter().map(|seen| seen.radius);
+    radii.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], radius| {
+        [least.min(radius), most.max(radius)]
+    })
 }
 
 /// Returns the flank next to the largest stress.
@@ -167,7 +175,7 @@ mod tests {
         };
         let plane = of(&[seen(0, 0, 0, None), seen(1, 0, 0, None)]);
         assert!(plane.along_profile.is_empty() && plane.over_face.is_empty() && plane.along_face.is_empty());
-        assert_eq!((plane.one_radius, plane.largest), (Some(0.02), 1e8));
+        assert_eq!((plane.radii, plane.largest), (Some([0.02; 2]), 1e8));
         let slices: Vec<StressExtremes> = (0..5).map(|k| seen(0, k, 0, Some(1e-3 * k as f64))).collect();
         let space = of(&slices);
         assert!(space.along_profile.is_empty() && space.over_face.is_empty());
@@ -176,6 +184,6 @@ mod tests {
             (0..20).map(|k| seen(0, k / 4, k % 4, Some(1e-3 * (k / 4) as f64))).collect();
         let elements = of(&elements);
         assert!(!elements.along_profile.is_empty() && !elements.over_face.is_empty());
-        assert!(elements.along_face.is_empty() && elements.one_radius.is_none());
+        assert!(elements.along_face.is_empty() && elements.radii.is_none());
     }
 }

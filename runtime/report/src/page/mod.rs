@@ -477,10 +477,13 @@ fn stress_section(run: &Run, units: Units) -> Markup {
             article {
                 h3 { (fillet.body) }
                 p { "From " b { (number(units.stress.of(fillet.smallest))) } " to " b { (number(units.stress.of(fillet.largest))) } " " (units.stress.name) "." }
-                @if let Some(radius) = fillet.one_radius {
-                    p.note { "This fidelity level computes the stress at one point of the profile, at radius " (number(units.length.of(radius))) " " (units.length.name) "." }
+                @if let Some([least, most]) = fillet.radii.map(|radii| radii.map(|radius| number(units.length.of(radius)))) {
+                    p.note { "This fidelity level computes the stress at one point of the profile, at "
+                        @if least == most { "radius " (least) } @else { "radii from " (least) " to " (most) }
+                        " " (units.length.name) "."
+                    }
                 }
-                (figure(&fillet.along_face, "Stress along the face at that radius."))
+                (figure(&fillet.along_face, "Stress along the face at that point of the profile."))
                 (figure(&fillet.along_profile, "Stress along the fillet: largest and smallest value over the face."))
                 (figure(&fillet.over_face, "Largest stress over fillet and face, loaded side."))
             }
