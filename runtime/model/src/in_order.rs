@@ -15,17 +15,17 @@ const AHEAD: usize = 4;
 impl Resources {
     /// Computes the values of the indices below `count` in parallel and passes them on in order, on
     /// the calling thread, until `take` breaks. Meanwhile the pool computes the following values, of
-    /// which a limited number exists at a time. Returns those that are left after a break, with
-    /// their indices.
+    /// which a limited number exists at a time. Returns the computed values that `take` has not
+    /// received after a break, with their indices.
     pub fn in_order<T: Send>(
         &self,
         count: usize,
         compute: impl Fn(usize) -> T + Sync,
         mut take: impl FnMut(usize, T) -> ControlFlow<()>,
     ) -> Vec<(usize, T)> {
-        // A thread of a pool must not wait for values that it may have to compute itself, and few
-        // values need not wait for all threads of the pool.
-        let waits = rayon::current_thread_index().is_none() && count > self.threads();
+        // A thread of a pool must not wait for values that it may have to compute itself, and a
+        // single value need not wait for all threads of the pool.
+        let waits = rayon::current_thread_index().is_none() && count > 1;
         let length = if waits { AHEAD * self.threads() } else { self.threads() };
         for first in (0..count).step_by(length) {
             let block = first..count.min(first + length);
@@ -172,15 +172,20 @@ mod tests {
     fn values_computed_after_the_end_are_returned() {
         let resources = with_threads(3);
         let take = |index, _| if index == 1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-        let slow_second = |index: usize| {
-            std::thread::sleep(Duration::from_millis(if index == 1 { 20 } else { 0 }));
+        let others = AtomicUsize::new(0);
+        let last = |index: usize| {
+            // The value of index 1 is computed after the others of the block.
+            while index == 1 && others.load(Ordering::Relaxed) < 11 {
+                std::thread::yield_now();
+            }
+            others.fetch_add(1, Ordering::Relaxed);
             10 * index
         };
-        let left = resources.in_order(100, slow_second, take);
+        let left = resources.in_order(100, last, take);
         assert_eq!(left, (2..12).map(|index| (index, 10 * index)).collect::<Vec<_>>());
-        let left = resources.install(|| resources.in_order(100, slow_second, take));
+        let left = resources.install(|| resources.in_order(100, |index| 10 * index, take));
         assert_eq!(left, [(2, 20)], "on a thread of the pool");
-        assert_eq!(resources.in_order(5, slow_second, |_, _| ControlFlow::Continue(())), []);
+        assert_eq!(resources.in_order(5, |index| index, |_, _| ControlFlow::Continue(())), []);
     }
 
     /// Several callers share a pool whose threads they all wait for.

@@ -24,7 +24,7 @@ pub struct Fillets {
     pub over_face: Plot,
     /// Stresses along the face if a profile has one point; empty in a plane model.
     pub along_face: Plot,
-    /// Smallest and largest radius of that point along the face, m.
+    /// Smallest and largest radius of that point over the face and both flanks, m.
     pub radii: Option<[f64; 2]>,
 }
 
