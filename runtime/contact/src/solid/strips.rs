@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Error of interpolation and quadrature relative to the largest value near the strips.
-const TOLERANCE: f64 = 1e-7;
+const TOLERANCE: f64 = 1e-9;
 /// Largest number of points across a strip; closer strips are evaluated by pairs of cells.
 const MOST_POINTS: usize = 16;
 
