@@ -162,7 +162,7 @@ fn an_interrupt_ends_the_iterator_and_what_was_solved_remains() {
     assert_eq!(steps.finish().err(), Some(enough()));
 }
 
-/// Whether the caller asks for positions one by one, and how many, changes nothing.
+/// Results do not depend on the number of positions that the caller takes one by one before.
 #[test]
 fn an_analysis_can_be_finished_at_any_position() {
     let all = EDGES.steps(&options(Resources::default())).expect("structures").finish().expect("equilibrium");

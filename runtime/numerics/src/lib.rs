@@ -1,6 +1,6 @@
 //! Numerical foundations of the engine: dense matrices, vectors in two and three dimensions,
-//! interpolation, quadrature, Fourier transform, and the errors, interrupts and parallel parts of all
-//! other crates.
+//! interpolation, quadrature, Fourier transform, and the errors, interrupts and parallel parts of
+//! all other crates.
 
 #![warn(missing_docs)]
 
