@@ -14,9 +14,10 @@ const AHEAD: usize = 4;
 
 impl Resources {
     /// Computes the values of the indices below `count` in parallel and passes them on in order, on
-    /// the calling thread, until `take` breaks. Meanwhile the pool computes the following values, of
-    /// which a limited number exists at a time. Returns the computed values that `take` has not
-    /// received after a break, with their indices.
+    /// the calling thread, until `take` breaks. Meanwhile the pool computes the following values,
+    /// of which a limited number exists at a time; if the calling thread belongs to a pool, one
+    /// value per thread is computed before they are passed on. Returns the computed values that
+    /// `take` has not received after a break, with their indices.
     pub fn in_order<T: Send>(
         &self,
         count: usize,

@@ -52,7 +52,7 @@ mod tests {
             thread::sleep(Duration::from_millis(1));
             Ok::<ThreadId, ()>(thread::current().id())
         };
-        let found = try_map(&[0; 40], compute).expect("no part fails");
+        let found = try_map(&[0; 400], compute).expect("no part fails");
         found.into_iter().map(|thread| format!("{thread:?}")).collect()
     }
 
