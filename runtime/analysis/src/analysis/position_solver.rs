@@ -122,6 +122,8 @@ impl Steps<'_> {
             })
         };
         let mut receive = |index: usize, own: Results| {
+            // A position that is solved before the observer cancels the run is not reported after.
+            solver.interrupt.check()?;
             let fields = own.fields;
             states.extend(own.state);
             loads.extend(own.loads);
