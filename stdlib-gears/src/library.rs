@@ -57,9 +57,11 @@ pub const MODULES: &[LibraryModule] = modules![
     "bevel_curve",
     "bevel_form",
     "bevel_gear",
+    "bevel_mistakes",
     "bevel_pair_checks",
     "bevel_pattern",
     "bevel_section",
+    "bevel_settings",
     "bevel_tooth",
 ];
 

@@ -70,7 +70,7 @@ const OF_FILES: [&str; 16] = [
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 29] = [
+const OF_FORMULAS: [&str; 31] = [
     "iso1328",
     "deviations",
     "inspection",
@@ -96,9 +96,11 @@ const OF_FORMULAS: [&str; 29] = [
     "bevel_curve",
     "bevel_form",
     "bevel_gear",
+    "bevel_mistakes",
     "bevel_pair_checks",
     "bevel_pattern",
     "bevel_section",
+    "bevel_settings",
     "bevel_tooth",
 ];
 
