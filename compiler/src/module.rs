@@ -6,7 +6,7 @@ use crate::error::{CompileError, Diagnostics};
 use crate::typed::{LazyTyped, Typed};
 use calyx_abi::RuntimeError;
 use calyx_abi::description::{FileDescription, ModelDescription, OutputDescription};
-use calyx_codegen::{TargetCpu, compile_code, compile_jit, load_code};
+use calyx_codegen::{TargetCpu, compile_code, compile_jit, compile_jit_with_tapes, load_code};
 use calyx_elaborate::diagnostics::{diagnostic, finding_diagnostic, has_errors};
 use calyx_elaborate::{Checked, check_file, check_language, check_text, param_function, render};
 use calyx_gears::host::Finding;
@@ -71,11 +71,16 @@ impl Module {
     /// # Errors
     /// Same as for [`Module::from_file`].
     pub fn from_checked(engine: &Engine, checked: Checked) -> Result<Module, CompileError> {
+        let code = match (&checked.program, checked.tapes()) {
+            (Some(program), Some(tapes)) => Some(compile_jit_with_tapes(program, &tapes, externs())),
+            (Some(program), None) => Some(compile_jit(program, externs())),
+            (None, _) => None,
+        };
         let Checked { program, description, diagnostics, files, .. } = checked;
-        let Some(program) = program else {
+        let (Some(program), Some(code)) = (program, code) else {
             return Err(CompileError::Model(Diagnostics { list: diagnostics, files }));
         };
-        let code = compile_jit(&program, externs()).map_err(CompileError::Code)?;
+        let code = code.map_err(CompileError::Code)?;
         let param_functions = param_functions(&program);
         let typed = LazyTyped::checked(Typed::new(program, diagnostics));
         Ok(Module::new(engine, Compiled { description, files, code, param_functions, typed }))

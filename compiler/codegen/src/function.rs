@@ -9,7 +9,7 @@ use crate::module::ModuleLowering;
 use calyx_abi::context::{Layout, MAX_DEPTH};
 use calyx_abi::description::LIBRARY;
 use calyx_abi::{Repr, Status};
-use calyx_lang::ir::{BlockId, Function, FunctionId, LocalId, Mode};
+use calyx_lang::ir::{BlockId, Function, FunctionId, LocalId, Mode, Program};
 use calyx_lang::span::Span;
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{
@@ -61,6 +61,12 @@ pub fn slot_types(repr: &Repr) -> Vec<Type> {
         Repr::Tuple(parts) => parts.iter().flat_map(slot_types).collect(),
         _ => vec![types::I64; repr.slots()],
     }
+}
+
+/// Returns true for a place in a file of the library.
+pub fn is_library(program: &Program, span: Span) -> bool {
+    let file = program.files.get(span.file.0 as usize);
+    file.is_some_and(|file| file.name.starts_with(LIBRARY))
 }
 
 impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
@@ -288,7 +294,8 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
             return Err(missing);
         };
         self.at(span);
-        let enters_library = !self.is_library(span) && self.is_library(callee.span);
+        let program = self.module.program;
+        let enters_library = !is_library(program, span) && is_library(program, callee.span);
         let around = enters_library.then(|| LIBRARY_CALL.map(|word| self.load_context(types::I32, word)));
         if enters_library {
             self.store_place(span, LIBRARY_CALL);
@@ -302,11 +309,6 @@ impl<'l, 'm, 'f, M: Module> FunctionLowering<'l, 'm, 'f, M> {
         })?;
         restored.for_each(|(value, offset)| self.store_context(value, offset));
         Ok(results)
-    }
-
-    fn is_library(&self, span: Span) -> bool {
-        let file = self.module.program.files.get(span.file.0 as usize);
-        file.is_some_and(|file| file.name.starts_with(LIBRARY))
     }
 
     /// Jumps to the target of errors in the current block.

@@ -118,6 +118,10 @@ impl Backend for Jit {
         &mut self.module
     }
 
+    fn quick_isa(&self) -> Result<Option<OwnedTargetIsa>, CodegenError> {
+        native_isa(Effort::Quick).map(Some)
+    }
+
     fn finish(mut self, lowered: Lowered) -> Result<JitModule, CodegenError> {
         self.module.finalize_definitions()?;
         let functions = lowered.functions.iter().zip(self.functions).map(|(&id, signature)| {

@@ -40,6 +40,7 @@ use calyx_abi::{Extern, Kernel};
 use calyx_lang::ir::Program;
 use calyx_lower::kernels::lower_sites;
 use calyx_symbolic::Tape;
+use std::borrow::Borrow;
 use std::sync::Arc;
 
 /// Compiles a program into memory. `externs` are the functions of the engine. The program's
@@ -58,7 +59,7 @@ pub fn compile_jit(program: &Program, externs: &[Extern]) -> Result<JitModule, C
 /// As for [`compile_jit`].
 pub fn compile_jit_with_tapes(
     program: &Program,
-    tapes: &[Tape],
+    tapes: &[impl Borrow<Tape>],
     externs: &[Extern],
 ) -> Result<JitModule, CodegenError> {
     backend::compile(jit::Jit::new(program, externs, backend::Effort::Speed)?, program, tapes)
@@ -119,7 +120,7 @@ pub fn compile_object(program: &Program, options: &ObjectOptions) -> Result<Vec<
 /// As for [`compile_object`].
 pub fn compile_object_with_tapes(
     program: &Program,
-    tapes: &[Tape],
+    tapes: &[impl Borrow<Tape>],
     options: &ObjectOptions,
 ) -> Result<Vec<u8>, CodegenError> {
     backend::compile(object::ObjectFile::new(program, options)?, program, tapes)

@@ -28,7 +28,9 @@ pub fn list(program: &Program, externs: &[Extern]) -> Result<Vec<Listing>, Codeg
     let tapes = lower_sites(program).map_err(CodegenError::Kernel)?;
     let mut jit = Jit::new(program, externs, Effort::Speed)?;
     let mut listings = Vec::new();
-    let lowered = ModuleLowering::new(jit.module(), program)?.listed_in(&mut listings).lower(&tapes)?;
+    let quick = jit.quick_isa()?;
+    let lowering = ModuleLowering::new(jit.module(), program)?.with_quick_isa(quick);
+    let lowered = lowering.listed_in(&mut listings).lower(&tapes)?;
     // Finishing the module also frees its memory.
     jit.finish(lowered)?;
     Ok(listings)

@@ -2,7 +2,7 @@
 
 use crate::backend::{Kernel, Lowered};
 use crate::error::CodegenError;
-use crate::function::FunctionLowering;
+use crate::function::{FunctionLowering, is_library};
 use crate::kernel;
 use crate::listing::Listing;
 use calyx_abi::entry::entry_points;
@@ -13,11 +13,12 @@ use calyx_symbolic::Tape;
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::{AbiParam, Function, Signature, UserFuncName, types};
-use cranelift_codegen::isa::TargetIsa;
+use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module, ModuleError, ModuleReloc};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::collections::HashMap;
+use std::borrow::Borrow;
+use std::collections::{HashMap, HashSet};
 
 /// Number of functions that are compiled in parallel.
 const SEVERAL: usize = 8;
@@ -38,6 +39,8 @@ pub struct ModuleLowering<'m, M: Module> {
     builder_context: FunctionBuilderContext,
     /// Functions whose bodies are built, but not compiled.
     built: Vec<(FuncId, Function)>,
+    /// Settings for functions that run a few times, if they differ from those of the module.
+    quick_isa: Option<OwnedTargetIsa>,
     /// Receives code listings, if requested.
     listings: Option<&'m mut Vec<Listing>>,
 }
@@ -99,8 +102,16 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
             constants: HashMap::new(),
             builder_context: FunctionBuilderContext::new(),
             built: Vec::new(),
+            quick_isa: None,
             listings: None,
         })
+    }
+
+    /// Compiles functions of the library, and functions of the model without loops, with these
+    /// settings instead of those of the module, if they are given.
+    pub fn with_quick_isa(mut self, isa: Option<OwnedTargetIsa>) -> Self {
+        self.quick_isa = isa;
+        self
     }
 
     /// Enables listings of functions that are defined from now on.
@@ -110,7 +121,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
     }
 
     /// Defines and compiles all functions and kernels.
-    pub fn lower(mut self, tapes: &[Tape]) -> Result<Lowered, CodegenError> {
+    pub fn lower(mut self, tapes: &[impl Borrow<Tape>]) -> Result<Lowered, CodegenError> {
         let signature = slot_signature(self.module);
         for (index, function) in self.program.functions.iter().enumerate() {
             let id = self.functions[index];
@@ -119,7 +130,7 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
             })?;
         }
         let mut kernels = Vec::new();
-        for (index, tape) in tapes.iter().enumerate() {
+        for (index, tape) in tapes.iter().map(Borrow::borrow).enumerate() {
             let function = kernel::lower(&mut self, &format!("calyx_kernel_{index}"), tape)?;
             kernels.push(Kernel { function, inputs: tape.inputs, outputs: tape.outputs.len() });
         }
@@ -148,7 +159,19 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         let built = std::mem::take(&mut self.built);
         let (isa, listed) = (self.module.isa(), self.listings.is_some());
         let ids: Vec<FuncId> = built.iter().map(|(id, _)| *id).collect();
-        let compile = |context: &mut Context, (id, function)| compile(context, isa, (id, function), listed);
+        let of_program: HashMap<FuncId, _> =
+            self.functions.iter().copied().zip(&self.program.functions).collect();
+        let runs_seldom = |id: FuncId, function: &Function| {
+            let declared = of_program.get(&id);
+            declared.is_some_and(|declared| is_library(self.program, declared.span) || !has_loop(function))
+        };
+        let isa_of = |id: FuncId, function: &Function| match &self.quick_isa {
+            Some(quick) if runs_seldom(id, function) => &**quick,
+            _ => isa,
+        };
+        let compile = |context: &mut Context, (id, function): (FuncId, Function)| {
+            compile(context, isa_of(id, &function), (id, function), listed)
+        };
         let compiled: Vec<Result<Compiled, CodegenError>> = match built.len() {
             // Starting threads would take longer.
             0..SEVERAL => {
@@ -187,6 +210,15 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         self.constants.insert(bytes.to_vec(), id);
         Ok(id)
     }
+}
+
+/// Returns true if a block of the function continues at itself or at an earlier block.
+fn has_loop(function: &Function) -> bool {
+    let mut seen = HashSet::new();
+    function.layout.blocks().any(|block| {
+        seen.insert(block);
+        function.block_successors(block).any(|next| seen.contains(&next))
+    })
 }
 
 /// Compiles a function.

@@ -13,6 +13,7 @@ use calyx_lang::ir::{Program, SourceFile};
 use calyx_lang::render::{Colour, Renderer};
 use calyx_lang::span::{FileId, Span};
 use calyx_rt::{InvalidParam, Override, ParamAssignment};
+use calyx_symbolic::Tape;
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
@@ -45,6 +46,15 @@ pub struct Checked {
     pub gear_data: DataBlock,
     /// Parts of the program that further elaborations need; `None` without a program.
     pub(crate) lowered: Option<Lowered>,
+}
+
+impl Checked {
+    /// Returns the kernels of all symbolic expressions of the program, in the order of its sites;
+    /// `None` if it cannot be elaborated.
+    pub fn tapes(&self) -> Option<Vec<&Tape>> {
+        let lowered = self.lowered.as_ref()?;
+        Some(lowered.kernels.iter().map(|kernel| &kernel.0).collect())
+    }
 }
 
 impl Checked {

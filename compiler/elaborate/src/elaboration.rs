@@ -10,7 +10,7 @@ use crate::printed::Printed;
 use crate::values::{self, Value};
 use calyx_abi::context::codes;
 use calyx_abi::description::{FileDescription, ModelDescription};
-use calyx_abi::{Cancel, Context, Kernel, Purity, RuntimeError, stack};
+use calyx_abi::{Cancel, Context, Purity, RuntimeError, stack};
 use calyx_gears::calculation::calculate;
 use calyx_gears::data_block::DataBlock;
 use calyx_gears::externs::{check_plan, check_unrestrained};
@@ -24,6 +24,7 @@ use calyx_lower::interpret::CallSites;
 use calyx_lower::kernels::SiteContent;
 use calyx_lower::repeatable::RepeatableFunctions;
 use calyx_rt::{Error, InvalidParam, NanLog, ParamAssignment, Program as _, apply};
+use calyx_symbolic::TapeKernel;
 use calyx_runtime::error::EngineError;
 use calyx_runtime::interrupt::Interrupt;
 use calyx_runtime::settings_override::Override;
@@ -145,7 +146,7 @@ pub(crate) fn problems_with(
 /// Parts that all elaborations of a program share.
 pub(crate) struct Lowered {
     /// The kernels of all sites, in order.
-    kernels: Vec<Arc<dyn Kernel>>,
+    pub(crate) kernels: Vec<Arc<TapeKernel>>,
     sites: CallSites,
     /// Functions whose results earlier elaborations may have.
     repeatable: RepeatableFunctions,
@@ -252,7 +253,7 @@ fn elaborate_here(
     cancel: &Cancel,
     (print, keeps_output): (PrintLine, bool),
 ) -> Result<Elaboration, Cancelled> {
-    let mut interpreted = match Interpreted::with_kernels(program, Purity::Scene, kernels.clone()) {
+    let mut interpreted = match Interpreted::with_kernels(program, Purity::Scene, kernels) {
         Ok(interpreted) => interpreted.recovering().reusing(repeatable),
         Err(found) => return Ok(unrunnable(found)),
     };

@@ -12,13 +12,8 @@ use calyx_lower::repeatable::RepeatableFunctions;
 use calyx_lower::traverse::is_constant;
 use calyx_rt::Error;
 use calyx_rt::program::ParamFunction;
-use calyx_symbolic::{Tape, TapeKernel};
+use calyx_symbolic::TapeKernel;
 use std::sync::Arc;
-
-/// Returns the kernel that evaluates a tape.
-pub(crate) fn kernel(tape: Tape) -> Arc<dyn Kernel> {
-    Arc::new(TapeKernel(tape))
-}
 
 /// A checked model and its interpreter.
 pub struct Interpreted<'p> {
@@ -36,21 +31,22 @@ impl<'p> Interpreted<'p> {
     /// no kernel.
     pub fn new(program: &'p Program, allow: Purity) -> Result<Self, Box<Diagnostic>> {
         let tapes = lower_sites(program).map_err(|error| no_kernel(&error))?;
-        let kernels = tapes.into_iter().map(kernel).collect();
-        Self::with_kernels(program, allow, kernels)
+        let kernels: Vec<_> = tapes.into_iter().map(|tape| Arc::new(TapeKernel(tape))).collect();
+        Self::with_kernels(program, allow, &kernels)
     }
 
     /// Prepares a model with the kernels of all sites, in order.
     pub(crate) fn with_kernels(
         program: &'p Program,
         allow: Purity,
-        kernels: Vec<Arc<dyn Kernel>>,
+        kernels: &[Arc<TapeKernel>],
     ) -> Result<Self, Box<Diagnostic>> {
         let interpreter = Interpreter::new(program, externs(), allow).map_err(|error| {
             Diagnostic::error("E0708", error.to_string(), error.span, "declared here")
                 .help("`extern` declares functions of the engine; write your own without it, with a body")
         })?;
         let description = calyx_lang::description::describe(program, FINGERPRINT);
+        let kernels = kernels.iter().map(|kernel| kernel.clone() as Arc<dyn Kernel>).collect();
         Ok(Interpreted { program, interpreter, kernels, description })
     }
 

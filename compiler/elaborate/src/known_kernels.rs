@@ -1,18 +1,16 @@
 //! Kernels of earlier elaborations. An editor elaborates a model after each edit, and most sites,
 //! such as those of the library, are unchanged.
 
-use crate::interpreted::kernel;
-use calyx_abi::Kernel;
 use calyx_lang::ir::{Program, SiteId};
 use calyx_lower::kernels::{KernelError, SiteContent, lower_site};
 use calyx_lower::recently_used::RecentlyUsed;
-use calyx_symbolic::Tape;
+use calyx_symbolic::{Tape, TapeKernel};
 use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 /// Limit of the instructions of all stored kernels, of 16 bytes each.
 const MOST_INSTRUCTIONS: usize = 1 << 21;
 
-type KnownKernels = RecentlyUsed<SiteContent, Arc<dyn Kernel>>;
+type KnownKernels = RecentlyUsed<SiteContent, Arc<TapeKernel>>;
 
 fn known() -> MutexGuard<'static, KnownKernels> {
     static KNOWN: LazyLock<Mutex<KnownKernels>> =
@@ -35,13 +33,13 @@ pub(crate) fn kernel_of(
     program: &Program,
     id: SiteId,
     content: SiteContent,
-) -> Result<Arc<dyn Kernel>, KernelError> {
+) -> Result<Arc<TapeKernel>, KernelError> {
     if let Some(kernel) = known().find(content) {
         return Ok(kernel);
     }
     let tape = lower_site(program, id)?;
     let size = instructions(&tape);
-    let kernel = kernel(tape);
+    let kernel = Arc::new(TapeKernel(tape));
     known().store(content, kernel.clone(), size);
     Ok(kernel)
 }

@@ -49,8 +49,10 @@ const PER_ADDED: usize = 2;
 const FEW_ADDED: usize = 16;
 /// Number of positions on plane grids of half the cells that take the time of one position.
 const COARSE_PER_POSITION: usize = 4;
-/// Number of rounds of division; each uses the results of the previous ones.
+/// Number of rounds of division at most; each uses the results of the previous ones.
 const ROUNDS: usize = 8;
+/// Minimum number of positions of a round, which are solved in parallel.
+const TOGETHER: usize = 2;
 
 /// Finished quasi-static analysis.
 pub(crate) struct BaseAnalysis<'a, 's> {
@@ -338,8 +340,8 @@ impl BaseAnalysis<'_, '_> {
             };
             let known: Vec<SampledOutput<'_>> = closed.iter().enumerate().filter_map(known).collect();
             let turn = all.len() - self.rows.len();
-            let wanted =
-                most_promising(&known, average, turn).into_iter().take(left.div_ceil(ROUNDS - round));
+            let most = left.div_ceil(ROUNDS - round).max(TOGETHER).min(left);
+            let wanted = most_promising(&known, average, turn).into_iter().take(most);
             // In three dimensions a tooth pair takes up load gradually along its contact line.
             let own = |promising: Promising| Promising {
                 event: promising.event.filter(|_| !self.plan.three_dimensional),
