@@ -49,10 +49,10 @@ const PER_ADDED: usize = 2;
 const FEW_ADDED: usize = 16;
 /// Number of positions on plane grids of half the cells that take the time of one position.
 const COARSE_PER_POSITION: usize = 4;
-/// Number of rounds of division at most; each uses the results of the previous ones.
+/// Maximum number of rounds of division; each uses the results of the previous ones. Fewer rounds
+/// of more positions overestimate errors: with at least two positions each, the suite of
+/// effectivities misses its goal.
 const ROUNDS: usize = 8;
-/// Minimum number of positions of a round, which are solved in parallel.
-const TOGETHER: usize = 2;
 
 /// Finished quasi-static analysis.
 pub(crate) struct BaseAnalysis<'a, 's> {
@@ -340,14 +340,17 @@ impl BaseAnalysis<'_, '_> {
             };
             let known: Vec<SampledOutput<'_>> = closed.iter().enumerate().filter_map(known).collect();
             let turn = all.len() - self.rows.len();
-            let most = left.div_ceil(ROUNDS - round).max(TOGETHER).min(left);
-            let wanted = most_promising(&known, average, turn).into_iter().take(most);
+            let wanted =
+                most_promising(&known, average, turn).into_iter().take(left.div_ceil(ROUNDS - round));
             // In three dimensions a tooth pair takes up load gradually along its contact line.
             let own = |promising: Promising| Promising {
                 event: promising.event.filter(|_| !self.plan.three_dimensional),
                 ..promising
             };
             let positions: Vec<Position> = wanted.map(|promising| divided(&all, own(promising))).collect();
+            if positions.is_empty() {
+                break;
+            }
             left -= positions.len();
             match part_of(self.solve(self.system, self.plan, &positions))? {
                 Ok(besides) => all.extend(besides.rows),

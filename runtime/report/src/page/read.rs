@@ -284,7 +284,8 @@ impl Run {
         };
         let (positions, columns) = steps(&directory.join("steps.csv"))?;
         let clock = units::clock(positions.iter().map(|position| position.time));
-        let of = |(name, values)| output(&head, name, values, clock);
+        let has_roll = positions.iter().any(|position| position.roll != 0.0);
+        let of = |(name, values)| output(&head, name, values, (clock, has_roll));
         let outputs = columns.into_iter().map(of).collect();
         Ok(Run {
             end,
@@ -357,7 +358,7 @@ fn steps(path: &Path) -> io::Result<(Vec<Position>, Columns)> {
 }
 
 /// Reads an output from `run.json`, or from the head of an unfinished run.
-fn output(head: &Value, name: String, values: Vec<f64>, clock: Unit) -> Output {
+fn output(head: &Value, name: String, values: Vec<f64>, (clock, has_roll): (Unit, bool)) -> Output {
     let said = match head["outputs"].get(&name) {
         Some(said) => said,
         None => &head["columns"][&name],
@@ -372,7 +373,10 @@ fn output(head: &Value, name: String, values: Vec<f64>, clock: Unit) -> Output {
         unit: text(&said["display"]["unit"]),
         choices: said[CHOICES].as_array().into_iter().flatten().map(text).collect(),
         statistics: Statistics::of(said, factor).unwrap_or_else(|| Statistics::of_values(&values)),
-        place: place(&said["max_at"], Units::of_system(head["units"].as_str().unwrap_or_default()), clock),
+        place: {
+            let units = Units::of_system(head["units"].as_str().unwrap_or_default());
+            place(&said["max_at"], units, (clock, has_roll))
+        },
         harmonics: harmonics.filter_map(harmonic).collect(),
         error: Estimate::of(&said["error_estimate"], factor),
         values,
@@ -380,11 +384,11 @@ fn output(head: &Value, name: String, values: Vec<f64>, clock: Unit) -> Output {
     }
 }
 
-/// Describes the location of a maximum.
-fn place(at: &Value, units: Units, clock: Unit) -> String {
+/// Describes the location of a maximum. `has_roll` is true if positions have roll angles.
+fn place(at: &Value, units: Units, (clock, has_roll): (Unit, bool)) -> String {
     let mut words = Vec::new();
     match at["roll_angle"].as_f64() {
-        Some(roll) if roll != 0.0 => words.push(format!("roll angle {:.2}°", roll.to_degrees())),
+        Some(roll) if has_roll || roll != 0.0 => words.push(format!("roll angle {:.2}°", roll.to_degrees())),
         _ => words.extend(
             at["time"].as_f64().map(|time| format!("{} {}", super::number(clock.of(time)), clock.name)),
         ),

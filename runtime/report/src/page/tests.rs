@@ -276,6 +276,18 @@ fn what_has_no_course_has_no_plot() {
     assert!(page.contains("<h2>Positions</h2>") && page.contains("<p><b>3 urad</b></p>"), "{page}");
 }
 
+/// A maximum at the roll angle 0 has this angle, if other positions have roll angles.
+#[test]
+fn a_maximum_at_the_roll_angle_zero_has_an_angle() {
+    let mut run = run_json();
+    run["outputs"]["te"]["max_at"] = json!({ "step": 0, "time": 0.0, "roll_angle": 0.0, "point": "" });
+    let directory = directory(&run);
+    let rows = "step,time,cycle,roll_angle,point,te\n0,0,0,0,,0.000003\n1,0.001,0.5,0.1,,0.000002\n";
+    fs::write(directory.path().join("steps.csv"), rows).unwrap();
+    let page = text(directory.path());
+    assert!(page.contains("roll angle 0.00°</td>"), "{page}");
+}
+
 /// Titles are one sentence; names between backticks are code; short times are in small units.
 #[test]
 fn sentences_code_and_times_are_as_people_write_them() {
