@@ -71,9 +71,9 @@ pub enum Effort {
     /// order that keeps few values alive. Cranelift's optimizations would take time and lose that
     /// order: a chain of fifty factors runs 1.25 times slower with them.
     AsWritten,
-    /// Fast compilation; used in memory for functions that run a few times: those of the library,
-    /// and those of the model without loops. They compile in a third of the time. Loops run 1.3
-    /// times slower with this register allocator.
+    /// Fast compilation; used in memory for functions of the library and for those of the model
+    /// that no loop repeats. They compile in a third of the time. Loops run 1.3 times slower with
+    /// this register allocator.
     Quick,
 }
 

@@ -63,7 +63,7 @@ pub fn slot_types(repr: &Repr) -> Vec<Type> {
     }
 }
 
-/// Returns true for a place in a file of the library.
+/// Returns true for a location in a file of the library.
 pub fn is_library(program: &Program, span: Span) -> bool {
     let file = program.files.get(span.file.0 as usize);
     file.is_some_and(|file| file.name.starts_with(LIBRARY))

@@ -12,7 +12,7 @@ use calyx_lower::layout::running_sums;
 use calyx_symbolic::Tape;
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
-use cranelift_codegen::ir::{AbiParam, Function, Signature, UserFuncName, types};
+use cranelift_codegen::ir::{AbiParam, ExternalName, Function, Signature, UserFuncName, types};
 use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_module::{DataDescription, DataId, FuncId, Linkage, Module, ModuleError, ModuleReloc};
@@ -107,9 +107,19 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         })
     }
 
-    /// Compiles functions of the library, and functions of the model without loops, with these
-    /// settings instead of those of the module, if they are given.
+    /// Compiles functions of the library, and functions of the model that no loop repeats, with
+    /// these settings instead of those of the module, if they are given. The settings must differ
+    /// in optimization and register allocation only: functions call each other.
     pub fn with_quick_isa(mut self, isa: Option<OwnedTargetIsa>) -> Self {
+        if let Some(isa) = &isa {
+            let own = self.module.isa();
+            debug_assert_eq!(own.triple(), isa.triple());
+            debug_assert_eq!(own.default_call_conv(), isa.default_call_conv());
+            debug_assert_eq!(own.flags().is_pic(), isa.flags().is_pic());
+            let flags =
+                |isa: &dyn TargetIsa| isa.isa_flags().iter().map(|flag| flag.to_string()).collect::<Vec<_>>();
+            debug_assert_eq!(flags(own), flags(&**isa));
+        }
         self.quick_isa = isa;
         self
     }
@@ -159,18 +169,13 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         let built = std::mem::take(&mut self.built);
         let (isa, listed) = (self.module.isa(), self.listings.is_some());
         let ids: Vec<FuncId> = built.iter().map(|(id, _)| *id).collect();
-        let of_program: HashMap<FuncId, _> =
-            self.functions.iter().copied().zip(&self.program.functions).collect();
-        let runs_seldom = |id: FuncId, function: &Function| {
-            let declared = of_program.get(&id);
-            declared.is_some_and(|declared| is_library(self.program, declared.span) || !has_loop(function))
-        };
-        let isa_of = |id: FuncId, function: &Function| match &self.quick_isa {
-            Some(quick) if runs_seldom(id, function) => &**quick,
+        let repeated = self.repeated(&built);
+        let isa_of = |id: FuncId| match &self.quick_isa {
+            Some(quick) if self.functions.contains(&id) && !repeated.contains(&id) => &**quick,
             _ => isa,
         };
         let compile = |context: &mut Context, (id, function): (FuncId, Function)| {
-            compile(context, isa_of(id, &function), (id, function), listed)
+            compile(context, isa_of(id), (id, function), listed)
         };
         let compiled: Vec<Result<Compiled, CodegenError>> = match built.len() {
             // Starting threads would take longer.
@@ -189,6 +194,29 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
             }
         }
         Ok(())
+    }
+
+    /// Returns the functions of the model that may run many times: those with a loop, those that
+    /// call themselves, and all functions of the model that these call. Functions of the library
+    /// build the scene or evaluate formulas and are not among them.
+    fn repeated(&self, built: &[(FuncId, Function)]) -> HashSet<FuncId> {
+        let of_model = self.functions.iter().zip(&self.program.functions);
+        let of_model: HashSet<FuncId> = of_model
+            .filter(|(_, declared)| !is_library(self.program, declared.span))
+            .map(|(&id, _)| id)
+            .collect();
+        let bodies: HashMap<FuncId, &Function> = built.iter().map(|(id, body)| (*id, body)).collect();
+        let is_first = |id: &FuncId| {
+            let body = bodies.get(id);
+            body.is_some_and(|body| has_loop(body) || callees(body).any(|called| called == *id))
+        };
+        let mut left: Vec<FuncId> = of_model.iter().copied().filter(is_first).collect();
+        let mut repeated: HashSet<FuncId> = left.iter().copied().collect();
+        while let Some(id) = left.pop() {
+            let called = bodies.get(&id).into_iter().flat_map(|body| callees(body));
+            left.extend(called.filter(|called| of_model.contains(called) && repeated.insert(*called)));
+        }
+        repeated
     }
 
     /// Returns a helper or numeric function by its symbol.
@@ -212,12 +240,22 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
     }
 }
 
-/// Returns true if a block of the function continues at itself or at an earlier block.
+/// Returns true if a block of the function continues at itself or at an earlier block, as in loops
+/// and after `catch`.
 fn has_loop(function: &Function) -> bool {
     let mut seen = HashSet::new();
     function.layout.blocks().any(|block| {
         seen.insert(block);
         function.block_successors(block).any(|next| seen.contains(&next))
+    })
+}
+
+/// Returns the functions that a function calls.
+fn callees(function: &Function) -> impl Iterator<Item = FuncId> {
+    let names = function.dfg.ext_funcs.values().map(|called| &called.name);
+    names.filter_map(|name| match name {
+        ExternalName::User(name) => Some(FuncId::from_u32(function.params.user_named_funcs()[*name].index)),
+        _ => None,
     })
 }
 

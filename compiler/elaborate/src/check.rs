@@ -49,15 +49,13 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// Returns the kernels of all symbolic expressions of the program, in the order of its sites;
+    /// Returns the tapes of all symbolic expressions of the program, in the order of its sites;
     /// `None` if it cannot be elaborated.
     pub fn tapes(&self) -> Option<Vec<&Tape>> {
         let lowered = self.lowered.as_ref()?;
         Some(lowered.kernels.iter().map(|kernel| &kernel.0).collect())
     }
-}
 
-impl Checked {
     pub fn has_errors(&self) -> bool {
         has_errors(&self.diagnostics)
     }

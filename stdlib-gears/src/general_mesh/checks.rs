@@ -275,7 +275,7 @@ pub(super) fn edge_contact(tabulated: bool) -> GeometryError {
 pub(super) fn low_contact_ratio(ratio: f64, tabulated: bool) -> Option<GeometryError> {
     let help = match tabulated {
         true => sentence![
-            "with less ease-off along the path of contact (see the report) or higher teeth, pairs overlap; under load they may do so anyway: an output of `gears.pairs_in_contact` shows it"
+            "with less ease-off along the path of contact (see the report) or higher teeth, pairs overlap; under load they may do so anyway: declare an output of `gears.pairs_in_contact` to see it"
         ],
         false => sentence!["give the teeth more depth or a larger face width"],
     };

@@ -122,7 +122,7 @@ impl Steps<'_> {
             })
         };
         let mut receive = |index: usize, own: Results| {
-            // A position that is solved before the observer cancels the run is not reported after.
+            // Positions solved ahead are not reported after the observer has cancelled the run.
             solver.interrupt.check()?;
             let fields = own.fields;
             states.extend(own.state);
