@@ -51,7 +51,7 @@ const FEW_ADDED: usize = 16;
 const COARSE_PER_POSITION: usize = 4;
 /// Maximum number of rounds of division; each uses the results of the previous ones. Fewer rounds
 /// of more positions overestimate errors: with at least two positions each, the suite of
-/// effectivities misses its goal.
+/// effectivities misses its goal of 95 %.
 const ROUNDS: usize = 8;
 
 /// Finished quasi-static analysis.
