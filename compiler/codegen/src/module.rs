@@ -169,9 +169,9 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         let built = std::mem::take(&mut self.built);
         let (isa, listed) = (self.module.isa(), self.listings.is_some());
         let ids: Vec<FuncId> = built.iter().map(|(id, _)| *id).collect();
-        let repeated = self.repeated(&built);
+        let seldom = if self.quick_isa.is_some() { self.run_seldom(&built) } else { HashSet::new() };
         let isa_of = |id: FuncId| match &self.quick_isa {
-            Some(quick) if self.functions.contains(&id) && !repeated.contains(&id) => &**quick,
+            Some(quick) if seldom.contains(&id) => &**quick,
             _ => isa,
         };
         let compile = |context: &mut Context, (id, function): (FuncId, Function)| {
@@ -196,27 +196,28 @@ impl<'m, M: Module> ModuleLowering<'m, M> {
         Ok(())
     }
 
-    /// Returns the functions of the model that may run many times: those with a loop, those that
-    /// call themselves, and all functions of the model that these call. Functions of the library
-    /// build the scene or evaluate formulas and are not among them.
-    fn repeated(&self, built: &[(FuncId, Function)]) -> HashSet<FuncId> {
-        let of_model = self.functions.iter().zip(&self.program.functions);
-        let of_model: HashSet<FuncId> = of_model
-            .filter(|(_, declared)| !is_library(self.program, declared.span))
-            .map(|(&id, _)| id)
-            .collect();
+    /// Returns the functions of the program that run a few times: those of the library, which build
+    /// the scene or evaluate formulas, and those of the model except for functions with a loop,
+    /// functions that call themselves, and all functions of the model that these call.
+    fn run_seldom(&self, built: &[(FuncId, Function)]) -> HashSet<FuncId> {
         let bodies: HashMap<FuncId, &Function> = built.iter().map(|(id, body)| (*id, body)).collect();
-        let is_first = |id: &FuncId| {
+        let repeats = |id: &FuncId| {
             let body = bodies.get(id);
             body.is_some_and(|body| has_loop(body) || callees(body).any(|called| called == *id))
         };
-        let mut left: Vec<FuncId> = of_model.iter().copied().filter(is_first).collect();
-        let mut repeated: HashSet<FuncId> = left.iter().copied().collect();
+        let declared = self.functions.iter().zip(&self.program.functions);
+        let of_model = declared.filter(|(_, function)| !is_library(self.program, function.span));
+        let mut of_model: HashSet<FuncId> = of_model.map(|(&id, _)| id).collect();
+        let mut seldom: HashSet<FuncId> = self.functions.iter().copied().collect();
+        let mut left: Vec<FuncId> = of_model.iter().copied().filter(repeats).collect();
         while let Some(id) = left.pop() {
-            let called = bodies.get(&id).into_iter().flat_map(|body| callees(body));
-            left.extend(called.filter(|called| of_model.contains(called) && repeated.insert(*called)));
+            // Each function of the model is visited once.
+            if of_model.remove(&id) {
+                seldom.remove(&id);
+                left.extend(bodies.get(&id).into_iter().flat_map(|body| callees(body)));
+            }
         }
-        repeated
+        seldom
     }
 
     /// Returns a helper or numeric function by its symbol.
