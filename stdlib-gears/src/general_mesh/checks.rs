@@ -291,6 +291,21 @@ pub(super) fn low_contact_ratio(ratio: f64, tabulated: bool) -> Option<GeometryE
     })
 }
 
+/// Warning about teeth that leave large spaces. Both angles are rotations of the second gear.
+pub(super) fn large_backlash(backlash: f64, pitch: f64) -> GeometryError {
+    GeometryError::warning(
+        "W0868",
+        "second",
+        sentence![
+            "the second gear has a backlash of ", angle backlash, ", which is ", number 100.0 * backlash / pitch,
+            " % of its pitch"
+        ],
+        sentence![
+            "compare the tooth thickness of both gears with the drawing: their sum is usually a little less than the circular pitch"
+        ],
+    )
+}
+
 /// Warning about teeth that fill the spaces.
 pub(super) fn no_backlash(overlap: f64, tabulated: bool) -> GeometryError {
     let help = match tabulated {

@@ -41,6 +41,9 @@ const TOO_EARLY: f64 = 1e-6;
 const IN_MESH: f64 = 0.25;
 /// Negative backlash up to this fraction of the pitch is attributed to rounded input data.
 const ROUNDING_OF_DATA: f64 = 1e-4;
+/// Backlash as a fraction of the pitch that is reported. Drawings state about a fiftieth; the
+/// thinnest teeth of published test gears leave a fifth.
+const LARGE_BACKLASH: f64 = 0.25;
 /// Iterations of the phase of the first body, which moves the contact.
 const PHASES: usize = 12;
 /// Misplacement of teeth in a loop, in pitches, that is impossible; smaller ones are position
@@ -271,6 +274,9 @@ pub fn general_mesh(
         && let Some(overlap) = backlash.filter(|backlash| *backlash < -ROUNDING_OF_DATA * pitch)
     {
         warnings.push(checks::no_backlash(-overlap * mesh.base_radii[1], tabulated));
+    }
+    if tabulated && let Some(large) = backlash.filter(|backlash| *backlash > LARGE_BACKLASH * pitch) {
+        warnings.push(checks::large_backlash(large, pitch));
     }
     let back = coast
         .filter(|_| options.coast_side_contact)
