@@ -1,11 +1,14 @@
 //! `calyx check`: reports all errors of a model, and fixes them with `--fix`.
 
 use crate::allow::AllowPath;
-use crate::messages::{MODEL_ERROR, MessageFormat};
-use calyx::elaborate::{Cancel, Extent, check_ranges};
+use crate::messages::{MODEL_ERROR, MessageFormat, USAGE};
+use calyx::elaborate::{Cancel, Extent, Ranges, check_ranges};
 use calyx::fix::{Applied, fix_file};
 use calyx::rt::console::eprintln;
-use calyx::{Checked, check_file_allowing};
+use calyx::rt::options::given_of;
+use calyx::rt::settings_override::OverrideArguments;
+use calyx::rt::{Override, ParamAssignment};
+use calyx::{Checked, check_file_allowing, check_run_within};
 use calyx_lang::diagnostic::Severity;
 use clap::Args;
 use serde_json::json;
@@ -16,6 +19,7 @@ pub const EXAMPLES: &str = "Examples:
   calyx check pair.cx
   calyx check pair.cx --fix
   calyx check pair.cx --ranges
+  calyx check pair.cx --set torque=500        what `calyx run` with these values would check
   calyx check pair.cx --message-format json 2> messages.jsonl
 
 Exit status: 0 without errors, 1 with errors, 2 for wrong usage of the command.";
@@ -25,21 +29,29 @@ pub struct Check {
     /// The model (.cx file)
     file: PathBuf,
     /// Apply unambiguous fixes to the model and the modules in its directory, then check again
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["set", "params", "OverrideArguments"])]
     fix: bool,
+    /// Set a param of the model, see `calyx run`; only these values are checked
+    #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
+    set: Vec<ParamAssignment>,
+    /// Read params from FILE.json or FILE.toml, see `calyx run`
+    #[arg(long, value_name = "FILE")]
+    params: Option<PathBuf>,
     /// Build the model also at the other values of its integer, Boolean and choice params, and at
     /// the ends of the ranges of its other params
     ///
     /// One param is varied at a time, then two. Of a range with many values, 32 are tried, or fewer
     /// if there are many params. Without this option, a few values of each param are tried; fewer
     /// if the model makes many gears or runs long.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["set", "params", "OverrideArguments"])]
     ranges: bool,
     #[command(flatten)]
     allow: AllowPath,
     /// Format of messages on standard error
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     message_format: MessageFormat,
+    #[command(flatten)]
+    overrides: OverrideArguments,
 }
 
 /// Number of params that the note on unchecked values names.
@@ -60,19 +72,36 @@ fn listed(cut: &[(String, usize, usize)]) -> String {
 impl Check {
     pub fn run(self) -> ExitCode {
         let format = self.message_format;
-        let mut checked = match if self.fix {
-            self.fixed()
-        } else {
-            check_file_allowing(&self.file, &self.allow.paths())
-        } {
+        let given = match given_of(self.params.as_deref(), &self.set) {
+            Ok(given) => given,
+            Err(refused) => {
+                format.refused(&refused);
+                return ExitCode::from(USAGE);
+            }
+        };
+        let (allowed, overrides) = (self.allow.paths(), self.overrides.to_override());
+        // As for a run, values that are given replace the defaults.
+        let is_given = !given.is_empty() || overrides != Override::default();
+        let check = || match is_given {
+            true => check_run_within(&self.file, &allowed, &given, overrides, None),
+            false => check_file_allowing(&self.file, &allowed),
+        };
+        let mut checked = match if self.fix { self.fixed() } else { check() } {
             Ok(checked) => checked,
             Err(error) => return format.unreadable(&self.file, &error),
         };
         MessageFormat::printed_before_error(&checked, false);
         let extent = if self.ranges { Extent::Pairs } else { Extent::Cheap };
-        let ranges = check_ranges(&checked, extent, &Cancel::default()).unwrap_or_default();
+        let ranges = match is_given {
+            true => Ranges::default(),
+            false => check_ranges(&checked, extent, &Cancel::default()).unwrap_or_default(),
+        };
         checked.diagnostics.extend(ranges.found);
         format.diagnostics(&checked.diagnostics, &checked.files);
+        if let Some(refused) = &checked.refused {
+            format.refused(refused);
+            return ExitCode::from(USAGE);
+        }
         if self.ranges {
             for (param, tried, allowed) in &ranges.cut {
                 format.note(&format!("`{param}` was checked at {tried} of its {allowed} values\n"));

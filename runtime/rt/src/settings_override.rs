@@ -3,43 +3,45 @@
 use calyx_runtime::settings_override::Override;
 use clap::Args;
 
+/// Heading of these options in the help of commands.
+const HEADING: &str = "Overrides of the analysis settings in the model";
+
 /// Options that override analysis settings.
 #[derive(Args, Clone, Debug, Default)]
-#[command(next_help_heading = "Overrides of the analysis settings in the model")]
 pub struct OverrideArguments {
     /// Fidelity level, in order of cost: rigid, analytic, plane, medium, thinrim, fineroot, finest
     ///
     /// Outputs that a level does not support are reported by name. `calyx tradeoff` measures cost
     /// and accuracy of each level.
-    #[arg(long, value_name = "LEVEL", value_parser = |text: &str| parse_setting("fidelity", text))]
+    #[arg(long, help_heading = HEADING, value_name = "LEVEL", value_parser = |text: &str| parse_setting("fidelity", text))]
     fidelity: Option<Override>,
     /// Factor for the number of elements in every direction of the mesh
     ///
     /// 0.5 halves the number of elements in each direction; 1 is the default mesh of the fidelity
     /// level.
-    #[arg(long, value_name = "FACTOR", value_parser = |text: &str| parse_setting("refinement", text))]
+    #[arg(long, help_heading = HEADING, value_name = "FACTOR", value_parser = |text: &str| parse_setting("refinement", text))]
     refinement: Option<Override>,
     /// Polynomial order of the elements in the transverse section, 1 to 3
-    #[arg(long, alias = "order", value_name = "ORDER", value_parser = |text: &str| parse_setting("element_order", text))]
+    #[arg(long, help_heading = HEADING, alias = "order", value_name = "ORDER", value_parser = |text: &str| parse_setting("element_order", text))]
     element_order: Option<Override>,
     /// Number of elements along the face, in three dimensions
-    #[arg(long, value_name = "COUNT", value_parser = |text: &str| parse_setting("face_elements", text))]
+    #[arg(long, help_heading = HEADING, value_name = "COUNT", value_parser = |text: &str| parse_setting("face_elements", text))]
     face_elements: Option<Override>,
     /// Polynomial order of these elements along the face
-    #[arg(long, value_name = "ORDER", value_parser = |text: &str| parse_setting("displacement_order", text))]
+    #[arg(long, help_heading = HEADING, value_name = "ORDER", value_parser = |text: &str| parse_setting("displacement_order", text))]
     displacement_order: Option<Override>,
     /// Contact grids have 2M+1 cells across the contact
-    #[arg(long, alias = "cells", value_name = "M", value_parser = |text: &str| parse_setting("contact_cells", text))]
+    #[arg(long, help_heading = HEADING, alias = "cells", value_name = "M", value_parser = |text: &str| parse_setting("contact_cells", text))]
     contact_cells: Option<Override>,
     /// Contact grids have 2N+1 slices along the face, in three dimensions
-    #[arg(long, alias = "cells-along", value_name = "N", value_parser = |text: &str| parse_setting("contact_slices", text))]
+    #[arg(long, help_heading = HEADING, alias = "cells-along", value_name = "N", value_parser = |text: &str| parse_setting("contact_slices", text))]
     contact_slices: Option<Override>,
     /// Analyse only every COUNT-th position and the characteristic points
-    #[arg(long, alias = "every", value_name = "COUNT", value_parser = |text: &str| parse_setting("position_stride", text))]
+    #[arg(long, help_heading = HEADING, alias = "every", value_name = "COUNT", value_parser = |text: &str| parse_setting("position_stride", text))]
     position_stride: Option<Override>,
     /// Error estimates of outputs: none, cheap (costs less than the run), or full (includes the
     /// model error of the fidelity level)
-    #[arg(long, value_name = "WHICH", value_parser = |text: &str| parse_setting("error_estimates", text))]
+    #[arg(long, help_heading = HEADING, value_name = "WHICH", value_parser = |text: &str| parse_setting("error_estimates", text))]
     error_estimates: Option<Override>,
 }
 
