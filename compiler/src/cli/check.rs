@@ -82,9 +82,12 @@ impl Check {
         let (allowed, overrides) = (self.allow.paths(), self.overrides.to_override());
         // As for a run, values that are given replace the defaults.
         let is_given = !given.is_empty() || overrides != Override::default();
-        let check = || match is_given {
-            true => check_run_within(&self.file, &allowed, &given, overrides, None),
-            false => check_file_allowing(&self.file, &allowed),
+        let check = || {
+            if is_given {
+                check_run_within(&self.file, &allowed, &given, overrides, None)
+            } else {
+                check_file_allowing(&self.file, &allowed)
+            }
         };
         let mut checked = match if self.fix { self.fixed() } else { check() } {
             Ok(checked) => checked,
@@ -92,9 +95,10 @@ impl Check {
         };
         MessageFormat::printed_before_error(&checked, false);
         let extent = if self.ranges { Extent::Pairs } else { Extent::Cheap };
-        let ranges = match is_given {
-            true => Ranges::default(),
-            false => check_ranges(&checked, extent, &Cancel::default()).unwrap_or_default(),
+        let ranges = if is_given {
+            Ranges::default()
+        } else {
+            check_ranges(&checked, extent, &Cancel::default()).unwrap_or_default()
         };
         checked.diagnostics.extend(ranges.found);
         format.diagnostics(&checked.diagnostics, &checked.files);

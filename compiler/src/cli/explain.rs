@@ -29,6 +29,8 @@ pub struct Explain {
     /// Set a param of the model, see `calyx run`
     #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
     set: Vec<ParamAssignment>,
+    #[command(flatten)]
+    overrides: OverrideArguments,
     /// Measure the speed of this machine again, for predictions of computing time
     ///
     /// Takes a tenth of a second. The result is stored in the structure cache (see `calyx run
@@ -37,8 +39,6 @@ pub struct Explain {
     recalibrate: bool,
     #[command(flatten)]
     allow: AllowPath,
-    #[command(flatten)]
-    overrides: OverrideArguments,
 }
 
 impl Explain {
