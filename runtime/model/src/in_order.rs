@@ -2,14 +2,14 @@
 
 use crate::resources::Resources;
 use calyx_numerics::parallel::while_all_are_busy;
+use rayon::BroadcastContext;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::collections::BTreeMap;
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::{Mutex, MutexGuard, PoisonError, mpsc};
 
-/// Number of values per thread that are computed before a thread may have to wait for others.
+/// Number of values per thread that may exist before they are passed on.
 const AHEAD: usize = 4;
 
 impl Resources {
@@ -26,46 +26,41 @@ impl Resources {
     ) -> Vec<(usize, T)> {
         // A thread of a pool must not wait for values that it may have to compute itself, and a
         // single value need not wait for all threads of the pool.
-        let waits = rayon::current_thread_index().is_none() && count > 1;
-        let length = if waits { AHEAD * self.threads() } else { self.threads() };
+        if rayon::current_thread_index().is_none() && count > 1 {
+            return self.compute_ahead(count, &compute, &mut take);
+        }
+        let length = self.threads();
         for first in (0..count).step_by(length) {
             let block = first..count.min(first + length);
-            let left = if waits {
-                self.compute_and_take((block, count), &compute, &mut take)
-            } else {
-                let all = || block.clone().into_par_iter().map(&compute).collect::<Vec<_>>();
-                let mut values = block.clone().zip(self.install(all));
-                let broken = values.any(|(index, value)| take(index, value).is_break());
-                broken.then(|| values.collect())
-            };
-            if let Some(left) = left {
-                return left;
+            let all = || block.clone().into_par_iter().map(&compute).collect::<Vec<_>>();
+            let mut values = block.clone().zip(self.install(all));
+            if values.any(|(index, value)| take(index, value).is_break()) {
+                return values.collect();
             }
         }
         Vec::new()
     }
 
-    /// Computes a block of all values on the pool and takes them on this thread, outside of the
-    /// pool. Returns the computed values that are left if `take` breaks.
+    /// Computes values on the pool and takes them on this thread, outside of the pool.
     ///
     /// Every thread of the pool has one job that computes one value after another: of several jobs,
     /// a thread might begin the next one while it waits for others to complete a part of the first.
     /// It may still begin the job of another caller that shares the pool.
-    fn compute_and_take<T: Send>(
+    fn compute_ahead<T: Send>(
         &self,
-        (block, count): (Range<usize>, usize),
+        count: usize,
         compute: &(impl Fn(usize) -> T + Sync),
         take: &mut impl FnMut(usize, T) -> ControlFlow<()>,
-    ) -> Option<Vec<(usize, T)>> {
+    ) -> Vec<(usize, T)> {
         let threads = self.threads();
-        let (next, ended) = (AtomicUsize::new(block.start), AtomicBool::new(false));
+        let window = Window::new(count, threads);
         let (sender, receiver) = mpsc::channel();
-        let compute_all = || {
-            while !ended.load(Ordering::Relaxed) {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                if index >= block.end {
-                    return;
-                }
+        let compute_all = |context: BroadcastContext<'_>| {
+            let thread = context.index();
+            if !window.resume(thread) {
+                return;
+            }
+            while let Some(index) = window.claim(thread) {
                 let compute = || match count - index >= threads {
                     true => while_all_are_busy(|| compute(index)),
                     false => compute(index),
@@ -73,15 +68,16 @@ impl Resources {
                 let value = catch_unwind(AssertUnwindSafe(compute));
                 if value.is_err() {
                     // Values before this one are being computed already.
-                    ended.store(true, Ordering::Relaxed);
+                    window.end();
                 }
                 // The receiver exists until all jobs have ended.
                 let _ = sender.send((index, value));
             }
         };
         let mut waiting = BTreeMap::new();
-        let mut take_all = || {
-            for index in block.clone() {
+        let mut take_all = |resume: &dyn Fn()| {
+            resume();
+            for index in 0..count {
                 let value = loop {
                     match waiting.remove(&index) {
                         Some(value) => break value,
@@ -90,25 +86,85 @@ impl Resources {
                     }
                 };
                 if take(index, value.unwrap_or_else(|panic| resume_unwind(panic))).is_break() {
-                    ended.store(true, Ordering::Relaxed);
-                    return ControlFlow::Break(());
+                    window.end();
+                    return;
+                }
+                if window.take() {
+                    resume();
                 }
             }
-            ControlFlow::Continue(())
         };
-        let result = match &self.pool {
-            Some(pool) => pool.in_place_scope(|scope| {
-                scope.spawn_broadcast(|_, _| compute_all());
-                take_all()
-            }),
-            None => rayon::in_place_scope(|scope| {
-                scope.spawn_broadcast(|_, _| compute_all());
-                take_all()
-            }),
-        };
+        let compute_all = &compute_all;
+        let resume = |_: &_, context: BroadcastContext<'_>| compute_all(context);
+        match &self.pool {
+            Some(pool) => pool.in_place_scope(|scope| take_all(&|| scope.spawn_broadcast(resume))),
+            None => rayon::in_place_scope(|scope| take_all(&|| scope.spawn_broadcast(resume))),
+        }
         waiting.extend(receiver.try_iter());
-        let computed = waiting.into_iter().filter_map(|(index, value)| Some((index, value.ok()?)));
-        result.is_break().then(|| computed.collect())
+        waiting.into_iter().filter_map(|(index, value)| Some((index, value.ok()?))).collect()
+    }
+}
+
+/// The values that may be computed: a limited number of values beyond those that have been taken.
+/// A thread pauses where they end.
+struct Window {
+    count: usize,
+    /// Largest number of values that are being computed or wait to be taken.
+    ahead: usize,
+    state: Mutex<WindowState>,
+}
+
+struct WindowState {
+    /// Index of the next value to be computed.
+    next: usize,
+    /// Number of values that have been taken.
+    taken: usize,
+    ended: bool,
+    /// Whether each thread has no job.
+    paused: Vec<bool>,
+}
+
+impl Window {
+    /// Returns the window of the first values; all threads pause.
+    fn new(count: usize, threads: usize) -> Self {
+        let state = WindowState { next: 0, taken: 0, ended: false, paused: vec![true; threads] };
+        Self { count, ahead: AHEAD * threads, state: Mutex::new(state) }
+    }
+
+    fn state(&self) -> MutexGuard<'_, WindowState> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Ends the pause of a thread. Returns whether it paused.
+    fn resume(&self, thread: usize) -> bool {
+        std::mem::take(&mut self.state().paused[thread])
+    }
+
+    /// Returns the index of the next value to be computed by a thread, which pauses if there is
+    /// none in the window.
+    fn claim(&self, thread: usize) -> Option<usize> {
+        let mut state = self.state();
+        if state.ended || state.next == self.count {
+            return None;
+        }
+        if state.next == state.taken + self.ahead {
+            state.paused[thread] = true;
+            return None;
+        }
+        state.next += 1;
+        Some(state.next - 1)
+    }
+
+    /// Moves the window on by one value. Returns whether a thread can resume.
+    fn take(&self) -> bool {
+        let mut state = self.state();
+        state.taken += 1;
+        state.next < self.count && state.paused.contains(&true)
+    }
+
+    /// Ends the computation of further values.
+    fn end(&self) {
+        self.state().ended = true;
     }
 }
 
@@ -116,7 +172,8 @@ impl Resources {
 mod tests {
     use super::*;
     use std::sync::Arc;
-    use std::time::Duration;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::{Duration, Instant};
 
     /// Returns resources with a pool of this number of threads.
     fn with_threads(threads: usize) -> Resources {
@@ -169,21 +226,40 @@ mod tests {
         });
     }
 
+    /// While one value takes long, the others do not wait for it at the end of a block.
+    #[test]
+    fn threads_pause_only_where_the_window_ends() {
+        let resources = with_threads(2);
+        let computed = AtomicUsize::new(0);
+        // The last value of the first window waits until all others within its reach are there.
+        let slow = 2 * AHEAD - 1;
+        let compute = |index: usize| {
+            let deadline = Instant::now() + Duration::from_secs(20);
+            while index == slow && computed.load(Ordering::SeqCst) < slow + 2 * AHEAD - 1 {
+                assert!(Instant::now() < deadline, "the other thread pauses");
+                std::thread::yield_now();
+            }
+            computed.fetch_add(1, Ordering::SeqCst);
+        };
+        resources.in_order(50, compute, |_, ()| ControlFlow::Continue(()));
+        assert_eq!(computed.load(Ordering::SeqCst), 50);
+    }
+
     #[test]
     fn values_computed_after_the_end_are_returned() {
         let resources = with_threads(3);
         let take = |index, _| if index == 1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
         let others = AtomicUsize::new(0);
         let last = |index: usize| {
-            // The value of index 1 is computed after the others of the block.
-            while index == 1 && others.load(Ordering::Relaxed) < 11 {
+            // The value of index 1 is computed after the others of the window.
+            while index == 1 && others.load(Ordering::Relaxed) < 12 {
                 std::thread::yield_now();
             }
             others.fetch_add(1, Ordering::Relaxed);
             10 * index
         };
         let left = resources.in_order(100, last, take);
-        assert_eq!(left, (2..12).map(|index| (index, 10 * index)).collect::<Vec<_>>());
+        assert_eq!(left, (2..13).map(|index| (index, 10 * index)).collect::<Vec<_>>());
         let left = resources.install(|| resources.in_order(100, |index| 10 * index, take));
         assert_eq!(left, [(2, 20)], "on a thread of the pool");
         assert_eq!(resources.in_order(5, |index| index, |_, _| ControlFlow::Continue(())), []);
@@ -218,7 +294,7 @@ mod tests {
             };
             let taken = if on_thread_of_pool { resources.install(run) } else { run() };
             assert_eq!(taken, 5);
-            assert!(started.load(Ordering::Relaxed) <= 2 * AHEAD);
+            assert!(started.load(Ordering::Relaxed) <= 5 + 2 * AHEAD);
         }
     }
 
