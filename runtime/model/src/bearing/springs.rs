@@ -176,6 +176,11 @@ impl Springs {
         self.arms.extend(arms);
     }
 
+    /// Returns whether there are gap equations.
+    pub fn has_equations(&self) -> bool {
+        !self.gaps.is_empty()
+    }
+
     /// Appends the gap equations to a contact problem, after its cells. `across` is the compliance
     /// of cells to forces on the last of these equations, cells by equations. All other coupling is
     /// through the DOFs. There is a checkpoint before each batch of rows.
@@ -188,10 +193,10 @@ impl Springs {
         across: MatRef<'_, f64>,
         interrupt: &Interrupt,
     ) -> Result<ContactProblem, EngineError> {
-        let (n, more) = (cells.gaps.len(), self.gaps.len());
-        if more == 0 {
+        if !self.has_equations() {
             return Ok(cells);
         }
+        let (n, more) = (cells.gaps.len(), self.gaps.len());
         let mut problem = cells;
         let mut compliance = vec![0.0; (n + more) * (n + more)];
         for (row, entries) in compliance.chunks_exact_mut(n + more).enumerate() {

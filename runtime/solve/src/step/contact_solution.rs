@@ -93,8 +93,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let (drags, problem, modal, solution) = loop {
             let patches = self.patch_cells(candidates, &grids);
             let given = self.given_state(solved.len(), &patches);
-            let (problem, modal, compliance) =
-                self.problem(load, candidates, &grids, (known.as_ref(), given))?;
+            let (problem, modal, of_cells) = self.problem(load, candidates, &grids, (known.take(), given))?;
             let (drags, mut works) = self.friction(time, candidates, &grids);
             works.resize(problem.arms.len(), 0.0);
             let deflected = active.is_some();
@@ -118,21 +117,23 @@ impl<S: ContactGeometry> Solver<'_, S> {
             // Sizes that are not prescribed follow the forces of the patches.
             let better = self.corrected_grid_sizes(candidates, (&grids[..], &sizes), &solution);
             let changed = sizes.correct(&better);
+            let sizes_of_patches = grids.iter().map(|grid| self.space.count(grid)).collect();
             let unchanged = all.iter().map(|patch| !changed.contains(patch)).collect();
-            let counts = grids.iter().map(|grid| self.space.count(grid)).collect();
-            // A given state has some of the entries only.
-            known =
-                given.is_none().then_some(KnownCompliance { matrix: compliance, sizes: counts, unchanged });
             if changed.is_empty() {
                 let laid: Vec<_> = candidates.iter().copied().zip(&grids).collect();
                 let Some(rotated) = self.space.with_deflected_normals(&laid, &solution.forces)? else {
                     break (drags, problem, modal, solution);
                 };
                 (grids, active) = (rotated, Some(solution.active));
-                continue;
+            } else {
+                let rebuilt = build_grids(&changed, &sizes)?;
+                changed.into_iter().zip(rebuilt).for_each(|(patch, grid)| grids[patch] = grid);
             }
-            let rebuilt = build_grids(&changed, &sizes)?;
-            changed.into_iter().zip(rebuilt).for_each(|(patch, grid)| grids[patch] = grid);
+            // A given state has some of the entries only.
+            if given.is_none() {
+                let matrix = of_cells.unwrap_or(problem.compliance);
+                known = Some(KnownCompliance { matrix, sizes: sizes_of_patches, unchanged });
+            }
         };
 
         let mut laid =
@@ -407,44 +408,51 @@ impl<S: ContactGeometry> Solver<'_, S> {
         whole
     }
 
-    /// Creates the contact problem; also returns the compliance matrix of the cells alone.
+    /// Creates the contact problem. Also returns the compliance matrix of the cells alone, unless it
+    /// is that of the problem.
     fn problem(
         &self,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
         grids: &[S::Grid],
-        (known, given): (Option<&KnownCompliance>, Option<&GridState>),
-    ) -> Result<(ContactProblem, Modal, Vec<f64>), EngineError> {
+        (known, given): (Option<KnownCompliance>, Option<&GridState>),
+    ) -> Result<(ContactProblem, Modal, Option<Vec<f64>>), EngineError> {
         let laid: Vec<(&Candidate<S::Site>, &S::Grid)> = candidates.iter().copied().zip(grids).collect();
         let count: usize = grids.iter().map(|grid| self.space.count(grid)).sum();
         let _room =
             self.system.interrupt.reserve_memory(MATRICES * (count * count * size_of::<f64>()) as u64)?;
         let wanted = given.map(|given| given.wanted(|patch| self.space.observed_cells(&grids[patch])));
-        let entries = match (&wanted, known) {
-            (Some(wanted), _) => Entries::Between(wanted),
+        let compliance = match (&wanted, known) {
+            (Some(wanted), _) => self.space.compliance(&laid, Entries::Between(wanted))?,
+            (None, Some(known)) if !known.unchanged.contains(&false) => known.matrix,
             (None, Some(KnownCompliance { matrix, sizes, unchanged })) => {
-                Entries::Changed(FormerCompliance { matrix, sizes, unchanged })
+                let former = FormerCompliance { matrix: &matrix, sizes: &sizes, unchanged: &unchanged };
+                self.space.compliance(&laid, Entries::Changed(former))?
             }
-            (None, None) => Entries::All,
-        };
-        let compliance = self.space.compliance(&laid, entries)?;
-        let cells = ContactProblem {
-            compliance: compliance.clone(),
-            arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),
-            gaps: grids.iter().flat_map(|grid| self.space.gaps(grid)).collect(),
-            stiffness: self.under.springs.stiffness.clone(),
-            load: load.to_vec(),
+            (None, None) => self.space.compliance(&laid, Entries::All)?,
         };
         let across = self.space.by_spline_teeth(&laid)?;
-        let mut problem = self.under.springs.behind(cells, across.as_ref(), &self.system.interrupt)?;
+        let springs = &self.under.springs;
+        // Elastic raceways add theirs, see [`NonlinearBearings::equilibrium`].
+        let is_changed =
+            springs.has_equations() || self.under.elastic.is_some() || self.under.nonlinear.is_some();
+        let of_cells = is_changed.then(|| compliance.clone());
+        let cells = ContactProblem {
+            compliance,
+            arms: laid.iter().flat_map(|(candidate, grid)| self.space.arms(candidate, grid)).collect(),
+            gaps: grids.iter().flat_map(|grid| self.space.gaps(grid)).collect(),
+            stiffness: springs.stiffness.clone(),
+            load: load.to_vec(),
+        };
+        let mut problem = springs.behind(cells, across.as_ref(), &self.system.interrupt)?;
         let Some(elastic) = self.under.elastic else {
-            return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }, compliance));
+            return Ok((problem, Modal { arms: Mat::zeros(0, 0), statics: None }, of_cells));
         };
         let arms = self.space.modal_arms(&laid, elastic.modes);
         let statics = (arms.nrows() > 0).then(|| [problem.compliance.clone(), problem.arms.clone()]);
         let modal = Modal { arms, statics };
         elastic.eliminate(&mut problem, &modal.arms);
-        Ok((problem, modal, compliance))
+        Ok((problem, modal, of_cells))
     }
 
     /// Returns the initial active set. A spline tooth carries load on one flank at most; starting
