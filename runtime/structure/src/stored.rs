@@ -12,6 +12,7 @@ use super::sampling::EdgeCoordinate;
 use super::spline_teeth::{SplineTeeth, SplineToothSet};
 use crate::profile::Profile;
 use faer::Mat;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::{Deserialize, Serialize, Serializer};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -70,7 +71,13 @@ impl StoredOffset<'_> {
         Self([tables(&offset.compliance), tables(&offset.stress_ahead), tables(&offset.stress_behind)])
     }
 
-    pub fn tables(&self) -> Option<OffsetTables> {
+    /// Returns the tables of all offsets, which threads copy in parallel: they are most of a
+    /// structure.
+    pub fn all_tables(offsets: &[Self]) -> Option<Vec<OffsetTables>> {
+        offsets.par_iter().map(Self::tables).collect()
+    }
+
+    fn tables(&self) -> Option<OffsetTables> {
         let [compliance, ahead, behind] = &self.0;
         Some(OffsetTables {
             compliance: matrices(compliance)?,
@@ -306,7 +313,7 @@ impl ElasticStructure {
                 .map(|(stored, on)| stored.on(on))
                 .collect::<Option<_>>()?,
             directions: stored.directions,
-            offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
+            offsets: StoredOffset::all_tables(&stored.offsets)?,
             twists: stored.twists,
             far,
             bore,

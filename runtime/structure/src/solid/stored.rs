@@ -102,7 +102,7 @@ impl ElasticSolid {
             kink: stored.kink,
             mirrors: stored.mirrors.map(|[point, normal]| Mirror { point, normal }),
             surfaces: stored.surfaces.into_iter().zip(surfaces).map(known).collect::<Option<_>>()?,
-            offsets: stored.offsets.iter().map(StoredOffset::tables).collect::<Option<_>>()?,
+            offsets: StoredOffset::all_tables(&stored.offsets)?,
             modes,
             far,
             bore,

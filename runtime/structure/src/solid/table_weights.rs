@@ -9,9 +9,10 @@
 use super::SurfaceSegment;
 use super::axial_modes::AxialModes;
 use crate::bspline::BSplineWeights;
-use crate::dense::product;
+use crate::dense::{add_product, product};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
+use faer::reborrow::{IntoConst, ReborrowMut};
 use faer::{Mat, MatRef};
 use std::collections::BTreeMap;
 
@@ -104,9 +105,19 @@ impl TablePoints {
         places
     }
 
-    /// Returns the polynomials on some lines, one column for each line.
-    fn along(&self, lines: &[usize]) -> Mat<f64> {
-        Mat::from_fn(self.modes(), lines.len(), |mode, line| self.along[(mode, lines[line])])
+    /// Returns the sums over the polynomials of table values at a sample, one column for each of
+    /// some lines, in `room` for all lines.
+    fn by_line<'r>(
+        &self,
+        lines: &[usize],
+        at_place: MatRef<'_, f64>,
+        room: &'r mut Mat<f64>,
+    ) -> MatRef<'r, f64> {
+        let along = Mat::from_fn(self.modes(), lines.len(), |mode, line| self.along[(mode, lines[line])]);
+        let mut by_line = room.as_mut().subcols_mut(0, lines.len());
+        by_line.fill(0.0);
+        add_product(by_line.rb_mut(), 1.0, at_place, along.as_ref());
+        by_line.into_const()
     }
 
     /// Returns columns of a table for loads at the points: one column for each point. There is a
@@ -114,13 +125,14 @@ impl TablePoints {
     pub fn columns(&self, table: &Mat<f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
         let mut columns = Mat::<f64>::zeros(table.nrows(), self.across.len());
         let mut at_place = Mat::<f64>::zeros(table.nrows(), self.modes());
+        let mut by_all_lines = Mat::<f64>::zeros(table.nrows(), self.along.ncols());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
             interrupt.check()?;
             for mode in 0..self.modes() {
                 let column = table.col_as_slice(mode * self.places + place);
                 at_place.col_as_slice_mut(mode).copy_from_slice(column);
             }
-            let by_line = product(at_place.as_ref(), self.along(&of.lines).as_ref());
+            let by_line = self.by_line(&of.lines, at_place.as_ref(), &mut by_all_lines);
             for &(point, weight) in &of.points {
                 let line = of.lines.partition_point(|&line| line < self.line[point]);
                 add(columns.as_mut().col_mut(point), weight, by_line.col(line));
@@ -134,6 +146,7 @@ impl TablePoints {
     pub fn seen(&self, columns: &Mat<f64>, interrupt: &Interrupt) -> Result<Mat<f64>, EngineError> {
         let mut seen = Mat::<f64>::zeros(columns.ncols(), self.across.len());
         let mut at_place = Mat::<f64>::zeros(self.modes(), columns.ncols());
+        let mut by_all_lines = Mat::<f64>::zeros(columns.ncols(), self.along.ncols());
         for (place, of) in self.by_place().iter().enumerate().filter(|(_, of)| !of.points.is_empty()) {
             interrupt.check()?;
             for column in 0..columns.ncols() {
@@ -144,7 +157,7 @@ impl TablePoints {
                     .zip(by_mode)
                     .for_each(|(at, value)| *at = *value);
             }
-            let by_line = product(at_place.transpose(), self.along(&of.lines).as_ref());
+            let by_line = self.by_line(&of.lines, at_place.transpose(), &mut by_all_lines);
             for &(point, weight) in &of.points {
                 let line = of.lines.partition_point(|&line| line < self.line[point]);
                 add(seen.as_mut().col_mut(point), weight, by_line.col(line));
