@@ -251,3 +251,27 @@ fn every_file_of_tests_is_run() {
         }
     }
 }
+
+/// Unit tests of a library without a test program (`test = false`) would never run.
+#[test]
+fn every_unit_test_is_run() {
+    for folder in ALLOWED.iter().map(|(_, folder, _)| *folder).chain(["compiler", "tests"]) {
+        let manifest = manifest(folder);
+        let library = manifest.split("\n[").find(|section| section.starts_with("lib]"));
+        if library.is_some_and(|section| section.contains("\ntest = false")) {
+            refuse_unit_tests(&root().join(folder).join("src"));
+        }
+    }
+}
+
+fn refuse_unit_tests(folder: &Path) {
+    for entry in std::fs::read_dir(folder).expect("a folder of sources") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            refuse_unit_tests(&path);
+        } else {
+            let text = std::fs::read_to_string(&path).expect("a source");
+            assert!(!text.contains("#[cfg(test)]"), "the tests in {} never run", path.display());
+        }
+    }
+}

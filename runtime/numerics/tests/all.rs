@@ -3,7 +3,9 @@
 
 mod complex;
 mod dense;
+mod eigenvalues;
 mod fourier;
 mod interpolation;
 mod interrupt;
+mod parallel;
 mod stress;
