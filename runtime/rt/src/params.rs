@@ -232,24 +232,36 @@ pub(crate) fn output_of(description: &ModelDescription, name: &str) -> Result<us
     })
 }
 
-/// Returns the error for a name of which the model has no param or output.
+/// Largest number of names that a message lists.
+const MOST_LISTED: usize = 16;
+
+/// Returns the error for a name of which the model has no param or output. Of many names it lists
+/// the most similar ones.
 fn unknown<'n>(what: &str, name: &str, names: impl Iterator<Item = &'n str> + Clone) -> Error {
     let message = format!("the model has no {what} called `{name}`");
     if let Some(help) = beyond_array(name, names.clone()) {
         return Error::given(message, help);
     }
-    let mut help = match near(name, names.clone()).as_slice() {
-        [] => String::new(),
-        near => {
-            let shown: Vec<String> = near.iter().map(|near| format!("`{near}`")).collect();
-            format!("did you mean {}? ", shown.join(" or "))
-        }
-    };
-    help += &match names.collect::<Vec<_>>().join(", ") {
-        all if all.is_empty() => format!("the model has no {what}s"),
-        all => format!("its {what}s are {all}"),
-    };
-    Error::given(message, help)
+    let near = near(name, names.clone());
+    let mut helps = Vec::new();
+    if !near.is_empty() {
+        let shown: Vec<String> = near.iter().map(|near| format!("`{near}`")).collect();
+        helps.push(format!("did you mean {}?", shown.join(" or ")));
+    }
+    let mut all: Vec<&str> = names.collect();
+    let more = all.len().saturating_sub(MOST_LISTED);
+    if more > 0 {
+        let likeness = |candidate: &str| strsim::jaro_winkler(name, candidate);
+        all.sort_by(|a, b| likeness(b).total_cmp(&likeness(a)));
+    }
+    let listed = all[..all.len() - more].join(", ");
+    match (all.is_empty(), more) {
+        (true, _) => helps.push(format!("the model has no {what}s")),
+        (_, 0) => helps.push(format!("its {what}s are {listed}")),
+        _ if near.is_empty() => helps.push(format!("its {what}s are {listed}, and {more} others")),
+        _ => {}
+    }
+    Error::given(message, helps.join(" "))
 }
 
 /// Returns the number of instances of an array, if a name has a larger index: `stages[3].torque`.
@@ -563,4 +575,24 @@ pub fn shown(param: &ParamDescription, si: f64) -> String {
 pub fn shown_list(param: &ParamDescription, si: &[f64]) -> String {
     let all: Vec<String> = si.iter().map(|si| shortest(from_si(*si, param.unit.factor))).collect();
     format!("[{}] {}", all.join(", "), param.unit.name).trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn help(name: &str, names: &[String]) -> String {
+        unknown("param", name, names.iter().map(String::as_str)).help().to_owned()
+    }
+
+    #[test]
+    fn few_of_many_names_are_listed() {
+        let mut names: Vec<String> = (0..80).map(|number| format!("setting_{number}")).collect();
+        names.push("pinion_torque".to_owned());
+        assert_eq!(help("pinion_torqe", &names), "did you mean `pinion_torque`?");
+        let listed = help("torque_of_the_pinion", &names);
+        assert!(listed.contains("pinion_torque, ") && listed.ends_with(", and 65 others"), "{listed}");
+        assert_eq!(help("torque", &names[..2]), "its params are setting_0, setting_1");
+        assert_eq!(help("torque", &[]), "the model has no params");
+    }
 }
