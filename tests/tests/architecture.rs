@@ -7,6 +7,7 @@
 use calyx_tests::modules::Modules;
 use calyx_tests::root;
 use std::collections::BTreeSet;
+use std::path::Path;
 
 /// Crate, directory of its manifest, and the workspace crates that it may depend on.
 const ALLOWED: &[(&str, &str, &[&str])] = &[
