@@ -119,5 +119,7 @@ fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2],
         let middle = 0.5 * (shallow + deep);
         if enough(middle) { deep = middle } else { shallow = middle }
     }
-    clipped(within(deep))
+    // Bodies that are laid out under load overlap by their whole deflection, of which the approach
+    // of half-spaces is a part. They touch nowhere but where they overlap.
+    clipped(within(deep.max(-contact_line.gap)))
 }
