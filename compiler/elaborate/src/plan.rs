@@ -366,13 +366,15 @@ impl Planned {
     }
 
     /// Returns the number of contact pressures at a position. Without edge contact, the number of
-    /// tooth pairs in contact is at most the contact ratio rounded up.
+    /// tooth pairs in contact is at most the contact ratio rounded up, and with backlash they touch
+    /// on one side.
     pub(crate) fn cells_in_contact(&self) -> usize {
         let pairs = |mesh: &PlannedMesh| match mesh.contact_ratio {
             Some(ratio) => (ratio + mesh.overlap_ratio).ceil() as usize,
             None => 1,
         };
-        self.meshes.iter().map(|mesh| mesh.grid.cells() * pairs(mesh)).sum()
+        let fronts = self.meshes.iter().filter(|mesh| !mesh.back_sides);
+        fronts.map(|mesh| mesh.grid.cells() * pairs(mesh)).sum()
     }
 
     /// Returns the plan as text, in sections.

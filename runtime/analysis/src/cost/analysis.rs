@@ -104,9 +104,9 @@ impl Task<'_> {
             self.condensed(fidelity, options, meshes, rates)?;
         let solve =
             |fidelity: Fidelity, three_dimensional: bool, flanks: Flanks, coarse: bool, count: usize| {
-                let cells = cells_in_contact(scene, fidelity, three_dimensional, coarse);
+                let cells = cells_in_contact(scene, fidelity, three_dimensional, coarse, in_time);
                 let cost = positions(cells, flanks, count, !in_time, rates);
-                let repeated = if is_displaced(scene) { REPEATED } else { 1.0 };
+                let repeated = if is_displaced(scene) && !in_time { REPEATED } else { 1.0 };
                 Cost { time: repeated * cost.time, ..cost }
             };
         let of_load_factors = self.positions_of_load_factors();
@@ -303,15 +303,23 @@ fn elastic_bodies(scene: &Scene, plan: &Plan) -> Vec<(String, ElasticBodySize)> 
     condensed.filter_map(size).collect()
 }
 
-/// Returns the number of contact cells of a position, on the grids of the scene or with half their
-/// cells in every direction.
-fn cells_in_contact(scene: &Scene, fidelity: Fidelity, three_dimensional: bool, coarse: bool) -> usize {
+/// Returns the number of contact cells of a position or time step, on the grids of the scene or with
+/// half their cells in every direction. A step has grids where teeth are near each other, on one
+/// side of a tooth with backlash.
+fn cells_in_contact(
+    scene: &Scene,
+    fidelity: Fidelity,
+    three_dimensional: bool,
+    coarse: bool,
+    in_time: bool,
+) -> usize {
     let halved = |count: usize| if coarse { count.div_ceil(2) } else { count };
     let cells = |half: usize| 2 * halved(half) + 1;
     let of = |pair: &SurfacePair| {
         let grid = &pair.grid;
         let cells = match three_dimensional {
             _ if fidelity == Fidelity::Rigid => 0,
+            _ if in_time && pair.front.is_some() => 0,
             false => cells(grid.plane_half_cells()),
             true => cells(grid.solid_half_cells()) * cells(grid.half_slices),
         };
