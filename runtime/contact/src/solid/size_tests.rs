@@ -6,17 +6,24 @@ use calyx_numerics::interrupt::Interrupt;
 
 /// A grid with 17 slices along the contact line of a barrel on a flat surface, from -10 to 10 mm.
 fn grid(along: [f64; 2]) -> Grid {
+    pressed_grid(Some(along), 0.0)
+}
+
+/// Such a grid of a barrel that is moved into the surface by a distance, m.
+fn pressed_grid(along: Option<[f64; 2]>, overlap: f64) -> Grid {
     let half = [0.01; 2];
     let caps = [
         Cap { radii: [f64::INFINITY; 2], faces: 1.0, half, turn: 0.0 },
         Cap { radii: [0.02, 0.4], faces: -1.0, half, turn: 0.0 },
     ];
-    let placed = [0, 1].map(|side: usize| PlacedSurface { surface: &caps[side], pose: Pose::IDENTITY });
+    let pressed = Pose { origin: [0.0, 0.0, -overlap], ..Pose::IDENTITY };
+    let poses = [Pose::IDENTITY, pressed];
+    let placed = [0, 1].map(|side: usize| PlacedSurface { surface: &caps[side], pose: poses[side] });
     let contact_line = find_contact_line(placed[0], placed[1], true).expect("they face each other");
     let options = GridOptions {
         half_count: 6,
         half_slices: 8,
-        size: GridSize { width: Some(1e-3), along: Some(along) },
+        size: GridSize { width: Some(1e-3), along },
         force: 1.0,
         contact_modulus: 1e11,
         search_edges: true,
@@ -43,6 +50,17 @@ fn a_grid_need_not_contain_the_closest_approach() {
             assert!((cell.gap / gap - 1.0).abs() < 1e-3, "{cell:?} {gap:e}");
         }
     }
+}
+
+/// The approach of half-spaces under 1 N is far less than the overlap, whose ends are where the gap
+/// y² / 2 R - overlap is zero.
+#[test]
+fn a_grid_covers_the_overlap() {
+    let [low, high] = pressed_grid(None, 2e-5).along;
+    let end = (0.8 * 2e-5_f64).sqrt();
+    assert!((low / -end - 1.0).abs() < 0.01 && (high / end - 1.0).abs() < 0.01, "{low} {high}");
+    let [low, high] = pressed_grid(None, 0.0).along;
+    assert!(high - low < end, "{low} {high}");
 }
 
 #[test]
