@@ -2,7 +2,7 @@
 //! dependencies. The modules of each engine crate and the top-level modules of the language must
 //! have no dependency cycles, according to the paths in their source. Only selected crates may use
 //! Cranelift, chumsky, salsa, faer and Clarabel. Every member of the workspace is listed, and every
-//! test file is run.
+//! test file and unit test is run.
 
 use calyx_tests::modules::Modules;
 use calyx_tests::root;

@@ -120,7 +120,7 @@ struct WindowState {
     /// Number of values that have been taken.
     taken: usize,
     ended: bool,
-    /// Whether each thread has no job.
+    /// True for each thread without a job.
     paused: Vec<bool>,
 }
 

@@ -303,9 +303,9 @@ fn elastic_bodies(scene: &Scene, plan: &Plan) -> Vec<(String, ElasticBodySize)> 
     condensed.filter_map(size).collect()
 }
 
-/// Returns the number of contact cells of a position or time step, on the grids of the scene or with
-/// half their cells in every direction. A step has grids where teeth are near each other, on one
-/// side of a tooth with backlash.
+/// Returns the number of contact cells of a position or time step, on the grids of the scene or
+/// with half their cells in every direction. A step has grids where teeth are near each other: on
+/// one side of teeth with backlash.
 fn cells_in_contact(
     scene: &Scene,
     fidelity: Fidelity,

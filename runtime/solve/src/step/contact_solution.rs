@@ -408,8 +408,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         whole
     }
 
-    /// Creates the contact problem. Also returns the compliance matrix of the cells alone, unless it
-    /// is that of the problem.
+    /// Creates the contact problem. Also returns the compliance matrix of the cells alone, unless
+    /// it is that of the problem.
     fn problem(
         &self,
         load: &[f64],
