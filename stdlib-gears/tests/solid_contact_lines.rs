@@ -83,6 +83,7 @@ fn options() -> GridOptions {
         contact_modulus: 1.1e11,
         search_edges: true,
         local_normals: false,
+        under_load: false,
     }
 }
 

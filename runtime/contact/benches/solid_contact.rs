@@ -47,6 +47,7 @@ fn measure(half_count: usize, half_slices: usize) {
         contact_modulus: MODULUS,
         search_edges: true,
         local_normals: false,
+        under_load: false,
     };
     let grid = build_grid(placed[0], placed[1], &found, &options, &Interrupt::never()).unwrap();
     let faces = [-half_length, half_length].map(|y| Mirror { point: [0.0, y, 0.0], normal: [0.0, 1.0, 0.0] });

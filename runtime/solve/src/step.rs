@@ -186,7 +186,8 @@ impl System<'_> {
                     Solver { system: self, space: &Plane { system: self, bodies }, under }.solve(time, &load)
                 }
                 Bodies::Solid(bodies) => {
-                    Solver { system: self, space: &Solid { system: self, bodies }, under }.solve(time, &load)
+                    Solver { system: self, space: &Solid { system: self, bodies, in_time: false }, under }
+                        .solve(time, &load)
                 }
             }
         };
@@ -233,7 +234,8 @@ impl System<'_> {
                 Solver { system: self, space: &Plane { system: self, bodies }, under }.take(time, load)
             }
             Bodies::Solid(bodies) => {
-                Solver { system: self, space: &Solid { system: self, bodies }, under }.take(time, load)
+                Solver { system: self, space: &Solid { system: self, bodies, in_time: true }, under }
+                    .take(time, load)
             }
         }?;
         if let Some(bearings) = &bearings {

@@ -79,6 +79,7 @@ fn cells_have_the_length_of_the_surface_coordinate() {
         contact_modulus: 1.1e11,
         search_edges: true,
         local_normals: false,
+        under_load: false,
     };
     let grid = build_grid(placed[0], placed[1], &contact_line, &options, &Interrupt::never()).unwrap();
     assert_eq!(grid.cells.len(), 5 * 17);

@@ -34,6 +34,9 @@ pub struct GridOptions {
     /// Lets every slice act along the common normal at its own point of the contact line. Otherwise
     /// all slices act along the normal of the frame, which is exact for involutes on parallel axes.
     pub local_normals: bool,
+    /// Bodies are laid out under load, as in a time step: their overlap is their deflection, and
+    /// they touch nowhere else.
+    pub under_load: bool,
 }
 
 /// Approach relative to force / (E* length), that of a long patch with uniformly distributed force.
@@ -119,7 +122,7 @@ fn length_along(contact_line: &ContactLine, options: &GridOptions) -> ([f64; 2],
         let middle = 0.5 * (shallow + deep);
         if enough(middle) { deep = middle } else { shallow = middle }
     }
-    // Bodies that are laid out under load overlap by their whole deflection, of which the approach
-    // of half-spaces is a part. They touch nowhere but where they overlap.
-    clipped(within(deep.max(-contact_line.gap)))
+    // The approach of half-spaces is a part of the deflection.
+    let overlap = if options.under_load { -contact_line.gap } else { 0.0 };
+    clipped(within(deep.max(overlap)))
 }

@@ -57,6 +57,7 @@ fn every_slice_of_a_grid_is_a_checkpoint() {
         contact_modulus: 1.1e11,
         search_edges: true,
         local_normals: false,
+        under_load: false,
     };
     let counted = |last: usize| {
         let asked = Arc::new(AtomicUsize::new(0));
@@ -91,6 +92,7 @@ fn cells_of_aligned_helicoids_have_the_base_radii_as_arms() {
         contact_modulus: 1.1e11,
         search_edges: true,
         local_normals: false,
+        under_load: false,
     };
     let grid = build_grid(placed[0], placed[1], &contact_line, &options, &Interrupt::never()).unwrap();
     // All cells except those at the side faces are whole.
@@ -206,6 +208,7 @@ fn a_generator_that_leaves_the_flank_ends_there() {
             contact_modulus: 1.1e11,
             search_edges,
             local_normals: false,
+            under_load: false,
         };
         let grid = build_grid(placed[0], placed[1], contact_line, &options, &Interrupt::never()).unwrap();
         assert!(grid.cells.iter().all(|cell| cell.gap > -1e-12));

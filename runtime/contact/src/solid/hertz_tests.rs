@@ -62,6 +62,7 @@ impl Press {
             contact_modulus: self.modulus,
             search_edges: true,
             local_normals: false,
+            under_load: false,
         };
         let body = HalfSpaceBody::half_space(Vec::new(), 1, 2.0 * self.modulus).between(self.mirrors.clone());
         for _ in 0..4 {

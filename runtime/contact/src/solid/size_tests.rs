@@ -28,6 +28,7 @@ fn pressed_grid(along: Option<[f64; 2]>, overlap: f64) -> Grid {
         contact_modulus: 1e11,
         search_edges: true,
         local_normals: false,
+        under_load: overlap > 0.0,
     };
     build_grid(placed[0], placed[1], &contact_line, &options, &Interrupt::never()).expect("no interrupt")
 }

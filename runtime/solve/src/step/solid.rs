@@ -40,6 +40,8 @@ const FEWEST_TO_HALVE: [usize; 2] = [8, 6];
 pub(super) struct Solid<'a> {
     pub(super) system: &'a System<'a>,
     pub(super) bodies: &'a SolidBodies,
+    /// True for a time step, at whose start bodies overlap by their deflection.
+    pub(super) in_time: bool,
 }
 
 /// Contact line of two surfaces.
@@ -381,6 +383,7 @@ impl Solid<'_> {
             contact_modulus: self.contact_modulus(candidate),
             search_edges: grid.edges,
             local_normals: has_local_normals(self.pair(candidate)),
+            under_load: self.in_time,
         }
     }
 
