@@ -24,12 +24,15 @@ pub const EXAMPLES: &str = "Examples:
 
 Exit status: 0 without errors, 1 with errors, 2 for wrong usage of the command.";
 
+/// Options with values that `--fix` and `--ranges` choose themselves.
+const GIVEN_VALUES: [&str; 3] = ["set", "params", "OverrideArguments"];
+
 #[derive(Args)]
 pub struct Check {
     /// The model (.cx file)
     file: PathBuf,
     /// Apply unambiguous fixes to the model and the modules in its directory, then check again
-    #[arg(long, conflicts_with_all = ["set", "params", "OverrideArguments"])]
+    #[arg(long, conflicts_with_all = GIVEN_VALUES)]
     fix: bool,
     /// Set a param of the model, see `calyx run`; only these values are checked
     #[arg(long, value_name = "NAME=VALUE", value_parser = ParamAssignment::name_and_value)]
@@ -43,7 +46,7 @@ pub struct Check {
     /// One param is varied at a time, then two. Of a range with many values, 32 are tried, or fewer
     /// if there are many params. Without this option, a few values of each param are tried; fewer
     /// if the model makes many gears or runs long.
-    #[arg(long, conflicts_with_all = ["set", "params", "OverrideArguments"])]
+    #[arg(long, conflicts_with_all = GIVEN_VALUES)]
     ranges: bool,
     #[command(flatten)]
     allow: AllowPath,
@@ -119,7 +122,7 @@ impl Check {
                 listed(&ranges.cut)
             ));
         }
-        format.note(&self.summary(&checked));
+        format.note(&self.summary(&checked, is_given));
         if checked.has_errors() { ExitCode::from(MODEL_ERROR) } else { ExitCode::SUCCESS }
     }
 
@@ -145,7 +148,7 @@ impl Check {
 
     /// Returns the last lines: the number of warnings of a model without errors, and the number of
     /// findings that `--fix` can fix.
-    fn summary(&self, checked: &Checked) -> String {
+    fn summary(&self, checked: &Checked, is_given: bool) -> String {
         let fixes = checked.diagnostics.iter().filter(|diagnostic| diagnostic.fix.is_some()).count();
         let file = calyx::rt::shell::path(&self.file);
         let offer = match fixes {
@@ -161,6 +164,7 @@ impl Check {
             1 => "1 warning".to_owned(),
             _ => format!("{warnings} warnings"),
         };
-        format!("{}: no errors, {warnings}\n{offer}", self.file.display())
+        let values = if is_given { " with the given values" } else { "" };
+        format!("{}{values}: no errors, {warnings}\n{offer}", self.file.display())
     }
 }

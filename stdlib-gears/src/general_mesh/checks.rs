@@ -10,6 +10,7 @@ use calyx_runtime::motion::{
 };
 use calyx_runtime::scene::{BodyId, Scene};
 use calyx_runtime::vec3::{cross, dot, length, minus, scaled, unit};
+use std::f64::consts::TAU;
 
 /// Largest velocity of an axis, relative to that of the teeth.
 const AT_REST: f64 = 1e-9;
@@ -293,12 +294,13 @@ pub(super) fn low_contact_ratio(ratio: f64, tabulated: bool) -> Option<GeometryE
 
 /// Warning about teeth that leave large spaces. Both angles are rotations of the second gear.
 pub(super) fn large_backlash(backlash: f64, pitch: f64) -> GeometryError {
+    let teeth = (TAU / pitch).round();
     GeometryError::warning(
         "W0868",
         "second",
         sentence![
-            "the second gear has a backlash of ", angle backlash, ", which is ", number 100.0 * backlash / pitch,
-            " % of its pitch"
+            "the gear with ", number teeth, " teeth has a backlash of ", angle backlash, ", which is ",
+            number 100.0 * backlash / pitch, " % of its pitch"
         ],
         sentence![
             "compare the tooth thickness of both gears with the drawing: their sum is usually a little less than the circular pitch"

@@ -9,6 +9,9 @@
 //! flanks have other normals; this is of the same order. In contact both bodies share the deflected
 //! surface. A mean of their slopes gives them opposite forces along one line.
 //!
+//! Bodies are placed where the load moves them. This also shifts the place where flanks touch,
+//! while gaps and pressures are those of the position where the grid is created.
+//!
 //! The deflections of the half-spaces at their own patch are left out: for equal materials they
 //! move the surface between both flanks nowhere, and otherwise their slopes have no resultant,
 //! because they depend on distances only.
@@ -17,7 +20,7 @@ use super::assembly::{PatchCells, Side, mirrors, softness};
 use super::grid::Slice;
 use super::height_field::{FootPoint, HeightField};
 use super::image::Images;
-use super::placement::PlacedSurface;
+use super::placement::{PlacedSurface, Pose};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, plus, scaled};
@@ -28,6 +31,8 @@ use calyx_structure::solid::SurfaceSegment;
 pub struct LoadedPatch<'a> {
     /// Bodies, frame and cells.
     pub cells: PatchCells<'a>,
+    /// Poses of the teeth under load; those of `cells` are at the creation of the grid.
+    pub moved: [Pose; 2],
     /// Slices of the grid.
     pub slices: &'a [Slice],
     /// Forces of the cells, N.
@@ -63,10 +68,13 @@ struct Load {
     force: f64,
 }
 
-/// Loaded slice of a patch, with the points of both flanks at its centre of pressure.
+/// Loaded slice of a patch.
 struct LoadedSlice {
     index: usize,
     load: Load,
+    /// x and y of the centre of pressure after the motion of the bodies, m.
+    touching: [f64; 2],
+    /// Points of both flanks there.
     feet: [FootPoint; 2],
     /// Mean slopes along x and y of both flanks.
     slopes: [[f64; 2]; 2],
@@ -94,11 +102,14 @@ fn of_patch(
 ) -> Result<Vec<Option<LineOfAction>>, EngineError> {
     let Some(first) = patch.slices.first() else { return Ok(Vec::new()) };
     let surfaces = patch.cells.sides.map(|Side { structure, chart, .. }| structure.surface(chart.surface));
-    let height_fields = [0, 1].map(|side: usize| {
-        let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: patch.cells.sides[side].pose };
-        HeightField::new(placed, *patch.cells.frame, first.places[side], true)
-    });
-    let slices = loaded_slices(patch, &height_fields);
+    let height_fields = |poses: [Pose; 2]| {
+        [0, 1].map(|side: usize| {
+            let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
+            HeightField::new(placed, *patch.cells.frame, first.places[side], true)
+        })
+    };
+    let created = height_fields(patch.cells.sides.map(|side| side.pose));
+    let slices = loaded_slices(patch, [&created, &height_fields(patch.moved)]);
     let deflections = [
         deflection_slopes(patch, patches, &slices, 0, interrupt)?,
         deflection_slopes(patch, patches, &slices, 1, interrupt)?,
@@ -111,7 +122,7 @@ fn of_patch(
             [0, 1].map(|axis: usize| slice.slopes[side][axis] + deflections[side][index][axis])
         }));
         let height = 0.5 * (feet[0].height + feet[1].height);
-        let point = plus(frame.at(slice.load.center), scaled(frame.normal, height));
+        let point = plus(frame.at(slice.touching), scaled(frame.normal, height));
         lines[slice.index] = Some(LineOfAction { point, slope });
     }
     Ok(lines)
@@ -150,7 +161,7 @@ enum SlopeVariation {
 }
 
 impl SlopeVariation {
-    /// Measures the changes over the width of a load.
+    /// Measures the changes over the width of a load at its centre of pressure.
     fn measure(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoint; 2]) -> Self {
         let [x, y] = load.center;
         let reach = 0.5 * load.size[0];
@@ -175,34 +186,51 @@ impl SlopeVariation {
     fn common(&self, slopes: [[f64; 2]; 2]) -> [f64; 2] {
         let mean =
             |slopes: [[f64; 2]; 2]| [0, 1].map(|axis: usize| 0.5 * (slopes[0][axis] + slopes[1][axis]));
-        let (changes, reach) = match *self {
+        let changes = match *self {
             Self::OneSided(side) => return slopes[side],
             Self::Unknown => return mean(slopes),
-            Self::Linear { changes, reach } => (changes, reach),
+            Self::Linear { changes, .. } => changes,
         };
-        let curvature = changes[1][0] - changes[0][0];
-        // A load without width has no curvature.
-        if curvature.is_nan() || curvature <= 0.0 {
+        let shift = self.shift(slopes.map(|slope| slope[0]));
+        if shift == 0.0 {
             return mean(slopes);
         }
-        let shift = ((slopes[0][0] - slopes[1][0]) / curvature).clamp(-reach, reach);
         mean(
             [0, 1].map(|side: usize| {
                 [0, 1].map(|axis: usize| slopes[side][axis] + shift * changes[side][axis])
             }),
         )
     }
+
+    /// Returns the distance along x (m) to the nearest place where both slopes along x, which have
+    /// these values here, are equal; zero if it is unknown.
+    fn shift(&self, slopes: [f64; 2]) -> f64 {
+        let Self::Linear { changes, reach } = *self else { return 0.0 };
+        let curvature = changes[1][0] - changes[0][0];
+        // A load without width has no curvature.
+        if curvature > 0.0 { ((slopes[0] - slopes[1]) / curvature).clamp(-reach, reach) } else { 0.0 }
+    }
 }
 
-/// Returns the loaded slices of a patch whose centre of pressure is on both surfaces.
-fn loaded_slices(patch: &LoadedPatch, height_fields: &[HeightField; 2]) -> Vec<LoadedSlice> {
+/// Returns the loaded slices of a patch whose centre of pressure is on both surfaces, from their
+/// height fields at the creation of the grid and under load.
+fn loaded_slices(patch: &LoadedPatch, [created, moved]: [&[HeightField; 2]; 2]) -> Vec<LoadedSlice> {
     let of_slice = |(index, slice): (usize, &Slice)| {
         let load = load_of(patch, slice)?;
-        let foot = |side: usize| height_fields[side].over(load.center, slice.places[side]);
-        let feet = [foot(0)?, foot(1)?];
-        let variation = SlopeVariation::measure(height_fields, &load, &feet);
-        let slopes = mean_slopes(patch, slice, height_fields).unwrap_or(feet.map(|foot| foot.slope));
-        Some(LoadedSlice { index, load, feet, slopes, variation, step: STEP * (slice.y[1] - slice.y[0]) })
+        let feet = |height_fields: &[HeightField; 2], at: [f64; 2]| {
+            let foot = |side: usize| height_fields[side].over(at, slice.places[side]);
+            Some([foot(0)?, foot(1)?])
+        };
+        let before = feet(created, load.center)?;
+        let after = feet(moved, load.center)?;
+        let variation = SlopeVariation::measure(created, &load, &before);
+        let [x, y] = load.center;
+        let touching =
+            [x + variation.shift([0, 1].map(|side: usize| after[side].slope[0] - before[side].slope[0])), y];
+        let feet = feet(moved, touching)?;
+        let slopes = mean_slopes(patch, slice, moved).unwrap_or(feet.map(|foot| foot.slope));
+        let step = STEP * (slice.y[1] - slice.y[0]);
+        Some(LoadedSlice { index, load, touching, feet, slopes, variation, step })
     };
     patch.slices.iter().enumerate().filter_map(of_slice).collect()
 }

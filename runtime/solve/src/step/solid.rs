@@ -21,10 +21,11 @@ use calyx_model::motion::Orientation;
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::parallel::try_map;
+use calyx_numerics::vec3::{minus, plus};
 use calyx_structure::Chart;
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::surface::Surface;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Rotation3, Vector3};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use std::sync::Arc;
@@ -59,6 +60,21 @@ pub(super) struct Site {
 impl Site {
     fn placed(&self, side: usize) -> PlacedSurface<'_> {
         PlacedSurface { surface: self.surfaces[side].as_ref(), pose: self.poses[side] }
+    }
+
+    /// Returns the pose of a tooth after a small motion of its body along and about the directions
+    /// of the DOFs, m and rad.
+    fn pose_after(&self, side: usize, [ux, uy, uz, tx, ty, tz]: [f64; 6]) -> Pose {
+        let (pose, origin, axes) = (self.poses[side], self.origins[side], &self.axes[side]);
+        let along =
+            |by: [f64; 3]| [0, 1, 2].map(|k: usize| (0..3).map(|axis| by[axis] * axes[axis][k]).sum());
+        let rotation = Rotation3::new(Vector3::from(along([tx, ty, tz])));
+        let rotated = |direction: [f64; 3]| <[f64; 3]>::from(rotation * Vector3::from(direction));
+        let columns = [0, 1, 2].map(|column: usize| rotated(pose.rotation.map(|row| row[column])));
+        Pose {
+            rotation: [0, 1, 2].map(|row: usize| columns.map(|column| column[row])),
+            origin: plus(plus(origin, along([ux, uy, uz])), rotated(minus(pose.origin, origin))),
+        }
     }
 }
 
@@ -174,7 +190,7 @@ impl ContactGeometry for Solid<'_> {
     fn with_deflected_normals(
         &self,
         laid: &[(&Candidate<Site>, &Grid)],
-        forces: &[f64],
+        (forces, motion): (&[f64], &[f64]),
     ) -> Result<Option<Vec<Grid>>, EngineError> {
         if !laid.iter().any(|(candidate, _)| has_local_normals(self.pair(candidate))) {
             return Ok(None);
@@ -185,7 +201,11 @@ impl ContactGeometry for Solid<'_> {
             let (forces, others) = left.split_at(grid.cells.len());
             left = others;
             let Some(cells) = self.patch_cells(candidate, grid) else { return Ok(None) };
-            loaded.push(LoadedPatch { cells, slices: &grid.slices, forces });
+            let pose = |side: usize| {
+                candidate.site.pose_after(side, self.system.moved(cells.sides[side].body, motion))
+            };
+            let moved = [0, 1].map(pose);
+            loaded.push(LoadedPatch { cells, moved, slices: &grid.slices, forces });
         }
         let lines = lines_of_action(&loaded, &self.system.interrupt)?;
         let deflected =
