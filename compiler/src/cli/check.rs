@@ -24,7 +24,7 @@ pub const EXAMPLES: &str = "Examples:
 
 Exit status: 0 without errors, 1 with errors, 2 for wrong usage of the command.";
 
-/// Options with values that `--fix` and `--ranges` choose themselves.
+/// Options that `--fix` and `--ranges`, which check the model as it is written, do not accept.
 const GIVEN_VALUES: [&str; 3] = ["set", "params", "OverrideArguments"];
 
 #[derive(Args)]

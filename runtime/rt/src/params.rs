@@ -249,7 +249,8 @@ fn unknown<'n>(what: &str, name: &str, names: impl Iterator<Item = &'n str> + Cl
         helps.push(format!("did you mean {}?", shown.join(" or ")));
     }
     let mut all: Vec<&str> = names.collect();
-    let more = all.len().saturating_sub(MOST_LISTED);
+    // A single other name is listed as well.
+    let more = all.len().checked_sub(MOST_LISTED).filter(|more| *more > 1).unwrap_or(0);
     if more > 0 {
         let likeness = |candidate: &str| strsim::jaro_winkler(name, candidate);
         all.sort_by(|a, b| likeness(b).total_cmp(&likeness(a)));

@@ -299,7 +299,7 @@ pub(super) fn large_backlash(backlash: f64, pitch: f64) -> GeometryError {
         "W0868",
         "second",
         sentence![
-            "the gear with ", number teeth, " teeth has a backlash of ", angle backlash, ", which is ",
+            "the second gear, with ", number teeth, " teeth, has a backlash of ", angle backlash, ", which is ",
             number 100.0 * backlash / pitch, " % of its pitch"
         ],
         sentence![

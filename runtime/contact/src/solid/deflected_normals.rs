@@ -9,8 +9,9 @@
 //! flanks have other normals; this is of the same order. In contact both bodies share the deflected
 //! surface. A mean of their slopes gives them opposite forces along one line.
 //!
-//! Bodies are placed where the load moves them. This also shifts the place where flanks touch,
-//! while gaps and pressures are those of the position where the grid is created.
+//! Bodies are rotated about their axes as far as the load does. This also shifts the place where
+//! flanks touch across the contact line, while gaps and pressures are those of the position where
+//! the grid is created.
 //!
 //! The deflections of the half-spaces at their own patch are left out: for equal materials they
 //! move the surface between both flanks nowhere, and otherwise their slopes have no resultant,
@@ -31,8 +32,9 @@ use calyx_structure::solid::SurfaceSegment;
 pub struct LoadedPatch<'a> {
     /// Bodies, frame and cells.
     pub cells: PatchCells<'a>,
-    /// Poses of the teeth under load; those of `cells` are at the creation of the grid.
-    pub moved: [Pose; 2],
+    /// Poses of the teeth after the rotation of their bodies by the load; those of `cells` are at
+    /// the creation of the grid.
+    pub rotated: [Pose; 2],
     /// Slices of the grid.
     pub slices: &'a [Slice],
     /// Forces of the cells, N.
@@ -72,7 +74,7 @@ struct Load {
 struct LoadedSlice {
     index: usize,
     load: Load,
-    /// x and y of the centre of pressure after the motion of the bodies, m.
+    /// x and y of the centre of pressure after the rotation of the bodies, m.
     touching: [f64; 2],
     /// Points of both flanks there.
     feet: [FootPoint; 2],
@@ -109,7 +111,7 @@ fn of_patch(
         })
     };
     let created = height_fields(patch.cells.sides.map(|side| side.pose));
-    let slices = loaded_slices(patch, [&created, &height_fields(patch.moved)]);
+    let slices = loaded_slices(patch, [&created, &height_fields(patch.rotated)]);
     let deflections = [
         deflection_slopes(patch, patches, &slices, 0, interrupt)?,
         deflection_slopes(patch, patches, &slices, 1, interrupt)?,
@@ -213,8 +215,8 @@ impl SlopeVariation {
 }
 
 /// Returns the loaded slices of a patch whose centre of pressure is on both surfaces, from their
-/// height fields at the creation of the grid and under load.
-fn loaded_slices(patch: &LoadedPatch, [created, moved]: [&[HeightField; 2]; 2]) -> Vec<LoadedSlice> {
+/// height fields at the creation of the grid and after the rotation of the bodies by the load.
+fn loaded_slices(patch: &LoadedPatch, [created, rotated]: [&[HeightField; 2]; 2]) -> Vec<LoadedSlice> {
     let of_slice = |(index, slice): (usize, &Slice)| {
         let load = load_of(patch, slice)?;
         let feet = |height_fields: &[HeightField; 2], at: [f64; 2]| {
@@ -222,13 +224,18 @@ fn loaded_slices(patch: &LoadedPatch, [created, moved]: [&[HeightField; 2]; 2]) 
             Some([foot(0)?, foot(1)?])
         };
         let before = feet(created, load.center)?;
-        let after = feet(moved, load.center)?;
         let variation = SlopeVariation::measure(created, &load, &before);
         let [x, y] = load.center;
-        let touching =
-            [x + variation.shift([0, 1].map(|side: usize| after[side].slope[0] - before[side].slope[0])), y];
-        let feet = feet(moved, touching)?;
-        let slopes = mean_slopes(patch, slice, moved).unwrap_or(feet.map(|foot| foot.slope));
+        let after = || {
+            let after = feet(rotated, load.center)?;
+            let tilts = [0, 1].map(|side: usize| after[side].slope[0] - before[side].slope[0]);
+            let touching = [x + variation.shift(tilts), y];
+            Some((touching, feet(rotated, touching)?))
+        };
+        // A flank may end before the place to which the rotation would shift the load.
+        let (touching, feet) = after().unwrap_or((load.center, before));
+        let slopes =
+            mean_slopes(patch, slice, rotated, touching[0] - x).unwrap_or(feet.map(|foot| foot.slope));
         let step = STEP * (slice.y[1] - slice.y[0]);
         Some(LoadedSlice { index, load, touching, feet, slopes, variation, step })
     };
@@ -236,12 +243,13 @@ fn loaded_slices(patch: &LoadedPatch, [created, moved]: [&[HeightField; 2]; 2]) 
 }
 
 /// Returns the slopes along x and y of both flanks, weighted by the forces of the cells of a slice
-/// whose load is partly on an edge; `None` for others, where the slopes at the centre of pressure
-/// are the same.
+/// whose load is partly on an edge and shifted along x (m); `None` for others, where the slopes at
+/// the centre of pressure are the same.
 fn mean_slopes(
     patch: &LoadedPatch,
     slice: &Slice,
     height_fields: &[HeightField; 2],
+    shift: f64,
 ) -> Option<[[f64; 2]; 2]> {
     let cells = patch.cells.cells.get(slice.cells.clone())?;
     let forces = patch.forces.get(slice.cells.clone())?;
@@ -253,7 +261,8 @@ fn mean_slopes(
     let mut slopes = [[0.0; 2]; 2];
     for (cell, force) in loaded() {
         for (side, slopes) in slopes.iter_mut().enumerate() {
-            let slope = height_fields[side].foot(cell.places[side]).slope;
+            let (field, [x, y], place) = (&height_fields[side], cell.center, cell.places[side]);
+            let slope = field.over([x + shift, y], place).unwrap_or_else(|| field.foot(place)).slope;
             (0..2).for_each(|axis| slopes[axis] += force / total * slope[axis]);
         }
     }

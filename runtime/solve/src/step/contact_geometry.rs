@@ -110,7 +110,7 @@ pub(super) trait ContactGeometry: Sync {
     fn arms(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Vec<f64>;
 
     /// Returns grids whose cells act along the normals of the flanks that these forces deflect and
-    /// these motions of the DOFs move; `None` if neither affects directions.
+    /// these motions of the DOFs rotate; `None` if neither affects directions.
     ///
     /// # Errors
     /// Those of the interrupt.

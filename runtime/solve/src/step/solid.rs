@@ -62,18 +62,15 @@ impl Site {
         PlacedSurface { surface: self.surfaces[side].as_ref(), pose: self.poses[side] }
     }
 
-    /// Returns the pose of a tooth after a small motion of its body along and about the directions
-    /// of the DOFs, m and rad.
-    fn pose_after(&self, side: usize, [ux, uy, uz, tx, ty, tz]: [f64; 6]) -> Pose {
-        let (pose, origin, axes) = (self.poses[side], self.origins[side], &self.axes[side]);
-        let along =
-            |by: [f64; 3]| [0, 1, 2].map(|k: usize| (0..3).map(|axis| by[axis] * axes[axis][k]).sum());
-        let rotation = Rotation3::new(Vector3::from(along([tx, ty, tz])));
+    /// Returns the pose of a tooth after a rotation of its body about its axis, rad.
+    fn rotated(&self, side: usize, angle: f64) -> Pose {
+        let (pose, origin) = (self.poses[side], self.origins[side]);
+        let rotation = Rotation3::new(angle * Vector3::from(self.axes[side][2]));
         let rotated = |direction: [f64; 3]| <[f64; 3]>::from(rotation * Vector3::from(direction));
         let columns = [0, 1, 2].map(|column: usize| rotated(pose.rotation.map(|row| row[column])));
         Pose {
             rotation: [0, 1, 2].map(|row: usize| columns.map(|column| column[row])),
-            origin: plus(plus(origin, along([ux, uy, uz])), rotated(minus(pose.origin, origin))),
+            origin: plus(origin, rotated(minus(pose.origin, origin))),
         }
     }
 }
@@ -201,11 +198,10 @@ impl ContactGeometry for Solid<'_> {
             let (forces, others) = left.split_at(grid.cells.len());
             left = others;
             let Some(cells) = self.patch_cells(candidate, grid) else { return Ok(None) };
-            let pose = |side: usize| {
-                candidate.site.pose_after(side, self.system.moved(cells.sides[side].body, motion))
-            };
-            let moved = [0, 1].map(pose);
-            loaded.push(LoadedPatch { cells, moved, slices: &grid.slices, forces });
+            // Moment arms refer to the axes of the created grid, which other motions would move.
+            let about_axis = |side: usize| self.system.moved(cells.sides[side].body, motion)[5];
+            let rotated = [0, 1].map(|side: usize| candidate.site.rotated(side, about_axis(side)));
+            loaded.push(LoadedPatch { cells, rotated, slices: &grid.slices, forces });
         }
         let lines = lines_of_action(&loaded, &self.system.interrupt)?;
         let deflected =
