@@ -60,6 +60,13 @@ impl Pair {
         Pair { scene: scene_of(example, &given), teeth, torque }
     }
 
+    /// Rotates the teeth of the pinion by an angle, rad, so that contact is laid out there.
+    fn advanced(&self, angle: f64) -> Pair {
+        let mut scene = self.scene.clone();
+        scene.bodies[0].phase += self.sense() * angle;
+        Pair { scene, ..*self }
+    }
+
     fn system(&self, fidelity: Fidelity) -> System<'_> {
         let plan = Plan::new(&self.scene, fidelity, StructureOptions::default()).expect("it can be planned");
         System::with(&self.scene, &plan, &Resources::default()).expect("it can be built")
@@ -208,11 +215,13 @@ fn edges_hardly_change_the_work_of_conjugate_flanks() {
 }
 
 /// Returns the work of the torques on the motion of rigid teeth, relative to that of the pinion,
-/// and whether an edge carries the load. The motion of the pinion from the position where contact
-/// is laid out, 1e-4 rad, changes the moment arms by up to 7e-6.
+/// and whether an edge carries the load. Contact is laid out at the position of rigid contact: gaps
+/// and moment arms are linear about the position where it is laid out, and the unloaded
+/// transmission error is 1e-4 rad.
 fn work_on_rigid_teeth(pair: &Pair, system: &System<'_>, part: f64) -> (f64, bool) {
     let rate = pair.rate(part, |part| pair.unloaded(system, part));
-    let state = pair.state(system, part);
+    let touching = pair.advanced(pair.unloaded(system, part));
+    let state = touching.state(&touching.system(Fidelity::Analytic), part);
     println!("at {part}: {:e}, error {:e}", state.torque_excess, state.torque_excess - rate);
     (state.torque_excess - rate, state.on_edge)
 }
@@ -237,21 +246,21 @@ fn a_vanishing_load_on_an_edge_does_no_work_on_rigid_teeth() {
         let system = pair.system(Fidelity::Analytic);
         for part in [0.82, 0.87, 0.92] {
             let (work, on_edge) = work_on_rigid_teeth(&pair, &system, part);
-            assert!(on_edge && work.abs() < 1e-5, "{name} at {part}: {work}, on an edge: {on_edge}");
+            assert!(on_edge && work.abs() < 5e-6, "{name} at {part}: {work}, on an edge: {on_edge}");
         }
     }
 }
 
-/// Without deflected normals the difference is 2e-4 (hypoid) and 5e-4 (spiral) at 10 N m, and 1e-4
-/// at positions where an edge carries load if the slopes along an oblique edge are a mean of those
-/// of the edge and of the flank. With forces at the places where contact is laid out it grows to
-/// 3e-5 at 50 N m. The number of slices limits it.
+/// Without deflected normals the difference is 2e-4 (hypoid) and 5e-4 (spiral), and 1e-4 at
+/// positions where an edge carries load if the slopes along an oblique edge are a mean of those of
+/// the edge and of the flank. The difference grows with the rotation of the pinion under load,
+/// since forces act along the lines of the position where contact is laid out.
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal() {
     let cases = [
-        ("spiral, 10 N m", spiral(10.0), 4e-6),
+        ("spiral, 10 N m", spiral(10.0), 2e-6),
         ("hypoid, 10 N m", hypoid(10.0), 5e-6),
-        ("hypoid, 50 N m", hypoid(50.0), 1.2e-5),
+        ("hypoid, 50 N m", hypoid(50.0), 5e-5),
     ];
     for (name, pair, bound) in cases {
         let system = pair.system(Fidelity::Analytic);

@@ -9,10 +9,6 @@
 //! flanks have other normals; this is of the same order. In contact both bodies share the deflected
 //! surface. A mean of their slopes gives them opposite forces along one line.
 //!
-//! Bodies are rotated about their axes as far as the load does. This also shifts the place where
-//! flanks touch across the contact line, while gaps and pressures are those of the position where
-//! the grid is created.
-//!
 //! The deflections of the half-spaces at their own patch are left out: for equal materials they
 //! move the surface between both flanks nowhere, and otherwise their slopes have no resultant,
 //! because they depend on distances only.
@@ -21,7 +17,7 @@ use super::assembly::{PatchCells, Side, mirrors, softness};
 use super::grid::Slice;
 use super::height_field::{FootPoint, HeightField};
 use super::image::Images;
-use super::placement::{PlacedSurface, Pose};
+use super::placement::PlacedSurface;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
 use calyx_numerics::vec3::{Vector, plus, scaled};
@@ -32,9 +28,6 @@ use calyx_structure::solid::SurfaceSegment;
 pub struct LoadedPatch<'a> {
     /// Bodies, frame and cells.
     pub cells: PatchCells<'a>,
-    /// Poses of the teeth after the rotation of their bodies by the load; those of `cells` are at
-    /// the creation of the grid.
-    pub rotated: [Pose; 2],
     /// Slices of the grid.
     pub slices: &'a [Slice],
     /// Forces of the cells, N.
@@ -70,13 +63,10 @@ struct Load {
     force: f64,
 }
 
-/// Loaded slice of a patch.
+/// Loaded slice of a patch, with the points of both flanks at its centre of pressure.
 struct LoadedSlice {
     index: usize,
     load: Load,
-    /// x and y of the centre of pressure after the rotation of the bodies, m.
-    touching: [f64; 2],
-    /// Points of both flanks there.
     feet: [FootPoint; 2],
     /// Mean slopes along x and y of both flanks.
     slopes: [[f64; 2]; 2],
@@ -104,14 +94,11 @@ fn of_patch(
 ) -> Result<Vec<Option<LineOfAction>>, EngineError> {
     let Some(first) = patch.slices.first() else { return Ok(Vec::new()) };
     let surfaces = patch.cells.sides.map(|Side { structure, chart, .. }| structure.surface(chart.surface));
-    let height_fields = |poses: [Pose; 2]| {
-        [0, 1].map(|side: usize| {
-            let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
-            HeightField::new(placed, *patch.cells.frame, first.places[side], true)
-        })
-    };
-    let created = height_fields(patch.cells.sides.map(|side| side.pose));
-    let slices = loaded_slices(patch, [&created, &height_fields(patch.rotated)]);
+    let height_fields = [0, 1].map(|side: usize| {
+        let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: patch.cells.sides[side].pose };
+        HeightField::new(placed, *patch.cells.frame, first.places[side], true)
+    });
+    let slices = loaded_slices(patch, &height_fields);
     let deflections = [
         deflection_slopes(patch, patches, &slices, 0, interrupt)?,
         deflection_slopes(patch, patches, &slices, 1, interrupt)?,
@@ -124,7 +111,7 @@ fn of_patch(
             [0, 1].map(|axis: usize| slice.slopes[side][axis] + deflections[side][index][axis])
         }));
         let height = 0.5 * (feet[0].height + feet[1].height);
-        let point = plus(frame.at(slice.touching), scaled(frame.normal, height));
+        let point = plus(frame.at(slice.load.center), scaled(frame.normal, height));
         lines[slice.index] = Some(LineOfAction { point, slope });
     }
     Ok(lines)
@@ -163,7 +150,7 @@ enum SlopeVariation {
 }
 
 impl SlopeVariation {
-    /// Measures the changes over the width of a load at its centre of pressure.
+    /// Measures the changes over the width of a load.
     fn measure(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoint; 2]) -> Self {
         let [x, y] = load.center;
         let reach = 0.5 * load.size[0];
@@ -188,68 +175,45 @@ impl SlopeVariation {
     fn common(&self, slopes: [[f64; 2]; 2]) -> [f64; 2] {
         let mean =
             |slopes: [[f64; 2]; 2]| [0, 1].map(|axis: usize| 0.5 * (slopes[0][axis] + slopes[1][axis]));
-        let changes = match *self {
+        let (changes, reach) = match *self {
             Self::OneSided(side) => return slopes[side],
             Self::Unknown => return mean(slopes),
-            Self::Linear { changes, .. } => changes,
+            Self::Linear { changes, reach } => (changes, reach),
         };
-        let shift = self.shift(slopes.map(|slope| slope[0]));
-        if shift == 0.0 {
+        let curvature = changes[1][0] - changes[0][0];
+        // A load without width has no curvature.
+        if curvature.is_nan() || curvature <= 0.0 {
             return mean(slopes);
         }
+        let shift = ((slopes[0][0] - slopes[1][0]) / curvature).clamp(-reach, reach);
         mean(
             [0, 1].map(|side: usize| {
                 [0, 1].map(|axis: usize| slopes[side][axis] + shift * changes[side][axis])
             }),
         )
     }
-
-    /// Returns the distance along x (m) to the nearest place where both slopes along x, which have
-    /// these values here, are equal; zero if it is unknown.
-    fn shift(&self, slopes: [f64; 2]) -> f64 {
-        let Self::Linear { changes, reach } = *self else { return 0.0 };
-        let curvature = changes[1][0] - changes[0][0];
-        // A load without width has no curvature.
-        if curvature > 0.0 { ((slopes[0] - slopes[1]) / curvature).clamp(-reach, reach) } else { 0.0 }
-    }
 }
 
-/// Returns the loaded slices of a patch whose centre of pressure is on both surfaces, from their
-/// height fields at the creation of the grid and after the rotation of the bodies by the load.
-fn loaded_slices(patch: &LoadedPatch, [created, rotated]: [&[HeightField; 2]; 2]) -> Vec<LoadedSlice> {
+/// Returns the loaded slices of a patch whose centre of pressure is on both surfaces.
+fn loaded_slices(patch: &LoadedPatch, height_fields: &[HeightField; 2]) -> Vec<LoadedSlice> {
     let of_slice = |(index, slice): (usize, &Slice)| {
         let load = load_of(patch, slice)?;
-        let feet = |height_fields: &[HeightField; 2], at: [f64; 2]| {
-            let foot = |side: usize| height_fields[side].over(at, slice.places[side]);
-            Some([foot(0)?, foot(1)?])
-        };
-        let before = feet(created, load.center)?;
-        let variation = SlopeVariation::measure(created, &load, &before);
-        let [x, y] = load.center;
-        let after = || {
-            let after = feet(rotated, load.center)?;
-            let tilts = [0, 1].map(|side: usize| after[side].slope[0] - before[side].slope[0]);
-            let touching = [x + variation.shift(tilts), y];
-            Some((touching, feet(rotated, touching)?))
-        };
-        // A flank may end before the place to which the rotation would shift the load.
-        let (touching, feet) = after().unwrap_or((load.center, before));
-        let slopes =
-            mean_slopes(patch, slice, rotated, touching[0] - x).unwrap_or(feet.map(|foot| foot.slope));
-        let step = STEP * (slice.y[1] - slice.y[0]);
-        Some(LoadedSlice { index, load, touching, feet, slopes, variation, step })
+        let foot = |side: usize| height_fields[side].over(load.center, slice.places[side]);
+        let feet = [foot(0)?, foot(1)?];
+        let variation = SlopeVariation::measure(height_fields, &load, &feet);
+        let slopes = mean_slopes(patch, slice, height_fields).unwrap_or(feet.map(|foot| foot.slope));
+        Some(LoadedSlice { index, load, feet, slopes, variation, step: STEP * (slice.y[1] - slice.y[0]) })
     };
     patch.slices.iter().enumerate().filter_map(of_slice).collect()
 }
 
 /// Returns the slopes along x and y of both flanks, weighted by the forces of the cells of a slice
-/// whose load is partly on an edge and shifted along x (m); `None` for others, where the slopes at
-/// the centre of pressure are the same.
+/// whose load is partly on an edge; `None` for others, where the slopes at the centre of pressure
+/// are the same.
 fn mean_slopes(
     patch: &LoadedPatch,
     slice: &Slice,
     height_fields: &[HeightField; 2],
-    shift: f64,
 ) -> Option<[[f64; 2]; 2]> {
     let cells = patch.cells.cells.get(slice.cells.clone())?;
     let forces = patch.forces.get(slice.cells.clone())?;
@@ -261,8 +225,7 @@ fn mean_slopes(
     let mut slopes = [[0.0; 2]; 2];
     for (cell, force) in loaded() {
         for (side, slopes) in slopes.iter_mut().enumerate() {
-            let (field, [x, y], place) = (&height_fields[side], cell.center, cell.places[side]);
-            let slope = field.over([x + shift, y], place).unwrap_or_else(|| field.foot(place)).slope;
+            let slope = height_fields[side].foot(cell.places[side]).slope;
             (0..2).for_each(|axis| slopes[axis] += force / total * slope[axis]);
         }
     }

@@ -21,11 +21,10 @@ use calyx_model::motion::Orientation;
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::parallel::try_map;
-use calyx_numerics::vec3::{minus, plus};
 use calyx_structure::Chart;
 use calyx_structure::solid::SolidStructure;
 use calyx_structure::surface::Surface;
-use nalgebra::{DMatrix, Rotation3, Vector3};
+use nalgebra::DMatrix;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 use std::sync::Arc;
@@ -60,18 +59,6 @@ pub(super) struct Site {
 impl Site {
     fn placed(&self, side: usize) -> PlacedSurface<'_> {
         PlacedSurface { surface: self.surfaces[side].as_ref(), pose: self.poses[side] }
-    }
-
-    /// Returns the pose of a tooth after a rotation of its body about its axis, rad.
-    fn rotated(&self, side: usize, angle: f64) -> Pose {
-        let (pose, origin) = (self.poses[side], self.origins[side]);
-        let rotation = Rotation3::new(angle * Vector3::from(self.axes[side][2]));
-        let rotated = |direction: [f64; 3]| <[f64; 3]>::from(rotation * Vector3::from(direction));
-        let columns = [0, 1, 2].map(|column: usize| rotated(pose.rotation.map(|row| row[column])));
-        Pose {
-            rotation: [0, 1, 2].map(|row: usize| columns.map(|column| column[row])),
-            origin: plus(origin, rotated(minus(pose.origin, origin))),
-        }
     }
 }
 
@@ -187,7 +174,7 @@ impl ContactGeometry for Solid<'_> {
     fn with_deflected_normals(
         &self,
         laid: &[(&Candidate<Site>, &Grid)],
-        (forces, motion): (&[f64], &[f64]),
+        forces: &[f64],
     ) -> Result<Option<Vec<Grid>>, EngineError> {
         if !laid.iter().any(|(candidate, _)| has_local_normals(self.pair(candidate))) {
             return Ok(None);
@@ -198,10 +185,7 @@ impl ContactGeometry for Solid<'_> {
             let (forces, others) = left.split_at(grid.cells.len());
             left = others;
             let Some(cells) = self.patch_cells(candidate, grid) else { return Ok(None) };
-            // Moment arms refer to the axes of the created grid, which other motions would move.
-            let about_axis = |side: usize| self.system.moved(cells.sides[side].body, motion)[5];
-            let rotated = [0, 1].map(|side: usize| candidate.site.rotated(side, about_axis(side)));
-            loaded.push(LoadedPatch { cells, rotated, slices: &grid.slices, forces });
+            loaded.push(LoadedPatch { cells, slices: &grid.slices, forces });
         }
         let lines = lines_of_action(&loaded, &self.system.interrupt)?;
         let deflected =
