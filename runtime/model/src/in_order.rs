@@ -45,7 +45,8 @@ impl Resources {
     ///
     /// Every thread of the pool has one job that computes one value after another: of several jobs,
     /// a thread might begin the next one while it waits for others to complete a part of the first.
-    /// It may still begin the job of another caller that shares the pool.
+    /// It may still begin the job of another caller that shares the pool, or resume its own. A job
+    /// ends only where the window does, so callers of one pool may wait for each other.
     fn compute_ahead<T: Send>(
         &self,
         count: usize,
@@ -57,7 +58,7 @@ impl Resources {
         let (sender, receiver) = mpsc::channel();
         let compute_all = |context: BroadcastContext<'_>| {
             let thread = context.index();
-            if !window.resume(thread) {
+            if !window.begin(thread) {
                 return;
             }
             while let Some(index) = window.claim(thread) {
@@ -120,14 +121,25 @@ struct WindowState {
     /// Number of values that have been taken.
     taken: usize,
     ended: bool,
-    /// True for each thread without a job.
-    paused: Vec<bool>,
+    /// State of each thread.
+    threads: Vec<Thread>,
+}
+
+/// State of a thread of the pool.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Thread {
+    Computes,
+    /// It has no job.
+    Paused,
+    /// A job waits for it.
+    Called,
 }
 
 impl Window {
-    /// Returns the window of the first values; all threads pause.
+    /// Returns the window of the first values; all threads are called.
     fn new(count: usize, threads: usize) -> Self {
-        let state = WindowState { next: 0, taken: 0, ended: false, paused: vec![true; threads] };
+        let threads_called = vec![Thread::Called; threads];
+        let state = WindowState { next: 0, taken: 0, ended: false, threads: threads_called };
         Self { count, ahead: AHEAD * threads, state: Mutex::new(state) }
     }
 
@@ -135,9 +147,14 @@ impl Window {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Ends the pause of a thread. Returns whether it paused.
-    fn resume(&self, thread: usize) -> bool {
-        std::mem::take(&mut self.state().paused[thread])
+    /// Begins the job of a thread. Returns whether it was called.
+    fn begin(&self, thread: usize) -> bool {
+        let mut state = self.state();
+        let called = state.threads[thread] == Thread::Called;
+        if called {
+            state.threads[thread] = Thread::Computes;
+        }
+        called
     }
 
     /// Returns the index of the next value to be computed by a thread, which pauses if there is
@@ -148,18 +165,26 @@ impl Window {
             return None;
         }
         if state.next == state.taken + self.ahead {
-            state.paused[thread] = true;
+            state.threads[thread] = Thread::Paused;
             return None;
         }
         state.next += 1;
         Some(state.next - 1)
     }
 
-    /// Moves the window on by one value. Returns whether a thread can resume.
+    /// Moves the window on by one value and calls threads that pause. Returns whether there are any;
+    /// they need a job then.
     fn take(&self) -> bool {
         let mut state = self.state();
         state.taken += 1;
-        state.next < self.count && state.paused.contains(&true)
+        if state.next == self.count {
+            return false;
+        }
+        let mut called = false;
+        for thread in state.threads.iter_mut().filter(|thread| **thread == Thread::Paused) {
+            (*thread, called) = (Thread::Called, true);
+        }
+        called
     }
 
     /// Ends the computation of further values.
@@ -243,6 +268,23 @@ mod tests {
         };
         resources.in_order(50, compute, |_, ()| ControlFlow::Continue(()));
         assert_eq!(computed.load(Ordering::SeqCst), 50);
+    }
+
+    /// Every value that is taken lets a paused thread compute another one.
+    #[test]
+    fn paused_threads_resume() {
+        for threads in [1, 2] {
+            let computed = AtomicUsize::new(0);
+            let compute = |_| computed.fetch_add(1, Ordering::SeqCst);
+            with_threads(threads).in_order(50, compute, |taken, _| {
+                let deadline = Instant::now() + Duration::from_secs(20);
+                while computed.load(Ordering::SeqCst) < 50.min(taken + AHEAD * threads) {
+                    assert!(Instant::now() < deadline, "no thread resumes after {taken} values");
+                    std::thread::yield_now();
+                }
+                ControlFlow::Continue(())
+            });
+        }
     }
 
     #[test]
