@@ -172,8 +172,8 @@ impl Window {
         Some(state.next - 1)
     }
 
-    /// Moves the window on by one value and calls threads that pause. Returns whether there are any;
-    /// they need a job then.
+    /// Moves the window on by one value and calls threads that pause. Returns whether there are
+    /// any; they need a job then.
     fn take(&self) -> bool {
         let mut state = self.state();
         state.taken += 1;
