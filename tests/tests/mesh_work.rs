@@ -60,13 +60,6 @@ impl Pair {
         Pair { scene: scene_of(example, &given), teeth, torque }
     }
 
-    /// Rotates the teeth of the pinion by an angle, rad, so that contact is laid out there.
-    fn advanced(&self, angle: f64) -> Pair {
-        let mut scene = self.scene.clone();
-        scene.bodies[0].phase += self.sense() * angle;
-        Pair { scene, ..*self }
-    }
-
     fn system(&self, fidelity: Fidelity) -> System<'_> {
         let plan = Plan::new(&self.scene, fidelity, StructureOptions::default()).expect("it can be planned");
         System::with(&self.scene, &plan, &Resources::default()).expect("it can be built")
@@ -215,13 +208,13 @@ fn edges_hardly_change_the_work_of_conjugate_flanks() {
 }
 
 /// Returns the work of the torques on the motion of rigid teeth, relative to that of the pinion,
-/// and whether an edge carries the load. Contact is laid out at the position of rigid contact: gaps
-/// and moment arms are linear about the position where it is laid out, and the unloaded
-/// transmission error is 1e-4 rad.
+/// and whether an edge carries the load. From the position where the contact grid is created, the
+/// pinion rotates by the unloaded transmission error, 1e-4 rad. Lines of action of the former
+/// position miss the balance by up to 7e-6, and gaps that change linearly miss it by up to 5e-5 on
+/// edges.
 fn work_on_rigid_teeth(pair: &Pair, system: &System<'_>, part: f64) -> (f64, bool) {
     let rate = pair.rate(part, |part| pair.unloaded(system, part));
-    let touching = pair.advanced(pair.unloaded(system, part));
-    let state = touching.state(&touching.system(Fidelity::Analytic), part);
+    let state = pair.state(system, part);
     println!("at {part}: {:e}, error {:e}", state.torque_excess, state.torque_excess - rate);
     (state.torque_excess - rate, state.on_edge)
 }
@@ -251,16 +244,17 @@ fn a_vanishing_load_on_an_edge_does_no_work_on_rigid_teeth() {
     }
 }
 
-/// Without deflected normals the difference is 2e-4 (hypoid) and 5e-4 (spiral), and 1e-4 at
-/// positions where an edge carries load if the slopes along an oblique edge are a mean of those of
-/// the edge and of the flank. The difference grows with the rotation of the pinion under load,
-/// since forces act along the lines of the position where contact is laid out.
+/// Without deflected normals the difference is 2e-4 (hypoid) and 5e-4 (spiral) at 10 N m, and 1e-4
+/// at positions where an edge carries load if the slopes along an oblique edge are a mean of those
+/// of the edge and of the flank. If forces act along the lines of the position where the contact
+/// grid is created, it is 3e-5 at 50 N m (hypoid). The number of slices limits it.
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal() {
     let cases = [
-        ("spiral, 10 N m", spiral(10.0), 2e-6),
-        ("hypoid, 10 N m", hypoid(10.0), 5e-6),
-        ("hypoid, 50 N m", hypoid(50.0), 5e-5),
+        ("spiral, 10 N m", spiral(10.0), 4e-6),
+        ("spiral, 50 N m", spiral(50.0), 4e-6),
+        ("hypoid, 10 N m", hypoid(10.0), 4e-6),
+        ("hypoid, 50 N m", hypoid(50.0), 8e-6),
     ];
     for (name, pair, bound) in cases {
         let system = pair.system(Fidelity::Analytic);

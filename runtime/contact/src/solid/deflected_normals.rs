@@ -9,25 +9,34 @@
 //! flanks have other normals; this is of the same order. In contact both bodies share the deflected
 //! surface. A mean of their slopes gives them opposite forces along one line.
 //!
+//! The load also rotates the bodies about their axes, by up to 1e-4 to 1e-3 rad from the position
+//! where the grid is created. Lines of action are those of the rotated flanks, which touch at
+//! another place across the slice. The gap then changes by more than its rate times the angle: the
+//! rate changes on the way, and next to the centre of a patch the slopes of both flanks differ,
+//! while the rate is that of their mean. Without this second part of the change, a load would be
+//! distributed along the patch as if the centre of the patch had not moved.
+//!
 //! The deflections of the half-spaces at their own patch are left out: for equal materials they
 //! move the surface between both flanks nowhere, and otherwise their slopes have no resultant,
 //! because they depend on distances only.
 
 use super::assembly::{PatchCells, Side, mirrors, softness};
-use super::grid::Slice;
+use super::grid::{Cell, Slice};
 use super::height_field::{FootPoint, HeightField};
 use super::image::Images;
-use super::placement::PlacedSurface;
+use super::placement::{BodyRotation, PlacedSurface, Pose};
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
-use calyx_numerics::vec3::{Vector, plus, scaled};
+use calyx_numerics::vec3::{Vector, dot, minus, plus, scaled};
 use calyx_structure::solid::SurfaceSegment;
 
 /// Contact patch under load.
 #[derive(Clone, Copy)]
 pub struct LoadedPatch<'a> {
-    /// Bodies, frame and cells.
+    /// Bodies, frame and cells at the creation of the grid.
     pub cells: PatchCells<'a>,
+    /// Rotations of the bodies about their axes by the load, from the creation of the grid.
+    pub rotations: [BodyRotation; 2],
     /// Slices of the grid.
     pub slices: &'a [Slice],
     /// Forces of the cells, N.
@@ -42,6 +51,8 @@ pub struct LineOfAction {
     /// Slopes along x and y of the deflected surface between both flanks, where their slopes across
     /// the slice are equal.
     pub slope: [f64; 2],
+    /// Change of the gap by the rotation of the bodies, less its linear part, m.
+    pub gap_correction: f64,
 }
 
 /// Half of the distance of two points whose difference is a slope, relative to the length of a
@@ -63,13 +74,24 @@ struct Load {
     force: f64,
 }
 
-/// Loaded slice of a patch, with the points of both flanks at its centre of pressure.
+/// Height fields of both flanks of a patch.
+struct Flanks<'a> {
+    /// At the creation of the grid.
+    created: [HeightField<'a>; 2],
+    /// After the rotation of the bodies by the load.
+    rotated: [HeightField<'a>; 2],
+}
+
+/// Loaded slice of a patch.
 struct LoadedSlice {
     index: usize,
     load: Load,
+    /// Points of both flanks at its centre of pressure, after the rotation of the bodies.
     feet: [FootPoint; 2],
     /// Mean slopes along x and y of both flanks.
     slopes: [[f64; 2]; 2],
+    /// Change of the gap there by the rotation, m; `None` if it is unknown.
+    gap_change: Option<f64>,
     /// Variation of the slopes across the slice.
     variation: SlopeVariation,
     /// Distance over which slopes are differences, m.
@@ -94,11 +116,16 @@ fn of_patch(
 ) -> Result<Vec<Option<LineOfAction>>, EngineError> {
     let Some(first) = patch.slices.first() else { return Ok(Vec::new()) };
     let surfaces = patch.cells.sides.map(|Side { structure, chart, .. }| structure.surface(chart.surface));
-    let height_fields = [0, 1].map(|side: usize| {
-        let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: patch.cells.sides[side].pose };
-        HeightField::new(placed, *patch.cells.frame, first.places[side], true)
-    });
-    let slices = loaded_slices(patch, &height_fields);
+    let height_fields = |poses: [Pose; 2]| {
+        [0, 1].map(|side: usize| {
+            let placed = PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
+            HeightField::new(placed, *patch.cells.frame, first.places[side], true)
+        })
+    };
+    let poses = patch.cells.sides.map(|side| side.pose);
+    let rotated = [0, 1].map(|side: usize| patch.rotations[side].of_pose(&poses[side]));
+    let flanks = Flanks { created: height_fields(poses), rotated: height_fields(rotated) };
+    let slices = loaded_slices(patch, &flanks);
     let deflections = [
         deflection_slopes(patch, patches, &slices, 0, interrupt)?,
         deflection_slopes(patch, patches, &slices, 1, interrupt)?,
@@ -106,13 +133,18 @@ fn of_patch(
     let mut lines = vec![None; patch.slices.len()];
     let frame = patch.cells.frame;
     for (index, slice) in slices.iter().enumerate() {
-        let feet = &slice.feet;
         let slope = slice.variation.common([0, 1].map(|side: usize| {
             [0, 1].map(|axis: usize| slice.slopes[side][axis] + deflections[side][index][axis])
         }));
-        let height = 0.5 * (feet[0].height + feet[1].height);
-        let point = plus(frame.at(slice.load.center), scaled(frame.normal, height));
-        lines[slice.index] = Some(LineOfAction { point, slope });
+        let height = 0.5 * (slice.feet[0].height + slice.feet[1].height);
+        let point = plus(frame.at(slice.feet[0].at), scaled(frame.normal, height));
+        let action = frame.action(slice.variation.common(slice.slopes));
+        let linear = dot(
+            action,
+            minus(patch.rotations[1].displacement(point), patch.rotations[0].displacement(point)),
+        );
+        let gap_correction = slice.gap_change.map_or(0.0, |change| change - linear);
+        lines[slice.index] = Some(LineOfAction { point, slope, gap_correction });
     }
     Ok(lines)
 }
@@ -150,7 +182,7 @@ enum SlopeVariation {
 }
 
 impl SlopeVariation {
-    /// Measures the changes over the width of a load.
+    /// Measures the changes over the width of a load at its centre of pressure.
     fn measure(height_fields: &[HeightField; 2], load: &Load, feet: &[FootPoint; 2]) -> Self {
         let [x, y] = load.center;
         let reach = 0.5 * load.size[0];
@@ -175,58 +207,112 @@ impl SlopeVariation {
     fn common(&self, slopes: [[f64; 2]; 2]) -> [f64; 2] {
         let mean =
             |slopes: [[f64; 2]; 2]| [0, 1].map(|axis: usize| 0.5 * (slopes[0][axis] + slopes[1][axis]));
-        let (changes, reach) = match *self {
+        let changes = match *self {
             Self::OneSided(side) => return slopes[side],
             Self::Unknown => return mean(slopes),
-            Self::Linear { changes, reach } => (changes, reach),
+            Self::Linear { changes, .. } => changes,
         };
-        let curvature = changes[1][0] - changes[0][0];
-        // A load without width has no curvature.
-        if curvature.is_nan() || curvature <= 0.0 {
+        let shift = self.shift(slopes.map(|slope| slope[0]));
+        if shift == 0.0 {
             return mean(slopes);
         }
-        let shift = ((slopes[0][0] - slopes[1][0]) / curvature).clamp(-reach, reach);
         mean(
             [0, 1].map(|side: usize| {
                 [0, 1].map(|axis: usize| slopes[side][axis] + shift * changes[side][axis])
             }),
         )
     }
+
+    /// Returns the distance along x (m) to the nearest place within the load where both slopes
+    /// along x, which have these values at its centre, are equal; zero if it is unknown.
+    fn shift(&self, slopes: [f64; 2]) -> f64 {
+        let Self::Linear { changes, reach } = *self else { return 0.0 };
+        let curvature = changes[1][0] - changes[0][0];
+        // A load without width has no curvature.
+        if curvature > 0.0 { ((slopes[0] - slopes[1]) / curvature).clamp(-reach, reach) } else { 0.0 }
+    }
 }
 
 /// Returns the loaded slices of a patch whose centre of pressure is on both surfaces.
-fn loaded_slices(patch: &LoadedPatch, height_fields: &[HeightField; 2]) -> Vec<LoadedSlice> {
+fn loaded_slices(patch: &LoadedPatch, flanks: &Flanks) -> Vec<LoadedSlice> {
     let of_slice = |(index, slice): (usize, &Slice)| {
         let load = load_of(patch, slice)?;
-        let foot = |side: usize| height_fields[side].over(load.center, slice.places[side]);
-        let feet = [foot(0)?, foot(1)?];
-        let variation = SlopeVariation::measure(height_fields, &load, &feet);
-        let slopes = mean_slopes(patch, slice, height_fields).unwrap_or(feet.map(|foot| foot.slope));
-        Some(LoadedSlice { index, load, feet, slopes, variation, step: STEP * (slice.y[1] - slice.y[0]) })
+        let feet_over = |height_fields: &[HeightField; 2], at: [f64; 2]| {
+            let foot = |side: usize| height_fields[side].over(at, slice.places[side]);
+            Some([foot(0)?, foot(1)?])
+        };
+        let [x, y] = load.center;
+        let created = feet_over(&flanks.created, load.center)?;
+        let variation = SlopeVariation::measure(&flanks.created, &load, &created);
+        let shift = || match edge_shift(patch, slice, flanks) {
+            Some(shift) => Some(shift),
+            None => {
+                let rotated = feet_over(&flanks.rotated, load.center)?;
+                Some(
+                    variation
+                        .shift([0, 1].map(|side: usize| rotated[side].slope[0] - created[side].slope[0])),
+                )
+            }
+        };
+        let rotated = shift().and_then(|shift| Some((shift, feet_over(&flanks.rotated, [x + shift, y])?)));
+        let gap = |feet: &[FootPoint; 2]| feet[1].height - feet[0].height;
+        let (shift, feet, gap_change) = match rotated {
+            Some((shift, feet)) => (shift, feet, Some(gap(&feet) - gap(&created))),
+            // A flank ends before the place to which the rotation would shift the load.
+            None => (0.0, created, None),
+        };
+        let slopes = mean_slopes(patch, slice, (&flanks.rotated, shift));
+        let slopes = slopes.unwrap_or(feet.map(|foot| foot.slope));
+        let step = STEP * (slice.y[1] - slice.y[0]);
+        Some(LoadedSlice { index, load, feet, slopes, gap_change, variation, step })
     };
     patch.slices.iter().enumerate().filter_map(of_slice).collect()
 }
 
-/// Returns the slopes along x and y of both flanks, weighted by the forces of the cells of a slice
-/// whose load is partly on an edge; `None` for others, where the slopes at the centre of pressure
-/// are the same.
+/// Returns the distance along x (m) by which the rotation of the bodies shifts the rounded edges
+/// that carry the load of a slice, as a mean by force; `None` if it is on flanks only.
+fn edge_shift(patch: &LoadedPatch, slice: &Slice, flanks: &Flanks) -> Option<f64> {
+    let (mut moment, mut force_on_edges) = (0.0, 0.0);
+    for (cell, force) in loaded_cells(patch, slice)? {
+        for (created, (rotated, place)) in flanks.created.iter().zip(flanks.rotated.iter().zip(cell.places)) {
+            if created.placed.on_edge(place) {
+                let (before, after) = (created.foot(place), rotated.foot(place));
+                // The edge crosses the slice obliquely.
+                let along = after.x_by_y_along_edge() * (after.at[1] - before.at[1]);
+                moment += force * (after.at[0] - before.at[0] - along);
+                force_on_edges += force;
+            }
+        }
+    }
+    (force_on_edges > 0.0).then(|| moment / force_on_edges)
+}
+
+/// Returns the cells of a slice that carry load, and their forces, N.
+fn loaded_cells<'a>(patch: &LoadedPatch<'a>, slice: &Slice) -> Option<Vec<(&'a Cell, f64)>> {
+    let cells = patch.cells.cells.get(slice.cells.clone())?;
+    let forces = patch.forces.get(slice.cells.clone())?;
+    Some(cells.iter().zip(forces.iter().copied()).filter(|(_, force)| *force > 0.0).collect())
+}
+
+/// Returns the slopes along x and y of both flanks with these height fields, weighted by the forces
+/// of the cells of a slice whose load is partly on an edge and shifted along x (m); `None` for
+/// others, where the slopes at the centre of pressure are the same.
 fn mean_slopes(
     patch: &LoadedPatch,
     slice: &Slice,
-    height_fields: &[HeightField; 2],
+    (height_fields, shift): (&[HeightField; 2], f64),
 ) -> Option<[[f64; 2]; 2]> {
-    let cells = patch.cells.cells.get(slice.cells.clone())?;
-    let forces = patch.forces.get(slice.cells.clone())?;
-    let loaded = || cells.iter().zip(forces).filter(|(_, force)| **force > 0.0);
-    if !loaded().any(|(cell, _)| cell.edge) {
+    let loaded = loaded_cells(patch, slice)?;
+    if !loaded.iter().any(|(cell, _)| cell.edge) {
         return None;
     }
-    let total: f64 = loaded().map(|(_, force)| force).sum();
+    let total: f64 = loaded.iter().map(|(_, force)| force).sum();
     let mut slopes = [[0.0; 2]; 2];
-    for (cell, force) in loaded() {
+    for (cell, force) in loaded {
         for (side, slopes) in slopes.iter_mut().enumerate() {
-            let slope = height_fields[side].foot(cell.places[side]).slope;
-            (0..2).for_each(|axis| slopes[axis] += force / total * slope[axis]);
+            let (height_field, [x, y], place) = (&height_fields[side], cell.center, cell.places[side]);
+            let foot = height_field.over([x + shift, y], place).unwrap_or_else(|| height_field.foot(place));
+            (0..2).for_each(|axis| slopes[axis] += force / total * foot.slope[axis]);
         }
     }
     Some(slopes)
@@ -305,15 +391,13 @@ fn add_images(
 
 /// Returns the resultant of a slice, over its loaded cells; `None` without load.
 fn load_of(patch: &LoadedPatch, slice: &Slice) -> Option<Load> {
-    let cells = patch.cells.cells.get(slice.cells.clone())?;
-    let forces = patch.forces.get(slice.cells.clone())?;
-    let loaded = || cells.iter().zip(forces).filter(|(_, force)| **force > 0.0);
-    let force: f64 = loaded().map(|(_, force)| force).sum();
+    let loaded = loaded_cells(patch, slice)?;
+    let force: f64 = loaded.iter().map(|(_, force)| force).sum();
     let ends = |axis: usize| {
-        let each = loaded().map(|(cell, _)| cell.ends(axis));
+        let each = loaded.iter().map(|(cell, _)| cell.ends(axis));
         each.reduce(|[low, high], [from, to]| [low.min(from), high.max(to)])
     };
-    let mean = |axis: usize| loaded().map(|(cell, part)| part / force * cell.center[axis]).sum::<f64>();
+    let mean = |axis: usize| loaded.iter().map(|(cell, part)| part / force * cell.center[axis]).sum::<f64>();
     let size = [ends(0)?, ends(1)?].map(|[low, high]| high - low);
     Some(Load { center: [mean(0), mean(1)], size, force })
 }

@@ -77,6 +77,13 @@ impl FootPoint {
         }
     }
 
+    /// Returns the derivative of x by y along the line of constant first coordinate, like that of a
+    /// rounded edge.
+    pub fn x_by_y_along_edge(&self) -> f64 {
+        let [[_, x], [_, y]] = self.tangents;
+        x / y
+    }
+
     /// Returns Newton's step of the surface coordinates towards `at`, and the remaining distance.
     fn step_to(&self, at: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let [x, y] = self.tangents;

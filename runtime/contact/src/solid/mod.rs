@@ -33,7 +33,7 @@ pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};
 pub use deflected_normals::{LineOfAction, LoadedPatch, lines_of_action};
 pub use grid::{Cell, Grid, Slice, build_grid, contact_modulus, grid_width};
 pub use grid_region::{GridOptions, GridSize};
-pub use placement::{PatchFrame, PlacedSurface, Pose, sliding};
+pub use placement::{BodyRotation, PatchFrame, PlacedSurface, Pose, sliding};
 pub use pressure::{
     GridReport, Peak, assess, fitting_size, half_axes, peak, peak_in, pressures, slice_peaks_in, zones,
 };

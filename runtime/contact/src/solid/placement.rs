@@ -2,6 +2,7 @@
 
 use calyx_numerics::vec3::{Vector, cross, dot, length, minus, plus, scaled, unit};
 use calyx_structure::surface::{Surface, SurfacePoint};
+use nalgebra::{Rotation3, Vector3};
 
 /// Pose of a body: rotation, then translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +39,35 @@ impl Pose {
         let (sine, cosine) = angle.sin_cos();
         let turn = |[x, y, z]: Vector| [x * cosine + y * sine, y * cosine - x * sine, z];
         Pose { rotation: self.rotation.map(turn), origin: self.origin }
+    }
+}
+
+/// Rotation of a body about an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyRotation {
+    /// Point of the axis, m.
+    pub origin: Vector,
+    /// Unit vector along the axis.
+    pub axis: Vector,
+    /// Angle, rad.
+    pub angle: f64,
+}
+
+impl BodyRotation {
+    /// Returns a pose of the body after the rotation.
+    pub fn of_pose(&self, pose: &Pose) -> Pose {
+        let rotation = Rotation3::new(self.angle * Vector3::from(self.axis));
+        let rotated = |direction: Vector| <[f64; 3]>::from(rotation * Vector3::from(direction));
+        let columns = [0, 1, 2].map(|column: usize| rotated(pose.rotation.map(|row| row[column])));
+        Pose {
+            rotation: [0, 1, 2].map(|row: usize| columns.map(|column| column[row])),
+            origin: plus(self.origin, rotated(minus(pose.origin, self.origin))),
+        }
+    }
+
+    /// Returns the displacement of a point of the body to first order in the angle, m.
+    pub fn displacement(&self, point: Vector) -> Vector {
+        scaled(cross(self.axis, minus(point, self.origin)), self.angle)
     }
 }
 

@@ -109,15 +109,15 @@ pub(super) trait ContactGeometry: Sync {
     /// Returns the growth of the gap of each cell by each DOF, row by row.
     fn arms(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Vec<f64>;
 
-    /// Returns grids whose cells act along the normals of the flanks that these forces deflect;
-    /// `None` if deflections do not affect directions.
+    /// Returns grids whose cells act along the normals of the flanks that these forces deflect and
+    /// these motions of the DOFs rotate; `None` if neither affects directions.
     ///
     /// # Errors
     /// Those of the interrupt.
     fn with_deflected_normals(
         &self,
         _laid: &[(&Candidate<Self::Site>, &Self::Grid)],
-        _forces: &[f64],
+        _under: (&[f64], &[f64]),
     ) -> Result<Option<Vec<Self::Grid>>, EngineError> {
         Ok(None)
     }

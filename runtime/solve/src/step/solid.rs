@@ -12,9 +12,9 @@ use calyx_contact::assembly::Entries;
 use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::ContactProblem;
 use calyx_contact::solid::{
-    self, ContactLine, Grid, GridOptions, GridSize, LineOfAction, LoadedPatch, PatchCells, PatchFrame,
-    PlacedSurface, Pose, assess, build_grid, compliance, contact_modulus, find_contact_line, first_guess,
-    fitting_size, grid_width, lines_of_action, pressures,
+    self, BodyRotation, ContactLine, Grid, GridOptions, GridSize, LineOfAction, LoadedPatch, PatchCells,
+    PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance, contact_modulus, find_contact_line,
+    first_guess, fitting_size, grid_width, lines_of_action, pressures,
 };
 use calyx_model::dof::Dof;
 use calyx_model::motion::Orientation;
@@ -59,6 +59,11 @@ pub(super) struct Site {
 impl Site {
     fn placed(&self, side: usize) -> PlacedSurface<'_> {
         PlacedSurface { surface: self.surfaces[side].as_ref(), pose: self.poses[side] }
+    }
+
+    /// Returns the rotation of a body by an angle about its axis.
+    fn rotation(&self, side: usize, angle: f64) -> BodyRotation {
+        BodyRotation { origin: self.origins[side], axis: self.axes[side][2], angle }
     }
 }
 
@@ -174,7 +179,7 @@ impl ContactGeometry for Solid<'_> {
     fn with_deflected_normals(
         &self,
         laid: &[(&Candidate<Site>, &Grid)],
-        forces: &[f64],
+        (forces, motion): (&[f64], &[f64]),
     ) -> Result<Option<Vec<Grid>>, EngineError> {
         if !laid.iter().any(|(candidate, _)| has_local_normals(self.pair(candidate))) {
             return Ok(None);
@@ -185,7 +190,10 @@ impl ContactGeometry for Solid<'_> {
             let (forces, others) = left.split_at(grid.cells.len());
             left = others;
             let Some(cells) = self.patch_cells(candidate, grid) else { return Ok(None) };
-            loaded.push(LoadedPatch { cells, slices: &grid.slices, forces });
+            // Moment arms refer to the axes of the created grid, which other motions would move.
+            let about_axis = |side: usize| self.system.moved(cells.sides[side].body, motion)[5];
+            let rotations = [0, 1].map(|side: usize| candidate.site.rotation(side, about_axis(side)));
+            loaded.push(LoadedPatch { cells, rotations, slices: &grid.slices, forces });
         }
         let lines = lines_of_action(&loaded, &self.system.interrupt)?;
         let deflected =
@@ -193,9 +201,10 @@ impl ContactGeometry for Solid<'_> {
                 let mut grid = Grid::clone(grid);
                 if has_local_normals(self.pair(candidate)) {
                     for (slice, line) in grid.slices.iter().zip(lines) {
-                        let Some(LineOfAction { point, slope }) = line else { continue };
+                        let Some(LineOfAction { point, slope, gap_correction }) = line else { continue };
                         for cell in &mut grid.cells[slice.cells.clone()] {
                             (cell.point, cell.slope) = (point, slope);
+                            cell.gap += gap_correction;
                         }
                     }
                 }
