@@ -9,12 +9,13 @@
 //! flanks have other normals; this is of the same order. In contact both bodies share the deflected
 //! surface. A mean of their slopes gives them opposite forces along one line.
 //!
-//! The load also rotates the bodies about their axes, by up to 1e-4 to 1e-3 rad from the position
-//! where the grid is created. Lines of action are those of the rotated flanks, which touch at
-//! another place across the slice. The gap then changes by more than its rate times the angle: the
-//! rate changes on the way, and next to the centre of a patch the slopes of both flanks differ,
-//! while the rate is that of their mean. Without this second part of the change, a load would be
-//! distributed along the patch as if the centre of the patch had not moved.
+//! From the position where the grid is created, a body also rotates about its axis, by 1e-4 to
+//! 1e-3 rad: it closes the gap, and the load deflects the teeth. Lines of action are those of the
+//! rotated flanks, which touch at another position across the slice. The gap does not change
+//! linearly with the angle: its rate changes on the way, and next to the centre of a patch the
+//! slopes of both flanks differ, while the rate is that of their mean. Without the difference of
+//! the change and its linear part, the load would be distributed along the patch as if the centre
+//! of the patch had not moved.
 //!
 //! The deflections of the half-spaces at their own patch are left out: for equal materials they
 //! move the surface between both flanks nowhere, and otherwise their slopes have no resultant,
@@ -35,7 +36,7 @@ use calyx_structure::solid::SurfaceSegment;
 pub struct LoadedPatch<'a> {
     /// Bodies, frame and cells at the creation of the grid.
     pub cells: PatchCells<'a>,
-    /// Rotations of the bodies about their axes by the load, from the creation of the grid.
+    /// Rotations of the bodies about their axes since the creation of the grid.
     pub rotations: [BodyRotation; 2],
     /// Slices of the grid.
     pub slices: &'a [Slice],
@@ -51,7 +52,8 @@ pub struct LineOfAction {
     /// Slopes along x and y of the deflected surface between both flanks, where their slopes across
     /// the slice are equal.
     pub slope: [f64; 2],
-    /// Change of the gap by the rotation of the bodies, less its linear part, m.
+    /// Change of the gap by the rotation of the bodies, less its linear part for undeflected
+    /// flanks, m.
     pub gap_correction: f64,
 }
 
@@ -78,7 +80,7 @@ struct Load {
 struct Flanks<'a> {
     /// At the creation of the grid.
     created: [HeightField<'a>; 2],
-    /// After the rotation of the bodies by the load.
+    /// After the rotation of the bodies.
     rotated: [HeightField<'a>; 2],
 }
 
@@ -86,16 +88,24 @@ struct Flanks<'a> {
 struct LoadedSlice {
     index: usize,
     load: Load,
-    /// Points of both flanks at its centre of pressure, after the rotation of the bodies.
-    feet: [FootPoint; 2],
-    /// Mean slopes along x and y of both flanks.
-    slopes: [[f64; 2]; 2],
-    /// Change of the gap there by the rotation, m; `None` if it is unknown.
-    gap_change: Option<f64>,
+    /// Points of both flanks at its centre of pressure, at the creation of the grid.
+    created: [FootPoint; 2],
+    /// Flanks after the rotation of the bodies; those of the creation of the grid if a flank ends
+    /// before the position to which the rotation shifts the load.
+    touching: Touching,
     /// Variation of the slopes across the slice.
     variation: SlopeVariation,
     /// Distance over which slopes are differences, m.
     step: f64,
+}
+
+/// Flanks of a slice where they touch.
+struct Touching {
+    feet: [FootPoint; 2],
+    /// Mean slopes along x and y of both flanks.
+    slopes: [[f64; 2]; 2],
+    /// Change of the gap by the rotation of the bodies, m; `None` if it is unknown.
+    gap_change: Option<f64>,
 }
 
 /// Computes the lines of action of the slices of each patch; `None` for slices without load.
@@ -123,7 +133,7 @@ fn of_patch(
         })
     };
     let poses = patch.cells.sides.map(|side| side.pose);
-    let rotated = [0, 1].map(|side: usize| patch.rotations[side].of_pose(&poses[side]));
+    let rotated = [0, 1].map(|side: usize| patch.rotations[side].applied_to(&poses[side]));
     let flanks = Flanks { created: height_fields(poses), rotated: height_fields(rotated) };
     let slices = loaded_slices(patch, &flanks);
     let deflections = [
@@ -133,17 +143,16 @@ fn of_patch(
     let mut lines = vec![None; patch.slices.len()];
     let frame = patch.cells.frame;
     for (index, slice) in slices.iter().enumerate() {
+        let Touching { feet, slopes, gap_change } = &slice.touching;
         let slope = slice.variation.common([0, 1].map(|side: usize| {
-            [0, 1].map(|axis: usize| slice.slopes[side][axis] + deflections[side][index][axis])
+            [0, 1].map(|axis: usize| slopes[side][axis] + deflections[side][index][axis])
         }));
-        let height = 0.5 * (slice.feet[0].height + slice.feet[1].height);
-        let point = plus(frame.at(slice.feet[0].at), scaled(frame.normal, height));
-        let action = frame.action(slice.variation.common(slice.slopes));
-        let linear = dot(
-            action,
-            minus(patch.rotations[1].displacement(point), patch.rotations[0].displacement(point)),
-        );
-        let gap_correction = slice.gap_change.map_or(0.0, |change| change - linear);
+        let height = 0.5 * (feet[0].height + feet[1].height);
+        let point = plus(frame.at(feet[0].at), scaled(frame.normal, height));
+        let displacement = [0, 1].map(|side: usize| patch.rotations[side].displacement(point));
+        let action = frame.action(slice.variation.common(*slopes));
+        let linear = dot(action, minus(displacement[1], displacement[0]));
+        let gap_correction = gap_change.map_or(0.0, |change| change - linear);
         lines[slice.index] = Some(LineOfAction { point, slope, gap_correction });
     }
     Ok(lines)
@@ -207,15 +216,13 @@ impl SlopeVariation {
     fn common(&self, slopes: [[f64; 2]; 2]) -> [f64; 2] {
         let mean =
             |slopes: [[f64; 2]; 2]| [0, 1].map(|axis: usize| 0.5 * (slopes[0][axis] + slopes[1][axis]));
-        let changes = match *self {
+        let (changes, reach) = match *self {
             Self::OneSided(side) => return slopes[side],
             Self::Unknown => return mean(slopes),
-            Self::Linear { changes, .. } => changes,
+            Self::Linear { changes, reach } => (changes, reach),
         };
-        let shift = self.shift(slopes.map(|slope| slope[0]));
-        if shift == 0.0 {
-            return mean(slopes);
-        }
+        let Some(shift) = self.shift(slopes.map(|slope| slope[0])) else { return mean(slopes) };
+        let shift = shift.clamp(-reach, reach);
         mean(
             [0, 1].map(|side: usize| {
                 [0, 1].map(|axis: usize| slopes[side][axis] + shift * changes[side][axis])
@@ -223,13 +230,13 @@ impl SlopeVariation {
         )
     }
 
-    /// Returns the distance along x (m) to the nearest place within the load where both slopes
-    /// along x, which have these values at its centre, are equal; zero if it is unknown.
-    fn shift(&self, slopes: [f64; 2]) -> f64 {
-        let Self::Linear { changes, reach } = *self else { return 0.0 };
+    /// Returns the distance along x (m) to the position where both slopes along x, which have these
+    /// values at the centre of pressure, are equal; `None` if it is unknown.
+    fn shift(&self, slopes: [f64; 2]) -> Option<f64> {
+        let Self::Linear { changes, .. } = *self else { return None };
         let curvature = changes[1][0] - changes[0][0];
         // A load without width has no curvature.
-        if curvature > 0.0 { ((slopes[0] - slopes[1]) / curvature).clamp(-reach, reach) } else { 0.0 }
+        (curvature > 0.0).then(|| (slopes[0] - slopes[1]) / curvature)
     }
 }
 
@@ -237,54 +244,73 @@ impl SlopeVariation {
 fn loaded_slices(patch: &LoadedPatch, flanks: &Flanks) -> Vec<LoadedSlice> {
     let of_slice = |(index, slice): (usize, &Slice)| {
         let load = load_of(patch, slice)?;
-        let feet_over = |height_fields: &[HeightField; 2], at: [f64; 2]| {
-            let foot = |side: usize| height_fields[side].over(at, slice.places[side]);
-            Some([foot(0)?, foot(1)?])
-        };
-        let [x, y] = load.center;
-        let created = feet_over(&flanks.created, load.center)?;
+        let created = feet_over(&flanks.created, load.center, slice)?;
         let variation = SlopeVariation::measure(&flanks.created, &load, &created);
-        let shift = || match edge_shift(patch, slice, flanks) {
-            Some(shift) => Some(shift),
-            None => {
-                let rotated = feet_over(&flanks.rotated, load.center)?;
-                Some(
-                    variation
-                        .shift([0, 1].map(|side: usize| rotated[side].slope[0] - created[side].slope[0])),
-                )
-            }
-        };
-        let rotated = shift().and_then(|shift| Some((shift, feet_over(&flanks.rotated, [x + shift, y])?)));
-        let gap = |feet: &[FootPoint; 2]| feet[1].height - feet[0].height;
-        let (shift, feet, gap_change) = match rotated {
-            Some((shift, feet)) => (shift, feet, Some(gap(&feet) - gap(&created))),
-            // A flank ends before the place to which the rotation would shift the load.
-            None => (0.0, created, None),
-        };
-        let slopes = mean_slopes(patch, slice, (&flanks.rotated, shift));
-        let slopes = slopes.unwrap_or(feet.map(|foot| foot.slope));
+        let touching =
+            after_rotation(patch, slice, flanks, (&load, &created, &variation)).unwrap_or_else(|| {
+                let slopes = mean_slopes(patch, slice, (&flanks.created, 0.0));
+                let slopes = slopes.unwrap_or(created.map(|foot| foot.slope));
+                Touching { feet: created, slopes, gap_change: None }
+            });
         let step = STEP * (slice.y[1] - slice.y[0]);
-        Some(LoadedSlice { index, load, feet, slopes, gap_change, variation, step })
+        Some(LoadedSlice { index, load, created, touching, variation, step })
     };
     patch.slices.iter().enumerate().filter_map(of_slice).collect()
 }
 
+/// Returns the points of both flanks over x, y of a slice; `None` if one ends before.
+fn feet_over(height_fields: &[HeightField; 2], at: [f64; 2], slice: &Slice) -> Option<[FootPoint; 2]> {
+    let foot = |side: usize| height_fields[side].over(at, slice.places[side]);
+    Some([foot(0)?, foot(1)?])
+}
+
+/// Returns the flanks of a slice where they touch after the rotation of the bodies; `None` if one
+/// ends before.
+fn after_rotation(
+    patch: &LoadedPatch,
+    slice: &Slice,
+    flanks: &Flanks,
+    (load, created, variation): (&Load, &[FootPoint; 2], &SlopeVariation),
+) -> Option<Touching> {
+    let [x, y] = load.center;
+    let (of_edge, share) = edge_shift(patch, slice, flanks).unwrap_or((0.0, 0.0));
+    let mut shift = share * of_edge;
+    if share < 1.0 {
+        let rotated = feet_over(&flanks.rotated, load.center, slice)?;
+        let tilts = [0, 1].map(|side: usize| rotated[side].slope[0] - created[side].slope[0]);
+        shift += (1.0 - share) * variation.shift(tilts).unwrap_or(0.0);
+    }
+    let feet = feet_over(&flanks.rotated, [x + shift, y], slice)?;
+    let slopes = mean_slopes(patch, slice, (&flanks.rotated, shift));
+    let gap = |feet: &[FootPoint; 2]| feet[1].height - feet[0].height;
+    Some(Touching {
+        feet,
+        slopes: slopes.unwrap_or(feet.map(|foot| foot.slope)),
+        gap_change: Some(gap(&feet) - gap(created)),
+    })
+}
+
 /// Returns the distance along x (m) by which the rotation of the bodies shifts the rounded edges
-/// that carry the load of a slice, as a mean by force; `None` if it is on flanks only.
-fn edge_shift(patch: &LoadedPatch, slice: &Slice, flanks: &Flanks) -> Option<f64> {
-    let (mut moment, mut force_on_edges) = (0.0, 0.0);
+/// that carry load of a slice, as a mean by force, and their share of the load; `None` if flanks
+/// carry all of it.
+fn edge_shift(patch: &LoadedPatch, slice: &Slice, flanks: &Flanks) -> Option<(f64, f64)> {
+    let (mut moment, mut on_edges, mut total) = (0.0, 0.0, 0.0);
     for (cell, force) in loaded_cells(patch, slice)? {
-        for (created, (rotated, place)) in flanks.created.iter().zip(flanks.rotated.iter().zip(cell.places)) {
-            if created.placed.on_edge(place) {
-                let (before, after) = (created.foot(place), rotated.foot(place));
-                // The edge crosses the slice obliquely.
-                let along = after.x_by_y_along_edge() * (after.at[1] - before.at[1]);
-                moment += force * (after.at[0] - before.at[0] - along);
-                force_on_edges += force;
-            }
+        total += force;
+        let sides = flanks.created.iter().zip(&flanks.rotated).zip(cell.places);
+        // A grid follows edges along y only.
+        let edge = sides
+            .into_iter()
+            .find(|((created, _), place)| created.placed.on_edge(*place) && created.roles[0] == 0);
+        if let Some(((created, rotated), place)) = edge {
+            let (before, after) = (created.foot(place), rotated.foot(place));
+            // The edge may cross the slice obliquely.
+            let along = after.x_by_y_along_edge() * (after.at[1] - before.at[1]);
+            moment += force * (after.at[0] - before.at[0] - along);
+            on_edges += force;
         }
     }
-    (force_on_edges > 0.0).then(|| moment / force_on_edges)
+    (on_edges > 0.0).then(|| (moment / on_edges, on_edges / total))
 }
 
 /// Returns the cells of a slice that carry load, and their forces, N.
@@ -322,7 +348,7 @@ fn mean_slopes(
 /// across the slice, then along it. Near a rounded edge they are moved to the flank before it,
 /// since the edge's own normals are not those of the force.
 fn observers(patch: &LoadedPatch, side: usize, slice: &LoadedSlice) -> [Observer; 4] {
-    let foot = &slice.feet[side];
+    let foot = &slice.created[side];
     let Side { structure, chart, .. } = &patch.cells.sides[side];
     let last = structure.surface(chart.surface).edge_from().unwrap_or(f64::INFINITY);
     let reach = slice.step * (0..2).map(|axis| foot.place_by(axis)[0].abs()).fold(0.0, f64::max);

@@ -39,9 +39,11 @@ pub struct Cell {
     /// Length in the surface coordinate `v`, by side: `axial` on extruded surfaces.
     pub spans: [f64; 2],
     /// Average separation of the undeformed surfaces along the normal of the frame, m; negative for
-    /// overlap. It is averaged over a parallelogram if the contact line or an edge is oblique.
+    /// overlap. It is averaged over a parallelogram if the contact line or an edge is oblique, and
+    /// includes [`super::LineOfAction::gap_correction`] after the rotation of a body.
     pub gap: f64,
-    /// Point of action of the force, m: the nearest point of the contact line. The offset of the
+    /// Point of action of the force, m: the nearest point of the contact line, or that of
+    /// [`super::LineOfAction`]. The offset of the
     /// cell from the contact line and the rotation of its own normal are neglected together; on
     /// involutes they cancel, and on other conjugate flanks they do to first order.
     pub point: Vector,

@@ -54,8 +54,8 @@ pub struct BodyRotation {
 }
 
 impl BodyRotation {
-    /// Returns a pose of the body after the rotation.
-    pub fn of_pose(&self, pose: &Pose) -> Pose {
+    /// Returns a pose of the body, or of one of its teeth, after the rotation.
+    pub fn applied_to(&self, pose: &Pose) -> Pose {
         let rotation = Rotation3::new(self.angle * Vector3::from(self.axis));
         let rotated = |direction: Vector| <[f64; 3]>::from(rotation * Vector3::from(direction));
         let columns = [0, 1, 2].map(|column: usize| rotated(pose.rotation.map(|row| row[column])));

@@ -6,7 +6,7 @@ use super::friction::Action;
 use crate::modal::Modes;
 use crate::system::Teeth;
 use calyx_contact::assembly::Entries;
-use calyx_contact::problem::ContactProblem;
+use calyx_contact::problem::{ContactProblem, Solution};
 use calyx_numerics::error::EngineError;
 use faer::Mat;
 use nalgebra::DMatrix;
@@ -109,15 +109,15 @@ pub(super) trait ContactGeometry: Sync {
     /// Returns the growth of the gap of each cell by each DOF, row by row.
     fn arms(&self, candidate: &Candidate<Self::Site>, grid: &Self::Grid) -> Vec<f64>;
 
-    /// Returns grids whose cells act along the normals of the flanks that these forces deflect and
-    /// these motions of the DOFs rotate; `None` if neither affects directions.
+    /// Returns grids whose cells act along the normals of the flanks that a solution deflects and
+    /// rotates; `None` if this does not affect directions.
     ///
     /// # Errors
     /// Those of the interrupt.
     fn with_deflected_normals(
         &self,
         _laid: &[(&Candidate<Self::Site>, &Self::Grid)],
-        _under: (&[f64], &[f64]),
+        _solution: &Solution,
     ) -> Result<Option<Vec<Self::Grid>>, EngineError> {
         Ok(None)
     }

@@ -121,8 +121,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let unchanged = all.iter().map(|patch| !changed.contains(patch)).collect();
             if changed.is_empty() {
                 let laid: Vec<_> = candidates.iter().copied().zip(&grids).collect();
-                let under = (&solution.forces[..], &solution.motion[..]);
-                let Some(rotated) = self.space.with_deflected_normals(&laid, under)? else {
+                let Some(rotated) = self.space.with_deflected_normals(&laid, &solution)? else {
                     break (drags, problem, modal, solution);
                 };
                 (grids, active) = (rotated, Some(solution.active));

@@ -10,13 +10,13 @@ use crate::raceways::dense;
 use crate::system::{SolidBodies, System};
 use calyx_contact::assembly::Entries;
 use calyx_contact::grid::MARGIN;
-use calyx_contact::problem::ContactProblem;
+use calyx_contact::problem::{ContactProblem, Solution};
 use calyx_contact::solid::{
     self, BodyRotation, ContactLine, Grid, GridOptions, GridSize, LineOfAction, LoadedPatch, PatchCells,
     PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance, contact_modulus, find_contact_line,
     first_guess, fitting_size, grid_width, lines_of_action, pressures,
 };
-use calyx_model::dof::Dof;
+use calyx_model::dof::{Component, Dof};
 use calyx_model::motion::Orientation;
 use calyx_model::pairs::SurfacePair;
 use calyx_numerics::error::EngineError;
@@ -179,20 +179,19 @@ impl ContactGeometry for Solid<'_> {
     fn with_deflected_normals(
         &self,
         laid: &[(&Candidate<Site>, &Grid)],
-        (forces, motion): (&[f64], &[f64]),
+        solution: &Solution,
     ) -> Result<Option<Vec<Grid>>, EngineError> {
         if !laid.iter().any(|(candidate, _)| has_local_normals(self.pair(candidate))) {
             return Ok(None);
         }
         let mut loaded = Vec::with_capacity(laid.len());
-        let mut left = forces;
+        let mut left = &solution.forces[..];
         for (candidate, grid) in laid {
             let (forces, others) = left.split_at(grid.cells.len());
             left = others;
             let Some(cells) = self.patch_cells(candidate, grid) else { return Ok(None) };
-            // Moment arms refer to the axes of the created grid, which other motions would move.
-            let about_axis = |side: usize| self.system.moved(cells.sides[side].body, motion)[5];
-            let rotations = [0, 1].map(|side: usize| candidate.site.rotation(side, about_axis(side)));
+            let angles = self.sole_rotations(cells.sides.map(|side| side.body), &solution.motion);
+            let rotations = [0, 1].map(|side: usize| candidate.site.rotation(side, angles[side]));
             loaded.push(LoadedPatch { cells, rotations, slices: &grid.slices, forces });
         }
         let lines = lines_of_action(&loaded, &self.system.interrupt)?;
@@ -401,6 +400,20 @@ impl Solid<'_> {
             [Some(first), Some(second)] => contact_modulus(first, second),
             _ => f64::INFINITY,
         }
+    }
+
+    /// Returns the rotations of the bodies of a pair about their axes if one can only rotate and
+    /// the other has no DOF, rad. They are zero otherwise, since other motions may cancel the
+    /// displacement of the contact by a rotation.
+    fn sole_rotations(&self, bodies: [usize; 2], motion: &[f64]) -> [f64; 2] {
+        let of = |body: usize| self.system.dofs.iter().filter(move |dof| dof.body == body);
+        let about_axis = |dof: &Dof| dof.component == Component::ThetaZ as usize;
+        let is_sole = bodies.iter().any(|&body| of(body).count() == 0)
+            && bodies.iter().all(|&body| of(body).all(about_axis));
+        bodies.map(|body| match is_sole {
+            true => self.system.moved(body, motion)[Component::ThetaZ as usize],
+            false => 0.0,
+        })
     }
 
     /// Returns the growth of the gap at a point of a patch by each DOF, m per m or rad.
