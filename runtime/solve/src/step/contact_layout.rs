@@ -1,6 +1,7 @@
 //! Positions of bodies at which the contact grid is created: that of unloaded frames, after closing
 //! backlash, and after relinearization where the load displaces bodies, until it converges. Gaps
-//! are linear in the motions about it.
+//! are linear in the motions about it, except the rotation of a single body on general axes
+//! (`calyx_contact::solid::lines_of_action`).
 //!
 //! See `docs/theory/equilibrium.md`.
 

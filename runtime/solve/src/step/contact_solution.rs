@@ -88,7 +88,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let mut known: Option<KnownCompliance> = None;
         let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
-        // Active set of the grids without the rotation of their normals by the deflection.
+        // Active set of the grids without the rotation of their normals.
         let mut active: Option<Vec<usize>> = None;
         let (drags, problem, modal, solution) = loop {
             let patches = self.patch_cells(candidates, &grids);
