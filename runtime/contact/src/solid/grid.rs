@@ -42,10 +42,10 @@ pub struct Cell {
     /// overlap. It is averaged over a parallelogram if the contact line or an edge is oblique, and
     /// includes [`super::LineOfAction::gap_correction`] after the rotation of a body.
     pub gap: f64,
-    /// Point of action of the force, m: the nearest point of the contact line, or that of
-    /// [`super::LineOfAction`]. The offset of the
-    /// cell from the contact line and the rotation of its own normal are neglected together; on
-    /// involutes they cancel, and on other conjugate flanks they do to first order.
+    /// Point of action of the force, m: that of [`super::LineOfAction`] with local normals, else the
+    /// nearest point of the contact line. The offset of the cell from the contact line and the
+    /// rotation of its own normal are then neglected together; on involutes they cancel, and on
+    /// other conjugate flanks they do to first order.
     pub point: Vector,
     /// Slopes along x and y of the surface between both flanks there, for the direction of the
     /// force ([`PatchFrame::action`]); zero without [`GridOptions::local_normals`].
