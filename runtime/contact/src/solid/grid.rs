@@ -42,8 +42,8 @@ pub struct Cell {
     /// overlap. It is averaged over a parallelogram if the contact line or an edge is oblique, and
     /// includes [`super::LineOfAction::gap_correction`] after the rotation of a body.
     pub gap: f64,
-    /// Point of action of the force, m: that of [`super::LineOfAction`] with local normals, else the
-    /// nearest point of the contact line. The offset of the cell from the contact line and the
+    /// Point of action of the force, m: that of [`super::LineOfAction`] with local normals, else
+    /// the nearest point of the contact line. The offset of the cell from the contact line and the
     /// rotation of its own normal are then neglected together; on involutes they cancel, and on
     /// other conjugate flanks they do to first order.
     pub point: Vector,
