@@ -193,3 +193,61 @@ impl PatchFrame {
         Self { point, normal, across, along: cross(normal, across) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const POSE: Pose =
+        Pose { rotation: [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], origin: [0.03, -0.02, 0.05] };
+    const POINT: Vector = [0.01, 0.04, -0.02];
+
+    fn rotation(angle: f64) -> BodyRotation {
+        BodyRotation { origin: [0.02, 0.01, -0.03], axis: unit([1.0, -2.0, 2.0]), angle }
+    }
+
+    fn apart(first: Vector, second: Vector) -> f64 {
+        length(minus(first, second))
+    }
+
+    #[test]
+    fn a_rotation_moves_points_of_a_body_about_the_axis() {
+        for angle in [0.0, 1e-3, -0.7, 2.5] {
+            let rotation = rotation(angle);
+            let BodyRotation { origin, axis, .. } = rotation;
+            let (before, after) = (POSE.point(POINT), rotation.applied_to(&POSE).point(POINT));
+            // Heights along the axis, distances from it, and the angle between both.
+            let radial = |point: Vector| {
+                let from = minus(point, origin);
+                minus(from, scaled(axis, dot(from, axis)))
+            };
+            assert!(dot(minus(after, before), axis).abs() < 1e-16);
+            let [from, to] = [radial(before), radial(after)];
+            let found = dot(cross(from, to), axis).atan2(dot(from, to));
+            assert!((length(from) - length(to)).abs() < 1e-16 && (found - angle).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn the_displacement_is_that_of_a_small_rotation() {
+        for angle in [1e-3, -1e-4] {
+            let rotation = rotation(angle);
+            let before = POSE.point(POINT);
+            let exact = minus(rotation.applied_to(&POSE).point(POINT), before);
+            // The next term of the series is half of the square of the angle times the distance.
+            let error = apart(rotation.displacement(before), exact);
+            let distance = length(cross(rotation.axis, minus(before, rotation.origin)));
+            assert!((error / (0.5 * angle * angle * distance) - 1.0).abs() < 1e-3, "{error:e}");
+        }
+    }
+
+    #[test]
+    fn rotations_about_the_same_axis_add_up() {
+        let twice = rotation(0.3).applied_to(&rotation(0.4).applied_to(&POSE));
+        let sum = rotation(0.7).applied_to(&POSE);
+        assert!(apart(twice.point(POINT), sum.point(POINT)) < 1e-16);
+        // Directions are those of differences of points.
+        let of_points = minus(sum.point(POINT), sum.point([0.0; 3]));
+        assert!(apart(sum.direction(POINT), of_points) < 1e-16);
+    }
+}
