@@ -34,7 +34,7 @@ const GEAR: BodyId = BodyId(1);
 const MEDIUM: Fidelity = Fidelity::Solid(Template::Medium);
 /// Positions within a mesh cycle.
 const PARTS: [f64; 5] = [0.05, 0.2, 0.35, 0.5, 0.65];
-/// Number of positions of a mesh cycle. The mean over so few deviates by up to 4e-6 from that over
+/// Number of positions of a mesh cycle. The mean over so few deviates by up to 3e-6 from that over
 /// many positions, because the torque of the gear changes fast where an edge enters contact.
 const POSITIONS: u32 = 64;
 /// Half of the distance of two positions whose difference is a rate, in mesh cycles.
@@ -267,7 +267,7 @@ fn a_vanishing_load_on_an_edge_does_no_work_on_rigid_teeth() {
 /// Without deflected normals the difference is 2e-4 (hypoid) and 5e-4 (spiral) at 10 N m, and 1e-4
 /// at positions where an edge carries load if the slopes along an oblique edge are a mean of those
 /// of the edge and of the flank. If forces act along the lines of the position where the contact
-/// grid is created, it is 3e-5 at 50 N m (hypoid). The number of slices limits it.
+/// grid is created, it is 3e-5 at 50 N m (hypoid).
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal() {
     let cases = [
@@ -308,8 +308,8 @@ fn the_work_at_both_shafts_is_nearly_equal_if_the_gear_is_free() {
     assert!(mean.abs() < 1e-5, "{mean:e}");
 }
 
-/// Where flanks carry the load, the torque of the gear does not depend on the position from which
-/// the rotation of the pinion is measured.
+/// The torque of the gear does not depend on the position from which the rotation of the pinion is
+/// measured. Grids resolve positions where an edge carries load less exactly.
 #[test]
 fn torques_are_the_same_if_the_grid_is_created_where_flanks_touch() {
     let pair = spiral(50.0);
