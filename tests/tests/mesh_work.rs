@@ -66,8 +66,8 @@ impl Pair {
         Pair { scene: scene_of(example, &given), teeth, torque }
     }
 
-    /// Rotates the teeth of the pinion by an angle in its sense, rad, so that contact grids are
-    /// created there.
+    /// Returns the pair with the teeth of the pinion rotated by an angle in its sense, rad, so that
+    /// contact grids are created there.
     fn advanced(&self, angle: f64) -> Pair {
         let mut scene = self.scene.clone();
         scene.bodies[0].phase += self.sense() * angle;
@@ -284,8 +284,8 @@ fn the_work_at_both_shafts_is_nearly_equal() {
     }
 }
 
-/// The same with the rotation of the pinion prescribed and the load on the gear, of which the
-/// pinion's torque is the reaction.
+/// The same if the rotation of the pinion is prescribed and the load acts on the gear, so that the
+/// torque of the pinion is a reaction. The pinion's axis is z of the ground, the gear's is x.
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal_if_the_gear_is_free() {
     let pair = hypoid(50.0);
@@ -309,7 +309,7 @@ fn the_work_at_both_shafts_is_nearly_equal_if_the_gear_is_free() {
 }
 
 /// The torque of the gear does not depend on the position from which the rotation of the pinion is
-/// measured. Grids resolve positions where an edge carries load less exactly.
+/// measured. Torques are compared where flanks carry the load: on edges their error is larger.
 #[test]
 fn torques_are_the_same_if_the_grid_is_created_where_flanks_touch() {
     let pair = spiral(50.0);
@@ -328,23 +328,24 @@ fn torques_are_the_same_if_the_grid_is_created_where_flanks_touch() {
     assert!(on_flanks > 2, "edges carry load at most positions");
 }
 
-/// The same at many positions, and on finer grids: M, N and number of positions.
+/// The work at both shafts over many positions, also on finer grids.
 #[test]
 #[ignore = "takes many minutes: `.ci/full work`"]
 fn the_work_at_both_shafts_is_nearly_equal_at_many_positions() {
+    let default = [10, 8];
     let cases = [
-        ("spiral, 10 N m", spiral(10.0), [10, 8, 512]),
-        ("spiral, 50 N m", spiral(50.0), [10, 8, 512]),
-        ("hypoid, 10 N m", hypoid(10.0), [10, 8, 512]),
-        ("hypoid, 50 N m", hypoid(50.0), [10, 8, 512]),
-        ("spiral, 10 N m, twice as many slices", spiral(10.0), [10, 16, 256]),
-        ("spiral, 10 N m, twice as many cells of a slice", spiral(10.0), [20, 8, 256]),
+        ("spiral, 10 N m", spiral(10.0), default, 512, 4e-6),
+        ("spiral, 50 N m", spiral(50.0), default, 512, 5e-6),
+        ("hypoid, 10 N m", hypoid(10.0), default, 512, 7e-6),
+        ("hypoid, 50 N m", hypoid(50.0), default, 512, 7e-6),
+        ("spiral, 10 N m, twice as many slices", spiral(10.0), [10, 16], 256, 3e-6),
+        ("spiral, 10 N m, twice as many cells of a slice", spiral(10.0), [20, 8], 256, 3e-6),
     ];
-    for (name, mut pair, [half_cells, half_slices, positions]) in cases {
+    for (name, mut pair, [half_cells, half_slices], positions, bound) in cases {
         let grid = &mut pair.scene.pairs[0].grid;
         (grid.half_cells, grid.half_slices) = (Some(half_cells), half_slices);
-        let mean = pair.mean_torque_excess(&pair.system(Fidelity::Analytic), positions as u32);
+        let mean = pair.mean_torque_excess(&pair.system(Fidelity::Analytic), positions);
         println!("{name}: {mean:e}");
-        assert!(mean.abs() < 7e-6, "{name}: {mean:e}");
+        assert!(mean.abs() < bound, "{name}: {mean:e}");
     }
 }

@@ -221,10 +221,10 @@ mod tests {
                 let from = minus(point, origin);
                 minus(from, scaled(axis, dot(from, axis)))
             };
-            assert!(dot(minus(after, before), axis).abs() < 1e-16);
+            assert!(dot(minus(after, before), axis).abs() < 1e-15);
             let [from, to] = [radial(before), radial(after)];
             let found = dot(cross(from, to), axis).atan2(dot(from, to));
-            assert!((length(from) - length(to)).abs() < 1e-16 && (found - angle).abs() < 1e-14);
+            assert!((length(from) - length(to)).abs() < 1e-15 && (found - angle).abs() < 1e-14);
         }
     }
 
@@ -245,9 +245,9 @@ mod tests {
     fn rotations_about_the_same_axis_add_up() {
         let twice = rotation(0.3).applied_to(&rotation(0.4).applied_to(&POSE));
         let sum = rotation(0.7).applied_to(&POSE);
-        assert!(apart(twice.point(POINT), sum.point(POINT)) < 1e-16);
+        assert!(apart(twice.point(POINT), sum.point(POINT)) < 1e-15);
         // Directions are those of differences of points.
         let of_points = minus(sum.point(POINT), sum.point([0.0; 3]));
-        assert!(apart(sum.direction(POINT), of_points) < 1e-16);
+        assert!(apart(sum.direction(POINT), of_points) < 1e-15);
     }
 }
