@@ -34,8 +34,8 @@ const GEAR: BodyId = BodyId(1);
 const MEDIUM: Fidelity = Fidelity::Solid(Template::Medium);
 /// Positions within a mesh cycle.
 const PARTS: [f64; 5] = [0.05, 0.2, 0.35, 0.5, 0.65];
-/// Number of positions of a mesh cycle. The mean over so few deviates by up to 3e-6 from that over
-/// many positions, because the torque of the gear changes fast where an edge enters contact.
+/// Number of positions for means over a mesh cycle. These means differ by up to 3e-6 from those over
+/// 512 positions, because the torque varies rapidly where an edge enters contact.
 const POSITIONS: u32 = 64;
 /// Half of the distance of two positions whose difference is a rate, in mesh cycles.
 const STEP: f64 = 2e-3;
@@ -284,8 +284,10 @@ fn the_work_at_both_shafts_is_nearly_equal() {
     }
 }
 
-/// The same if the rotation of the pinion is prescribed and the load acts on the gear, so that the
-/// torque of the pinion is a reaction. The pinion's axis is z of the ground, the gear's is x.
+/// The pinion rotates uniformly, and a constant torque brakes the free gear. The deviation of the
+/// gear and the strain energy are periodic, so the mean torque of the pinion is `i T2`. Without the
+/// rotation of the gear in lines of action the difference is 1.3e-5. The pinion's axis is z of the
+/// ground, the gear's is x.
 #[test]
 fn the_work_at_both_shafts_is_nearly_equal_if_the_gear_is_free() {
     let pair = hypoid(50.0);
@@ -310,6 +312,7 @@ fn the_work_at_both_shafts_is_nearly_equal_if_the_gear_is_free() {
 
 /// The torque of the gear does not depend on the position from which the rotation of the pinion is
 /// measured. Torques are compared where flanks carry the load: on edges their error is larger.
+/// Without the rotation in lines of action the difference is up to 6e-6.
 #[test]
 fn torques_are_the_same_if_the_grid_is_created_where_flanks_touch() {
     let pair = spiral(50.0);
@@ -321,8 +324,8 @@ fn torques_are_the_same_if_the_grid_is_created_where_flanks_touch() {
         let there = advanced.state(&advanced.system(Fidelity::Analytic), part);
         let (rest, torque) = (there.deviation, there.torque_excess - state.torque_excess);
         println!("at {part}: rotation {:e}, rest {rest:e}, torque {torque:e}", state.deviation);
-        assert!(rest.abs() < 1e-3 * state.deviation, "at {part}: {rest:e}");
-        assert!(state.on_edge || torque.abs() < 5e-6, "at {part}: {torque:e}");
+        assert!(rest.abs() < 1e-3 * state.deviation.abs(), "at {part}: {rest:e}");
+        assert!(state.on_edge || torque.abs() < 3e-6, "at {part}: {torque:e}");
         on_flanks += u32::from(!state.on_edge);
     }
     assert!(on_flanks > 2, "edges carry load at most positions");
