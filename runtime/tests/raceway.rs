@@ -187,7 +187,7 @@ fn rollers_displace_the_raceway_as_on_the_whole_mesh() {
         assert!(step.certificate.largest() < 1e-10, "{:?}", step.certificate);
         let [raceway] = &step.raceways[..] else { panic!("one raceway") };
         let angle = |roller: usize| azimuth + TAU * roller as f64 / ROLLERS as f64;
-        let forces: Vec<f64> = raceway.loads.chunks(2).map(|load| load[0]).collect();
+        let forces: Vec<f64> = raceway.loads.chunks(3).map(|load| load[0]).collect();
         let moved: Vec<f64> = raceway.displacement.iter().map(|moved| moved[0]).collect();
         let largest = forces.iter().copied().fold(0.0, f64::max);
         let loaded = forces.iter().filter(|force| **force > 0.0).count();

@@ -6,7 +6,7 @@ use crate::bearing_externs::Mounting;
 use crate::host::{ModelHost, shown};
 use calyx_runtime::bearing::Support;
 use calyx_runtime::motion::spatial_pose;
-use calyx_runtime::rolling::{Elements, RollingBearing, Row};
+use calyx_runtime::rolling::{Elements, Ring, RollingBearing, Row};
 use calyx_runtime::scene::BodyId;
 
 /// Difference between a diameter and that of its seat, relative to it, from which it is reported.
@@ -126,7 +126,7 @@ fn raceways(rows: &RollingBearing) -> [f64; 2] {
                 [rollers.geometry().roller_diameter, rollers.contact_angles()[1].cos()]
             }
         };
-        [row.pitch_diameter() - diameter * cosine, 2.0 * row.outer_contact().radius]
+        [row.pitch_diameter() - diameter * cosine, 2.0 * row.contact(Ring::Outer).radius]
     };
     rows.rows().iter().map(of).fold([f64::INFINITY, 0.0], |all, row| [all[0].min(row[0]), all[1].max(row[1])])
 }

@@ -1,28 +1,28 @@
 //! Gears whose bore and elastic bodies whose seats are raceways of bearings: whether rolling
-//! elements run in them, and whether they fit.
+//! elements run on them, and whether they fit.
 
 use crate::error::Severity;
 use crate::host::{Finding, ModelHost, shown};
 use calyx_abi::RuntimeError;
 use calyx_runtime::analyses::Analysis;
-use calyx_runtime::bearing::{Bearing, InBore, RacewayCylinder, Support};
+use calyx_runtime::bearing::{Bearing, OnCylinder, RacewayCylinder, Ring, Support};
 use calyx_runtime::connection::Seat;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::ids::BodyId;
 use calyx_runtime::rolling::Elements;
 use calyx_runtime::structure::BoreSupport;
 
-/// Part of a size by which a bore may exceed the raceway of its elements, and these the bore,
-/// without a warning.
+/// Part of a size by which a cylinder may exceed the raceway of its elements, and these the
+/// cylinder, without a warning.
 const FIT: f64 = 0.01;
-/// Diameter of a seat relative to the raceway of its elements from which an outer ring between them
-/// is no longer thin.
+/// Ratio of the diameters of a seat and of the raceway of its elements, the larger divided by the
+/// smaller, from which a ring between them is no longer thin.
 const THICK_RING: f64 = 1.5;
 
-/// Checks the raceways in the bores of gears, and adds warnings to the findings.
+/// Checks the raceways in the bores of gears and on seats, and adds warnings to the findings.
 ///
 /// # Errors
-/// E0687: a bearing is not coaxial with the bore. E0669: its elements run outside it.
+/// E0687: a bearing is not coaxial with its raceway. E0669: its elements run outside it.
 pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> Result<(), RuntimeError> {
     let mut found = Vec::new();
     for body in 0..host.scene.bodies.len() {
@@ -59,21 +59,24 @@ struct Bore {
 }
 
 impl Bore {
-    /// Returns warnings about the bearings in the bore.
+    /// Returns warnings about the bearings on the raceway.
     fn check(&self, host: &ModelHost, analysis: &dyn Analysis) -> Result<Vec<EngineError>, RuntimeError> {
         let body = self.cylinder.body;
-        let inside: Vec<usize> = (0..host.scene.bearings.len())
-            .filter(|&bearing| host.scene.bearings[bearing].outer_body() == Some(body))
-            .collect();
+        // Elements outside of a gear run on its teeth.
+        let rings = if self.of_gear { &[Ring::Outer][..] } else { &[Ring::Outer, Ring::Inner] };
+        let on = host.scene.bearings.iter().enumerate().filter_map(|(index, bearing)| {
+            Some((index, *rings.iter().find(|ring| bearing.body_of(**ring) == Some(body))?))
+        });
+        let bearings: Vec<(usize, Ring)> = on.collect();
         let mut found = Vec::new();
-        if inside.is_empty() {
+        if bearings.is_empty() {
             found.push(self.no_bearing(host));
         } else if analysis.has_inertia() {
             let message = format!("the raceway in {} is rigid in a dynamic analysis", self.name(host));
             let help = "find the loads of its rolling elements by a quasi-static analysis";
             found.push(EngineError::new("E0700", message, help).about(Subject::Body(body)));
         }
-        for bearing in inside {
+        for bearing in bearings {
             found.extend(self.misfit(host, bearing)?);
         }
         Ok(found)
@@ -102,7 +105,7 @@ impl Bore {
         EngineError::new("E0700", message, help).about(body)
     }
 
-    /// Returns the change with which a bearing that is mounted on the body would run in its bore.
+    /// Returns the change with which a bearing that is mounted on the body would run on its raceway.
     fn mounted(&self, host: &ModelHost) -> Option<String> {
         let is_on_body = |bearing: &&Bearing| {
             let is = |body: BodyId| body.0 == self.cylinder.body;
@@ -112,7 +115,7 @@ impl Bore {
             let name = &bearing.name;
             if bearing.linearization.is_some() {
                 Some(format!(
-                    "leave `linearized_at` out of bearing \"{name}\" if this is its outer raceway: a linearized bearing has no elements"
+                    "leave `linearized_at` out of bearing \"{name}\" if this is its raceway: a linearized bearing has no elements"
                 ))
             } else {
                 let ring = if bearing.rolling()?.is_inverted() { "inner" } else { "outer" };
@@ -145,10 +148,14 @@ impl Bore {
     /// Returns warnings about a bearing that does not fit.
     ///
     /// # Errors
-    /// E0687: it is not coaxial with the bore. E0669: its elements run outside it.
-    fn misfit(&self, host: &ModelHost, bearing: usize) -> Result<Vec<EngineError>, RuntimeError> {
+    /// E0687: it is not coaxial with its raceway. E0669: its elements run outside it.
+    fn misfit(
+        &self,
+        host: &ModelHost,
+        (bearing, ring): (usize, Ring),
+    ) -> Result<Vec<EngineError>, RuntimeError> {
         let own: &Bearing = &host.scene.bearings[bearing];
-        let placed = InBore::at(&host.scene.bodies, own, &self.cylinder, 0.0);
+        let placed = OnCylinder::at(&host.scene.bodies, own, &self.cylinder, 0.0);
         let placed = placed.map_err(|error| match self.of_gear {
             true => host.engine_error(error),
             false => host.engine_error(error.about(Subject::Bearing(bearing))),
@@ -163,8 +170,8 @@ impl Bore {
                 Elements::Balls(_) => ("balls", "ball_diameter"),
                 Elements::Rollers(_) => ("rollers", "roller_diameter"),
             };
-            let contact = row.outer_contact();
-            let (diameter, size) = (2.0 * contact.radius, 2.0 * self.cylinder.radius);
+            let contact = row.contact(ring);
+            let diameter = 2.0 * contact.radius;
             let middle = placed.z + placed.sense * (row.position + contact.position);
             let half = 0.5 * contact.width;
             let beyond = (middle + half - self.ends[1]).max(self.ends[0] - middle + half);
@@ -173,33 +180,7 @@ impl Bore {
             if width > 0.0 && outside > FIT * width {
                 return Err(self.runs_outside(host, bearing, (elements, mm(outside))));
             }
-            // That they need a larger bore of a gear is reported with the sizes of all bearings.
-            let largest = if self.of_gear { 1.0 + FIT } else { THICK_RING };
-            if size > largest * diameter {
-                let help = match self.of_gear {
-                    true => format!(
-                        "let the {elements} run in the bore: correct `pitch_diameter`, `{size_of_element}` or the `inner_diameter` of the rim"
-                    ),
-                    false => "mesh the ring with the housing and attach its raceway, or attach the seat with `how = \"average\"`".into(),
-                };
-                let message = format!(
-                    "{bore} has a diameter of {}, and the {elements} of bearing \"{name}\" need a raceway of {}: a ring between them is not modelled",
-                    mm(size),
-                    mm(diameter)
-                );
-                found.push((message, help));
-            }
-            if !self.of_gear && size < (1.0 - FIT) * diameter {
-                let message = format!(
-                    "{bore} has a diameter of {}, and the {elements} of bearing \"{name}\" need a raceway of {}",
-                    mm(size),
-                    mm(diameter)
-                );
-                found.push((
-                    message,
-                    format!("correct the diameter of the region, `pitch_diameter` or `{size_of_element}`"),
-                ));
-            }
+            found.extend(self.wrong_size(host, (bearing, ring), (elements, size_of_element), diameter));
             if width > 0.0 && beyond > FIT * width {
                 let help = match self.of_gear {
                     true => {
@@ -218,5 +199,43 @@ impl Bore {
             EngineError::new("E0669", message, help).about(Subject::Bearing(bearing))
         };
         Ok(found.into_iter().map(warning).collect())
+    }
+
+    /// Returns the warning about a cylinder whose size is not that of the raceway of the elements,
+    /// with this diameter (m), and its remedy.
+    fn wrong_size(
+        &self,
+        host: &ModelHost,
+        (bearing, ring): (usize, Ring),
+        (elements, size_of_element): (&str, &str),
+        diameter: f64,
+    ) -> Option<(String, String)> {
+        let size = 2.0 * self.cylinder.radius;
+        let mm = |metres: f64| shown(metres, host.length_unit);
+        let (name, cylinder) = (&host.scene.bearings[bearing].name, self.name(host));
+        // A ring is between both where the outer one is in the elastic body or the inner one on it.
+        let ratio = if ring == Ring::Outer { size / diameter } else { diameter / size };
+        let is = format!(
+            "{cylinder} has a diameter of {}, and the {elements} of bearing \"{name}\" need a raceway of {}",
+            mm(size),
+            mm(diameter)
+        );
+        // That they need a larger bore of a gear is reported with the sizes of all bearings.
+        let most = if self.of_gear { 1.0 + FIT } else { THICK_RING };
+        if ratio > most {
+            let help = match (self.of_gear, ring) {
+                (true, _) => format!(
+                    "let the {elements} run in the bore: correct `pitch_diameter`, `{size_of_element}` or the `inner_diameter` of the rim"
+                ),
+                (false, Ring::Outer) => "mesh the ring with the housing and attach its raceway, or attach the seat with `how = \"average\"`".into(),
+                (false, Ring::Inner) => "mesh the ring with the shaft and attach its raceway, or attach the seat with `how = \"average\"`".into(),
+            };
+            Some((format!("{is}: a ring between them is not modelled"), help))
+        } else if !self.of_gear && ratio < 1.0 - FIT {
+            let help = format!("correct the diameter of the region, `pitch_diameter` or `{size_of_element}`");
+            Some((is, help))
+        } else {
+            None
+        }
     }
 }

@@ -1,8 +1,9 @@
-//! Rollers in the bore of a gear: turned as a whole, in equilibrium, on a stiff gear, with more
-//! terms, and in three dimensions.
+//! Rollers in the bore of a gear and on an elastic pin: rotated as a whole, in equilibrium, on a
+//! stiff gear or pin, with more terms, and in three dimensions.
 
-use crate::models::engine;
-use crate::rolling_bearings::{close, solved};
+use crate::models::{engine, ranges_with};
+use crate::rolling_bearings::close;
+use crate::seat_raceways::tube;
 use calyx::Module;
 use std::collections::BTreeMap;
 
@@ -20,6 +21,16 @@ struct Planet {
     turned: f64,
     /// Clearance, µm.
     clearance: f64,
+    pin: Option<Pin>,
+}
+
+/// Hollow pin of 34 mm and 42 mm in diameter, which is fixed 15 mm from its middle.
+#[derive(Clone, Copy)]
+struct Pin {
+    /// Connection of the surface under the needles.
+    how: &'static str,
+    /// Young's modulus, GPa.
+    modulus: f64,
 }
 
 const PLANET: Planet = Planet {
@@ -31,15 +42,33 @@ const PLANET: Planet = Planet {
     modulus: 206.0,
     turned: 0.0,
     clearance: 20.0,
+    pin: None,
 };
 
 impl Planet {
     fn results(&self) -> BTreeMap<String, [f64; 2]> {
-        solved(&self.model())
+        let modulus = self.pin.map_or(206.0, |pin| pin.modulus);
+        ranges_with(&self.model(), &[("pin.bdf", &tube([17.0, 21.0], 15.0, modulus))])
     }
 
     fn model(&self) -> String {
-        let Planet { bore, fidelity, harmonics, degree, estimates, modulus, turned, clearance } = self;
+        let Planet { bore, fidelity, harmonics, degree, estimates, modulus, turned, clearance, pin } = self;
+        // Azimuths count from the x axis of the body that the bearing is mounted on.
+        let (pin, on_pin, azimuth) = match pin {
+            None => (String::new(), "", "turned"),
+            Some(Pin { how, .. }) => (
+                format!(
+                    "var pin = gears.nastran(\"pin\", \"pin.bdf\", units = \"N-mm-s\", frame := Translate(52.05 mm * e1) * Rotate(turned, e3));
+gears.attachment(\"front\", pin, gears.plane_region(15 mm * e3, e3), fixed = TRUE);
+gears.attachment(\"back\", pin, gears.plane_region(-15 mm * e3, e3), fixed = TRUE);
+var seat = gears.attachment(\"seat\", pin,
+    gears.cylinder_region(0 mm * e3, e3, radius = 21 mm, from = -11.5 mm, to = 11.5 mm), how = \"{how}\");
+"
+                ),
+                "to = seat, ",
+                "0 deg",
+            ),
+        };
         let series = match *bore {
             "raceway" => format!(", bore_harmonics = {harmonics}, bore_axial_degree = {degree}"),
             _ => String::new(),
@@ -56,8 +85,8 @@ var pinion = gears.body(\"pinion\", gears.external(teeth = 20, rack = rack, face
 var rim = gears.simple_rim(diameter = 57 mm, inner_diameter = 50 mm, bore = \"{bore}\"{series});
 var planet = gears.body(\"planet\", gears.external(teeth = 32, rack = rack, face_width = 20 mm, material = own, rim = rim),
     free = [\"u_x\", \"u_y\"], frame := Rotate(-100 rpm * 20 / 32 * Time, e3) * Translate(52.05 mm * e1) * Rotate(turned, e3));
-var needles = gears.needle_bearing(\"needles\", planet, ring = \"outer\", count = 22, roller_diameter = 4 mm, roller_length = 18 mm,
-    pitch_diameter = 46 mm, clearance = {clearance} um, azimuth = turned, ring_material = own);
+{pin}var needles = gears.needle_bearing(\"needles\", planet, {on_pin}ring = \"outer\", count = 22, roller_diameter = 4 mm, roller_length = 18 mm,
+    pitch_diameter = 46 mm, clearance = {clearance} um, azimuth = {azimuth}, ring_material = own);
 var mesh = gears.mesh(pinion, planet);
 output transmission_error := gears.transmission_error(mesh);
 output x := gears.bearing_force(needles, \"x\");
@@ -132,6 +161,37 @@ fn clearance_opens_and_closes_continuously() {
         let steps: Vec<f64> = values.windows(2).map(|two| two[1] - two[0]).collect();
         let largest = steps.iter().map(|step| step.abs()).fold(0.0, f64::max);
         assert!(largest < 0.1 * values[0].abs(), "{name}: {values:?}");
+    }
+}
+
+const PIN: Pin = Pin { how: "raceway", modulus: 206.0 };
+
+#[test]
+fn needles_on_an_elastic_pin_balance_the_teeth() {
+    let of = |turned| Planet { fidelity: "medium", turned, pin: Some(PIN), ..PLANET }.results();
+    let [own, turned] = [0.0, 37.0].map(of);
+    let force = own["x"][0].hypot(own["y"][0]);
+    close("balance", force, own["mesh_force"][0], 1e-8, 0.0);
+    for name in SCALARS {
+        close(name, turned[name][0], own[name][0], 1e-7, 0.0);
+    }
+}
+
+/// The results of stiff pins approach those of a rigid inner ring as the compliance vanishes. A hollow
+/// pin of steel becomes oval.
+#[test]
+fn a_stiff_pin_has_the_loads_of_a_rigid_raceway() {
+    let of =
+        |how, modulus| Planet { fidelity: "medium", pin: Some(Pin { how, modulus }), ..PLANET }.results();
+    let difference = |modulus: f64, name: &str| {
+        let [rigid, elastic] = ["average", "raceway"].map(|how| of(how, modulus)[name][0]);
+        (elastic - rigid) / rigid
+    };
+    for name in ["largest", "pressure", "stress"] {
+        let [less, more, steel] = [9e5, 9e4, 206.0].map(|modulus| difference(modulus, name));
+        println!("{name}: {:.1} % with a pin of steel", 100.0 * steel);
+        assert!(less.abs() < 3e-3, "{name}: {less}");
+        assert!((more / less - 10.0).abs() < 1.0, "{name}: {less} {more}");
     }
 }
 

@@ -11,19 +11,20 @@ use std::fmt::Write;
 const AROUND: usize = 96;
 const ALONG: usize = 8;
 
-/// A tube of 40 mm and 46 mm in diameter from z = -40 mm to 40 mm, as a bulk data deck.
-fn tube() -> String {
-    let mut deck = String::from("BEGIN BULK\nMAT1,1,206000.,,0.3,7.85-9\nPSOLID,1,1\n");
+/// A tube with these radii inside and outside that extends as far to both sides of z = 0 (mm), with
+/// this Young's modulus (GPa), as a bulk data deck.
+pub fn tube([inside, outside]: [f64; 2], half: f64, modulus: f64) -> String {
+    let mut deck = format!("BEGIN BULK\nMAT1,1,{:e},,0.3,7.85-9\nPSOLID,1,1\n", 1e3 * modulus);
     let index = |i: usize, j: usize, k: usize| 1 + i % AROUND + AROUND * (j + 3 * k);
     for k in 0..=ALONG {
         for j in 0..3 {
             for i in 0..AROUND {
                 let (sine, cosine) = (TAU * i as f64 / AROUND as f64).sin_cos();
-                let radius = 20.0 + 1.5 * j as f64;
-                let z = -40.0 + 10.0 * k as f64;
+                let radius = inside + 0.5 * (outside - inside) * j as f64;
+                let z = half * (2.0 * k as f64 / ALONG as f64 - 1.0);
                 writeln!(
                     deck,
-                    "GRID,{},,{:.12},{:.12},{z:.1}",
+                    "GRID,{},,{:.12},{:.12},{z:.6}",
                     index(i, j, k),
                     radius * cosine,
                     radius * sine
@@ -82,7 +83,7 @@ const HOUSING: Housing =
 
 impl Housing {
     fn results(&self) -> BTreeMap<String, [f64; 2]> {
-        ranges_with(&self.model(), &[("tube.bdf", &tube())])
+        ranges_with(&self.model(), &[("tube.bdf", &tube([20.0, 23.0], 40.0, 206.0))])
     }
 
     fn model(&self) -> String {

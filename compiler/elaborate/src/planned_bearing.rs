@@ -2,7 +2,7 @@
 
 use crate::shown::rounded;
 use calyx_gears::host::ModelHost;
-use calyx_runtime::bearing::{Bearing, Linearization, RANGE_TOLERANCE, Support};
+use calyx_runtime::bearing::{Bearing, Linearization, RANGE_TOLERANCE, Ring, Support};
 use calyx_runtime::connection::ElasticConnection;
 use calyx_runtime::plan::Plan;
 use calyx_runtime::rolling::rating::bearing_capacity;
@@ -57,8 +57,8 @@ impl PlannedBearing {
                         if let Some(gear) = in_bore(host, plan, bearing) {
                             text += &format!("; elastic raceway in the bore of {}", name(BodyId(gear)));
                         }
-                        if let Some(seat) = in_seat(host, plan, bearing) {
-                            text += &format!("; elastic raceway in the seat {}", name(BodyId(seat)));
+                        for (ring, seat) in on_seats(host, plan, bearing) {
+                            text += &format!("; elastic {ring} raceway on the seat {}", name(BodyId(seat)));
                         }
                         Some(text)
                     }
@@ -83,20 +83,26 @@ impl PlannedBearing {
 
 /// Returns the index of the finite-element body whose bore is the raceway of a bearing.
 fn in_bore(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Option<usize> {
-    let body = bearing.outer_body()?;
+    let body = bearing.body_of(Ring::Outer)?;
     let gear = host.gears.get(host.body_gears.get(body).copied().flatten()?)?.cylindrical()?;
     let is_raceway = matches!(gear.rim.support, BoreSupport::Raceway { .. });
     let has_mesh = matches!(plan.fidelity, Fidelity::Plane | Fidelity::Solid(_));
     (is_raceway && has_mesh && !plan.bodies.get(body)?.left_out).then_some(body)
 }
 
-/// Returns the index of the attachment whose region is the raceway of a bearing.
-fn in_seat(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Option<usize> {
-    let body = bearing.outer_body().filter(|_| plan.fidelity.has_elastic_rollers())?;
-    let is_raceway = |connection: &ElasticConnection| connection.seats().iter().any(|seat| seat.body == body);
-    let planned = host.scene.connections.iter().zip(&plan.connections);
-    let mut modelled = planned.filter(|(_, planned)| !planned.left_out);
-    modelled.any(|(connection, _)| is_raceway(connection)).then_some(body)
+/// Returns the attachments whose regions are raceways of a bearing, by their indices among the
+/// bodies, with the rings.
+fn on_seats(host: &ModelHost, plan: &Plan, bearing: &Bearing) -> Vec<(&'static str, usize)> {
+    let has_seat = |body: usize| {
+        let is_raceway =
+            |connection: &ElasticConnection| connection.seats().iter().any(|seat| seat.body == body);
+        let planned = host.scene.connections.iter().zip(&plan.connections);
+        let mut modelled = planned.filter(|(_, planned)| !planned.left_out);
+        modelled.any(|(connection, _)| is_raceway(connection))
+    };
+    let rings = [("outer", Ring::Outer), ("inner", Ring::Inner)];
+    let on = rings.into_iter().filter_map(|(name, ring)| Some((name, bearing.body_of(ring)?)));
+    on.filter(|(_, body)| plan.fidelity.has_elastic_rollers() && has_seat(*body)).collect()
 }
 
 /// Describes a linearized bearing.

@@ -37,14 +37,15 @@ pub use load_curve::{LoadCurve, LoadCurves};
 pub use nonlinear::NonlinearLoad;
 pub use nonlinear_state::NonlinearState;
 pub use raceway::{
-    ElasticRaceway, HalfSpaceShare, InBore, RacewayCylinder, by_element, half_space_share, half_space_shares,
+    BodyRaceway, ElasticRaceways, HalfSpaceShare, OnCylinder, PlacedRaceway, RacewayCylinder, RacewayOwner,
+    SeatTerms, by_element, half_space_share, half_space_shares,
 };
 pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};
 pub use surface::marker;
 pub use tangent::{RacewayTangent, Tangent};
 
-pub use calyx_rolling::RacewayDisplacement;
+pub use calyx_rolling::{RacewayDisplacement, Ring};
 
 use crate::body::Body;
 use crate::dof::DOF_NAMES;

@@ -1,7 +1,7 @@
 //! Displacement of a roller on a half-space in the series of a raceway, against quadrature of
 //! Boussinesq's solution.
 
-use calyx_model::bearing::half_space_share;
+use calyx_model::bearing::{Ring, half_space_share};
 use calyx_rolling::bearing::Row;
 use calyx_rolling::{Material, Profile, RollerGeometry, RollerKind, RollerRow};
 use calyx_structure::Raceway;
@@ -75,7 +75,7 @@ fn the_half_space_share_is_that_of_quadrature() {
         let ends = [-0.5 * raceway_width, 0.5 * raceway_width];
         let raceway = Raceway { radius: RADIUS, ends, harmonics: HARMONICS, degree: 1 };
         let steel = Material::STEEL.youngs_modulus / (1.0 - Material::STEEL.poissons_ratio.powi(2));
-        let found = half_space_share(&row, (&raceway, steel), MIDDLE);
+        let found = half_space_share((&row, Ring::Outer), (&raceway, steel), MIDDLE);
         for i in 0..2 {
             for j in 0..2 {
                 let expected = share(width, [weights[i], weights[j]]);

@@ -3,7 +3,7 @@
 use crate::ball::{BallKind, BallRow, BallState, Motion};
 use crate::element::{Local, Response};
 use crate::error::{RollingError, finite};
-use crate::raceway::{OuterContact, RacewayDisplacement, RacewayLoad};
+use crate::raceway::{RacewayContact, RacewayDisplacement, RacewayLoad, Ring, displace};
 use crate::roller::{ContactModel, RollerKind, RollerRow, RollerStart, RollerState};
 use libm::{cos, sin};
 use std::f64::consts::TAU;
@@ -156,19 +156,31 @@ impl Row {
         ]
     }
 
-    /// Returns the contacts of the elements with the outer raceway.
-    pub fn outer_contact(&self) -> OuterContact {
+    /// Returns the contacts of the elements with the raceway of a ring.
+    pub fn contact(&self, ring: Ring) -> RacewayContact {
         let ([radius, position], angle, width) = match &self.elements {
             Elements::Balls(balls) => {
-                let (middle, angle) = balls.outer_contact();
+                let (middle, angle) = balls.raceway_contact(ring);
                 (middle, angle, 0.0)
             }
             Elements::Rollers(rollers) => {
-                let angle = rollers.angles[1];
-                (rollers.outer_contact, angle, rollers.geometry.length * cos(angle))
+                let index = usize::from(ring == Ring::Outer);
+                let angle = rollers.angles[index];
+                (rollers.raceway_contacts[index], angle, rollers.geometry.length * cos(angle))
             }
         };
-        OuterContact { radius, position: self.side() * position, angle, width }
+        RacewayContact { radius, position: self.side() * position, angle, width }
+    }
+
+    /// Returns the [`RacewayDisplacement`] at an element by the radial displacement of the raceway
+    /// of a ring in the middle of the contact ([`Row::contact`]), outwards, and by the derivative of
+    /// this displacement along the axis of the bearing (columns).
+    pub fn raceway_motions(&self, ring: Ring) -> [[f64; 2]; 3] {
+        let sign = match ring {
+            Ring::Inner => -1.0,
+            Ring::Outer => 1.0,
+        };
+        self.contact(ring).rigid_motions(self.side()).map(|row| row.map(|entry| sign * entry))
     }
 
     /// Returns the sense of the bearing's z axis in the plane of an element.
@@ -360,8 +372,9 @@ impl RollingBearing {
         Ok(self.evaluate_with(displacement, &[], motion, start)?.0)
     }
 
-    /// Computes load and stiffness like [`RollingBearing::evaluate`] on an outer raceway that is
-    /// displaced at each element, row by row. Also returns the loads of the elements on it.
+    /// Computes load and stiffness like [`RollingBearing::evaluate`] between raceways that are
+    /// displaced at each element, row by row. Also returns the loads of the elements on the outer
+    /// one.
     ///
     /// # Errors
     /// [`RollingError::Input`] if a displacement is not finite.
@@ -389,13 +402,13 @@ impl RollingBearing {
                 let projection = row.projection([cos(azimuth), sin(azimuth)]);
                 let mut ring = local(&projection, displacement, row.offset);
                 let moved = raceway.get(element);
-                moved.iter().for_each(|moved| row.outer_contact().displace(row.side(), &mut ring, moved));
+                moved.iter().for_each(|moved| displace(&mut ring, moved));
                 let response = match &row.elements {
                     Elements::Balls(balls) => balls.response(&ring, motion),
                     Elements::Rollers(rollers) => rollers.response(&ring, force, &mut start.rollers[element]),
                 };
                 evaluation.add(&projection, &response);
-                loads.extend(moved.map(|_| row.outer_contact().load(row.side(), &projection, &response)));
+                loads.extend(moved.map(|_| RacewayLoad::of(&projection, &response)));
                 element += 1;
             }
         }
@@ -414,8 +427,8 @@ impl RollingBearing {
         self.elements_with(displacement, &[], motion)
     }
 
-    /// Computes the states like [`RollingBearing::elements`] on an outer raceway that is displaced
-    /// at each element, row by row.
+    /// Computes the states like [`RollingBearing::elements`] between raceways that are displaced at
+    /// each element, row by row.
     ///
     /// # Errors
     /// [`RollingError::Input`] if a displacement is not finite.
@@ -435,7 +448,7 @@ impl RollingBearing {
                 let projection = row.projection([cos(azimuth), sin(azimuth)]);
                 let mut ring = local(&projection, displacement, row.offset);
                 let moved = raceway.get(states.len());
-                moved.iter().for_each(|moved| row.outer_contact().displace(row.side(), &mut ring, moved));
+                moved.iter().for_each(|moved| displace(&mut ring, moved));
                 let contacts = match &row.elements {
                     Elements::Balls(balls) => Contacts::Ball(balls.state(&ring, motion)),
                     Elements::Rollers(rollers) => {

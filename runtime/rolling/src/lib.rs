@@ -69,7 +69,7 @@ pub use bearing::{
 pub use equilibrium::{Conditions, Equilibrium};
 pub use error::RollingError;
 pub use material::Material;
-pub use raceway::{OuterContact, RacewayDisplacement, RacewayLoad};
+pub use raceway::{RacewayContact, RacewayDisplacement, RacewayLoad, Ring};
 pub use roller::{ContactModel, ElasticContact, Profile, Rib, RollerGeometry, RollerKind, RollerRow};
 
 /// Fingerprint of this crate's source.

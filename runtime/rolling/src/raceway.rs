@@ -1,30 +1,44 @@
-//! Outer raceway that is displaced at each element, in addition to a rigid ring.
+//! Raceways that are displaced at each element, in addition to rigid rings.
 //!
-//! Its displacement is radial: `v + s t` at the distance t along z from the middle of the contact of
-//! an element. A contact with the angle α to the radial direction sees the normal component
-//! `cos α (v + s ξ cos α)` at the distance ξ along the contact line. That is the displacement of a
-//! ring that moves radially by v and turns by `s cos² α` about the middle of the contact.
+//! The displacement of a raceway is radial: `v + s t` at the distance t along z from the middle of
+//! the contact of an element. A contact with the angle α to the radial direction sees the normal
+//! component `cos α (v + s ξ cos α)` at the distance ξ along the contact line. That is the
+//! displacement of a ring that moves radially by v and rotates by `s cos² α` about the middle of the
+//! contact. An element sees only the displacement of both rings relative to each other, so those of
+//! both raceways add up.
 
 use crate::element::{Local, Response};
 
-/// Displacement of the outer raceway at an element, in addition to that of a rigid ring: radial,
-/// outwards, in the middle of the contact ([`OuterContact`]), m; and its derivative along z.
-pub type RacewayDisplacement = [f64; 2];
-
-/// Load of an element on a raceway that is displaced.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RacewayLoad {
-    /// Force and moment conjugate to [`RacewayDisplacement`], N and N m.
-    pub force: [f64; 2],
-    /// Decrease of the force by the displacement of the raceway.
-    pub stiffness: [[f64; 2]; 2],
-    /// Derivatives of the force with respect to the displacement of the inner ring.
-    pub coupling: [[f64; 5]; 2],
+/// Ring of a rolling bearing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ring {
+    /// With the raceway inside of the elements.
+    Inner,
+    /// With the raceway around the elements.
+    Outer,
 }
 
-/// Contacts of the elements of a row with the outer raceway, without load.
+/// Displacement of the outer relative to the inner raceway at an element, in addition to that of
+/// rigid rings, in the axial plane of the element: radial, m; axial, m, positive along the z axis of
+/// a row that is not mirrored; rotation from axial to radial, rad.
+/// [`Row::raceway_motions`](crate::bearing::Row::raceway_motions) converts radial displacements of
+/// raceways to it.
+pub type RacewayDisplacement = [f64; 3];
+
+/// Load of an element between raceways that are displaced.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RacewayLoad {
+    /// Forces and moment conjugate to [`RacewayDisplacement`], N and N m.
+    pub force: [f64; 3],
+    /// Decrease of the force by the displacement of the raceways.
+    pub stiffness: [[f64; 3]; 3],
+    /// Derivatives of the force with respect to the displacement of the inner ring.
+    pub coupling: [[f64; 5]; 3],
+}
+
+/// Contacts of the elements of a row with a raceway, without load.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OuterContact {
+pub struct RacewayContact {
     /// Radius of the middle of the contact, m: of the bottom of the groove of deep groove and
     /// four-point bearings.
     pub radius: f64,
@@ -36,39 +50,33 @@ pub struct OuterContact {
     pub width: f64,
 }
 
-impl OuterContact {
-    /// Returns the displacement of a rigid outer ring in the plane of an element that has the same
-    /// effect on the contact: columns by [`RacewayDisplacement`]. `side` is the sense of the
-    /// bearing's z axis in this plane.
-    fn rigid(&self, side: f64) -> [[f64; 2]; 3] {
-        let OuterContact { radius, position, angle, width } = *self;
+impl RacewayContact {
+    /// Returns the displacement of a rigid ring in the plane of an element that has the same effect
+    /// on the contact as a radial displacement of its raceway and the derivative of this along z
+    /// (columns). `side` is the sense of the bearing's z axis in this plane.
+    pub(crate) fn rigid_motions(&self, side: f64) -> [[f64; 2]; 3] {
+        let RacewayContact { radius, position, angle, width } = *self;
         if width == 0.0 {
             return [[1.0, 0.0], [0.0; 2], [0.0; 2]];
         }
-        let turn = side * libm::cos(angle).powi(2);
-        [[1.0, -side * position * turn], [0.0, radius * turn], [0.0, turn]]
+        let rotation = side * libm::cos(angle).powi(2);
+        [[1.0, -side * position * rotation], [0.0, radius * rotation], [0.0, rotation]]
     }
+}
 
-    /// Subtracts the displacement of the outer raceway from that of the inner ring in the plane of
-    /// an element.
-    pub(crate) fn displace(&self, side: f64, ring: &mut Local, [radial, slope]: &RacewayDisplacement) {
-        for (part, [by_radial, by_slope]) in ring.iter_mut().zip(self.rigid(side)) {
-            *part -= by_radial * radial + by_slope * slope;
-        }
-    }
+/// Subtracts a displacement of the outer relative to the inner raceway from that of the inner ring
+/// in the plane of an element.
+pub(crate) fn displace(ring: &mut Local, displacement: &RacewayDisplacement) {
+    ring.iter_mut().zip(displacement).for_each(|(part, moved)| *part -= moved);
+}
 
+impl RacewayLoad {
     /// Returns the load of an element on the outer raceway from its load on the inner ring.
-    pub(crate) fn load(&self, side: f64, projection: &[[f64; 5]; 3], response: &Response) -> RacewayLoad {
-        let outer = self.rigid(side);
-        // Derivatives of the force by the displacement in the plane of the element.
-        let by_ring = [0, 1].map(|row| {
-            [0, 1, 2].map(|column| (0..3).map(|k| outer[k][row] * response.stiffness[k][column]).sum::<f64>())
-        });
-        RacewayLoad {
-            force: [0, 1].map(|row| (0..3).map(|k| outer[k][row] * response.force[k]).sum()),
-            stiffness: by_ring.map(|by| [0, 1].map(|column| (0..3).map(|k| by[k] * outer[k][column]).sum())),
-            coupling: by_ring
-                .map(|by| std::array::from_fn(|column| (0..3).map(|k| by[k] * projection[k][column]).sum())),
-        }
+    pub(crate) fn of(projection: &[[f64; 5]; 3], response: &Response) -> Self {
+        let by_ring = |row: &[f64; 3], column: usize| -> f64 {
+            row.iter().zip(projection).map(|(entry, projection)| entry * projection[column]).sum()
+        };
+        let coupling = response.stiffness.map(|row| std::array::from_fn(|column| by_ring(&row, column)));
+        Self { force: response.force, stiffness: response.stiffness, coupling }
     }
 }

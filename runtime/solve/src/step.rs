@@ -72,7 +72,7 @@ pub struct StepResult {
     /// Forces on the stops of bearings, whose gap equations follow those of the patches, and then
     /// on the flanks of spline teeth: N, in a plane model N per metre of face width.
     pub stops: Vec<f64>,
-    /// Raceways in elastic bodies.
+    /// Bearings on raceways of elastic bodies.
     pub raceways: Vec<RacewayResult>,
     /// Residuals of the contact solution.
     pub certificate: Certificate,
@@ -80,14 +80,14 @@ pub struct StepResult {
     pub warnings: Vec<String>,
 }
 
-/// Outer raceway of a bearing in an elastic body.
+/// Raceways of a bearing in elastic bodies.
 #[derive(Clone, Debug)]
 pub struct RacewayResult {
     /// Index of the bearing in the scene.
     pub bearing: usize,
-    /// Displacement at each element.
+    /// Displacement of the outer relative to the inner raceway at each element.
     pub displacement: Vec<RacewayDisplacement>,
-    /// Conjugate loads of the elements on the raceway, two for each: N and N m.
+    /// Conjugate loads of the elements, three for each: N and N m.
     pub loads: Vec<f64>,
 }
 

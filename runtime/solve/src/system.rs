@@ -3,10 +3,10 @@
 
 use crate::derived::DerivedResults;
 use crate::modal::Modes;
-use crate::raceways::{self, BearingOnRaceway, RacewayOwner, dense};
+use crate::raceways::{self, RacewaySet, dense};
 use calyx_contact::solid::Pose;
 use calyx_fe::inertia::Inertia;
-use calyx_model::bearing::{ElasticRaceway, NonlinearLoad, Springs, Tangent, springs};
+use calyx_model::bearing::{ElasticRaceways, NonlinearLoad, Springs, Tangent, springs};
 use calyx_model::connection::{
     ElasticConnection, add_connection_mass, add_connection_stiffness, add_mode_coupling,
 };
@@ -52,8 +52,8 @@ pub struct System<'s> {
     pub connections: Vec<usize>,
     /// Elastic connections of the scene with the matrices of condensed bodies.
     pub elastic_connections: Arc<Vec<ElasticConnection>>,
-    /// Bearings with rollers on an elastic raceway.
-    pub(crate) raceways: Vec<BearingOnRaceway>,
+    /// Bearings on elastic raceways.
+    pub(crate) raceways: RacewaySet,
     /// Spline teeth with clearance, by the index of the body that they support.
     pub spline_teeth: Vec<(usize, SplineContact)>,
     /// Callback at every checkpoint.
@@ -287,36 +287,22 @@ impl<'s> System<'s> {
         })
     }
 
-    /// Returns the elastic raceway of a bearing by its index in the scene at a time (s); `None` for
+    /// Returns the elastic raceways of a bearing by its index in the scene at a time (s); `None` for
     /// one between rigid rings.
     ///
     /// # Errors
-    /// Those of [`ElasticRaceway::at`].
-    pub fn elastic_raceway(&self, bearing: usize, time: f64) -> Result<Option<ElasticRaceway>, EngineError> {
-        let in_bore = self.raceways.iter().find(|in_bore| in_bore.bearing == bearing);
-        let load = in_bore.and_then(|_| self.nonlinear_load(bearing, time));
-        let (Some(in_bore), Some(NonlinearLoad::Rolling(elements))) = (in_bore, load) else {
+    /// Those of [`ElasticRaceways::at`].
+    pub fn elastic_raceways(
+        &self,
+        bearing: usize,
+        time: f64,
+    ) -> Result<Option<ElasticRaceways>, EngineError> {
+        let on = self.raceways.bearings.iter().find(|on| on.bearing == bearing);
+        let load = on.and_then(|_| self.nonlinear_load(bearing, time));
+        let (Some(on), Some(NonlinearLoad::Rolling(elements))) = (on, load) else {
             return Ok(None);
         };
-        in_bore.at(self.scene, &elements, |body| self.width(body), time).map(Some)
-    }
-
-    /// Returns the elastic connection, by its index in the scene, in whose seat a bearing runs, and
-    /// the first coefficient of its raceways that belongs to the seat; `None` for other bearings.
-    pub fn raceway_in_connection(&self, bearing: usize) -> Option<(usize, usize)> {
-        match self.raceways.iter().find(|on| on.bearing == bearing)?.owner {
-            RacewayOwner::Gear(_) => None,
-            RacewayOwner::Connection { index, first_term, .. } => Some((index, first_term)),
-        }
-    }
-
-    /// Returns the factor `L` of the compliance `L L'` of the raceways of an elastic connection, by
-    /// its index in the scene, in whose seats bearings run.
-    pub(crate) fn raceway_factor(&self, connection: usize) -> Option<Arc<DMatrix<f64>>> {
-        self.raceways.iter().find_map(|on| match &on.owner {
-            RacewayOwner::Connection { index, factor, .. } if *index == connection => Some(factor.clone()),
-            RacewayOwner::Connection { .. } | RacewayOwner::Gear(_) => None,
-        })
+        on.at(self.scene, &elements, |body| self.width(body), time).map(Some)
     }
 
     /// Returns the inertias of all bodies about their axes of rotation.

@@ -1,7 +1,7 @@
 //! Observables of bearings: forces, moments, deflections and tilts.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
-use calyx_model::bearing::{BearingState, NonlinearLoad, five};
+use calyx_model::bearing::{BearingState, ElasticRaceways, NonlinearLoad, SeatTerms, five};
 use calyx_model::ids::{BearingId, BodyId};
 use calyx_model::observed::Observed;
 
@@ -81,8 +81,8 @@ impl Equilibrium<'_> {
         Some(BearingLoad { deflection, push, placed })
     }
 
-    /// Returns the nonlinear load of a bearing of the scene, on the raceway as an elastic body
-    /// displaces it; `None` without one.
+    /// Returns the nonlinear load of a bearing of the scene, between raceways as elastic bodies
+    /// displace them; `None` without one.
     pub(super) fn nonlinear_load(self, bearing: BearingId) -> Option<NonlinearLoad> {
         let load = self.system.nonlinear_load(bearing.0, self.step.time)?;
         let raceway = self.step.raceways.iter().find(|raceway| raceway.bearing == bearing.0);
@@ -95,28 +95,29 @@ impl Equilibrium<'_> {
     pub(super) fn interface_forces(self, body: BodyId) -> Vec<f64> {
         let mut total = self.spline_clearance_forces(body);
         for raceway in &self.step.raceways {
-            let placed = self.system.elastic_raceway(raceway.bearing, self.step.time).ok().flatten();
-            let Some(placed) = placed.filter(|placed| placed.body == body.0) else { continue };
-            let forces = placed.on_terms(&raceway.loads);
+            let placed = self.system.elastic_raceways(raceway.bearing, self.step.time).ok().flatten();
+            let bore = placed.as_ref().and_then(ElasticRaceways::bore);
+            let Some(bore) = bore.filter(|bore| bore.body == body.0) else { continue };
+            let forces = bore.on_terms(&raceway.loads) / self.system.width(body.0);
             total.resize(forces.len(), 0.0);
-            total.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force);
+            total.iter_mut().zip(forces.iter()).for_each(|(sum, force)| *sum += force);
         }
         total
     }
 
-    /// Returns the forces of rollers on the coefficients of the raceways of an elastic connection,
-    /// by its index in the scene; empty without any.
+    /// Returns the forces of rolling elements on the coefficients of the raceways of an elastic
+    /// connection, by its index in the scene; empty without any.
     pub(super) fn raceway_forces(self, connection: usize) -> Vec<f64> {
         let mut total = Vec::new();
         for raceway in &self.step.raceways {
-            let seat = self.system.raceway_in_connection(raceway.bearing);
-            let Some((_, first)) = seat.filter(|(index, _)| *index == connection) else { continue };
-            let placed = self.system.elastic_raceway(raceway.bearing, self.step.time).ok().flatten();
-            let Some(placed) = placed else { continue };
-            total.resize(self.system.elastic_connections[connection].raceways.terms(), 0.0);
-            let width = self.system.width(placed.body);
-            let forces = placed.on_terms(&raceway.loads);
-            total[first..].iter_mut().zip(forces).for_each(|(sum, force)| *sum += width * force);
+            let placed = self.system.elastic_raceways(raceway.bearing, self.step.time).ok().flatten();
+            for own in placed.iter().flat_map(|placed| &placed.raceways) {
+                let seat = own.seat.filter(|seat| seat.connection == connection);
+                let Some(SeatTerms { first, .. }) = seat else { continue };
+                total.resize(self.system.elastic_connections[connection].raceways.terms(), 0.0);
+                let forces = own.on_terms(&raceway.loads);
+                total[first..].iter_mut().zip(forces.iter()).for_each(|(sum, force)| *sum += force);
+            }
         }
         total
     }

@@ -2,7 +2,7 @@
 //! problems have their tangents.
 
 use super::nonlinear_state::NonlinearState;
-use super::raceway::ElasticRaceway;
+use super::raceway::ElasticRaceways;
 use super::tangent::Tangent;
 use super::{Bearing, BearingMatrix, LoadCurves, RollingElements, five};
 use calyx_numerics::error::EngineError;
@@ -117,8 +117,8 @@ impl NonlinearLoad {
         }
     }
 
-    /// Evaluates the load like [`NonlinearLoad::state`] with a displacement of an elastic raceway,
-    /// by element.
+    /// Evaluates the load like [`NonlinearLoad::state`] with a displacement of elastic raceways, by
+    /// element.
     ///
     /// # Errors
     /// Those of [`NonlinearLoad::state`].
@@ -134,7 +134,7 @@ impl NonlinearLoad {
         }
     }
 
-    /// Returns the load on an outer raceway with this displacement at each element.
+    /// Returns the load between raceways with this displacement at each element.
     pub fn on_raceway(&self, displacement: &[RacewayDisplacement]) -> Self {
         match self {
             NonlinearLoad::Rolling(elements) => {
@@ -169,13 +169,13 @@ impl NonlinearLoad {
     /// Linearizes the load about a state, with `addition` times the typical stiffness added.
     ///
     /// The stiffness is symmetric and positive semidefinite: gyroscopic moments make that of balls
-    /// slightly asymmetric, and large tilting under load can make it indefinite. An elastic raceway
-    /// is eliminated.
+    /// slightly asymmetric, and large tilting under load can make it indefinite. Elastic
+    /// raceways are eliminated.
     pub fn tangent_with(
         &self,
         state: &NonlinearState,
         addition: f64,
-        raceway: Option<&ElasticRaceway>,
+        raceway: Option<&ElasticRaceways>,
     ) -> Tangent {
         let mut tangent = self.tangent(state, addition);
         if let (Some(raceway), NonlinearLoad::Rolling(elements)) = (raceway, self) {
@@ -184,8 +184,8 @@ impl NonlinearLoad {
         tangent
     }
 
-    /// Linearizes the load about a state as [`NonlinearLoad::tangent_with`], on a raceway that does
-    /// not yield.
+    /// Linearizes the load about a state as [`NonlinearLoad::tangent_with`], between raceways
+    /// that do not yield.
     pub fn tangent(&self, state: &NonlinearState, addition: f64) -> Tangent {
         let at = positive_part(&state.evaluation.stiffness, self.radius());
         let typical = self.typical_stiffness();

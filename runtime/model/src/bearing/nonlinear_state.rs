@@ -9,9 +9,9 @@ pub struct NonlinearState {
     pub deflection: Displacement,
     /// Load on the first race and stiffness there.
     pub evaluation: Evaluation,
-    /// Displacement of an elastic outer raceway by element; empty on a rigid one.
+    /// Displacement of elastic raceways by element; empty between rigid ones.
     pub raceway: Vec<RacewayDisplacement>,
-    /// Loads of the elements on it.
+    /// Loads of the elements on them.
     pub raceway_loads: Vec<RacewayLoad>,
     /// Positions of rolling elements, from which the next evaluation starts.
     pub(super) start: Start,

@@ -27,7 +27,7 @@ pub struct RollingElements {
     is_inverted: bool,
     typical: BearingMatrix,
     elastic: ElasticRollers,
-    /// Displacement of an elastic outer raceway by element; empty on a rigid one.
+    /// Displacement of elastic raceways by element; empty between rigid ones.
     raceway: Arc<[RacewayDisplacement]>,
 }
 
@@ -96,13 +96,13 @@ impl RollingElements {
         self.elastic.0.get_or_init(build).clone()
     }
 
-    /// Returns the displacement of an elastic outer raceway by element; empty on a rigid one.
+    /// Returns the displacement of elastic raceways by element; empty between rigid ones.
     pub(super) fn raceway(&self) -> &[RacewayDisplacement] {
         &self.raceway
     }
 
-    /// Returns the elements on an outer raceway with this displacement at each element, of an
-    /// elastic body.
+    /// Returns the elements between raceways of elastic bodies with this displacement at each
+    /// element.
     pub fn on_raceway(&self, displacement: &[RacewayDisplacement]) -> Self {
         Self { raceway: displacement.into(), ..self.clone() }
     }
@@ -238,7 +238,7 @@ impl RollingElements {
         self.evaluate(deflection, &self.raceway, Start::default())
     }
 
-    /// Evaluates the elements at a deflection and a displacement of the outer raceway from the
+    /// Evaluates the elements at a deflection and a displacement of the raceways from the
     /// positions of another evaluation.
     ///
     /// # Errors

@@ -11,11 +11,11 @@ pub struct Tangent {
     pub stiffness: BearingMatrix,
     /// Force on the first race at zero deflection of the linearized bearing, N and N m.
     pub load: [f64; 6],
-    /// Rollers on an elastic raceway; stiffness and load are those after its elimination.
+    /// Elements on elastic raceways; stiffness and load are those after their elimination.
     pub raceway: Option<RacewayTangent>,
 }
 
-/// Linearized rollers on an elastic raceway, which is eliminated.
+/// Linearized elements on elastic raceways, which are eliminated.
 #[derive(Clone, Debug)]
 pub struct RacewayTangent {
     /// `M` of [`super::raceway`].
@@ -38,31 +38,31 @@ impl Tangent {
 }
 
 impl RacewayTangent {
-    /// Returns the stiffness of the rollers by displacements of the raceway.
+    /// Returns the stiffness of the elements by displacements of the raceways.
     pub fn stiffness(&self) -> &DMatrix<f64> {
         &self.stiffness
     }
 
-    /// Returns the loads on the raceway by deflections of the bearing.
+    /// Returns the loads on the raceways by deflections of the bearing.
     pub fn coupling(&self) -> DMatrix<f64> {
         self.release.transpose() * &self.coupling
     }
 
-    /// Returns the loads on the raceway without deflection and displacement.
+    /// Returns the loads on the raceways without deflection and displacement.
     pub fn load(&self) -> DVector<f64> {
         self.release.transpose() * &self.load
     }
 
-    /// Returns the linearized loads of the rollers on the raceway at a deflection; `moved` is the
-    /// displacement of the raceway by forces of teeth.
+    /// Returns the linearized loads of the elements on the raceways at a deflection; `moved` is the
+    /// displacement of the raceways by forces of teeth and of seats.
     pub fn load_at(&self, deflection: &[f64; 5], moved: &[f64]) -> Vec<f64> {
         let load = &self.load + &self.coupling * DVector::from_row_slice(deflection);
         let on = self.release.transpose() * load - &self.stiffness * DVector::from_row_slice(moved);
         on.as_slice().to_vec()
     }
 
-    /// Returns the increase of the load on the first race by the displacement of the raceway by
-    /// forces of teeth.
+    /// Returns the increase of the load on the first race by the displacement of the raceways by
+    /// forces of teeth and of seats.
     pub fn push_of(&self, moved: &[f64]) -> [f64; 5] {
         let by = self.coupling.transpose() * (&self.release * DVector::from_row_slice(moved));
         std::array::from_fn(|k| -by[k])

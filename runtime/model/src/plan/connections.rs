@@ -36,7 +36,7 @@ pub(super) fn plan_connections(
     let plan = |connection: &ElasticConnection| {
         let unwanted = connection.bodies().all(|body| bodies.get(body.0).is_none_or(|plan| plan.left_out));
         let moves = |body: BodyId| scene.bodies.get(body.0).is_some_and(|body| body.free.contains(&true));
-        let still = !connection.bodies().any(moves) && !has_rollers_in_a_seat(scene, connection);
+        let still = !connection.bodies().any(moves) && !has_elements_on_a_seat(scene, connection);
         let idle = connection.attachments.len() < 2 || still;
         // The mass of a rigid part with one attachment counts.
         let massive =
@@ -61,12 +61,12 @@ pub(super) fn plan_connections(
     scene.connections.iter().map(plan).collect()
 }
 
-/// Returns whether rollers run in a seat of an elastic body that is their raceway: it deforms even
+/// Returns whether elements run on a seat of an elastic body that is their raceway: it deforms even
 /// if its attachments are fixed.
-fn has_rollers_in_a_seat(scene: &Mechanism, connection: &ElasticConnection) -> bool {
-    let has_rollers =
-        |seat: &Seat| scene.bearings.iter().any(|bearing| bearing.outer_body() == Some(seat.body));
-    connection.seats().iter().any(has_rollers)
+fn has_elements_on_a_seat(scene: &Mechanism, connection: &ElasticConnection) -> bool {
+    let rolling = || scene.bearings.iter().filter(|bearing| bearing.rolling().is_some());
+    let has_elements = |seat: &Seat| rolling().any(|bearing| bearing.bodies().any(|id| id.0 == seat.body));
+    connection.seats().iter().any(has_elements)
 }
 
 /// Checks the modelled elastic bodies with their attachments, and the shafts.

@@ -3,6 +3,7 @@
 use crate::error::{RollingError, finite, for_message, positive};
 use crate::hertz::point::PointContact;
 use crate::material::{Material, composite_modulus};
+use crate::raceway::Ring;
 use libm::{acos, cos, sin};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -199,11 +200,13 @@ impl BallRow {
         Ok(())
     }
 
-    /// Returns the radius of the outer contact and its axial position from the centre of the ball,
-    /// m, and the contact angle (rad). The two contacts of four-point bearings, and those of deep
-    /// grooves under load of either sense, have the bottom of the groove between them.
-    pub(crate) fn outer_contact(&self) -> ([f64; 2], f64) {
-        let (pitch, radius) = (0.5 * self.geometry.pitch_diameter, 0.5 * self.geometry.ball_diameter);
+    /// Returns the radius of the contact with the raceway of a ring and its axial position from the
+    /// centre of the ball, m, and the contact angle (rad). The two contacts of four-point bearings,
+    /// and those of deep grooves under load of either sense, have the bottom of the groove between
+    /// them.
+    pub(crate) fn raceway_contact(&self, ring: Ring) -> ([f64; 2], f64) {
+        let outwards = if ring == Ring::Outer { 0.5 } else { -0.5 };
+        let (pitch, radius) = (0.5 * self.geometry.pitch_diameter, outwards * self.geometry.ball_diameter);
         match self.geometry.kind {
             BallKind::AngularContact { angle } => ([pitch + radius * cos(angle), radius * sin(angle)], angle),
             BallKind::DeepGroove { .. } | BallKind::FourPoint { .. } => ([pitch + radius, 0.0], 0.0),

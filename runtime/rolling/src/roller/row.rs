@@ -31,9 +31,9 @@ pub struct RollerRow {
     pub(crate) mass_diameter: f64,
     /// Contact angles of the inner and the outer raceway, rad.
     pub(crate) angles: [f64; 2],
-    /// Radius of the middle of the outer contact, and its axial position from the centre of the
-    /// roller, m.
-    pub(crate) outer_contact: [f64; 2],
+    /// Radii of the middles of the inner and the outer contact, and their axial positions from the
+    /// centre of the roller, m.
+    pub(crate) raceway_contacts: [[f64; 2]; 2],
     /// Strips of the contact lines in place of the laminae, at this contact model.
     pub(crate) elastic: Option<Arc<Elastic>>,
     /// The row with laminae, if this one has elastic contacts.
@@ -108,7 +108,7 @@ impl RollerRow {
             cage_ratio: shape.cage_ratio,
             mass_diameter: shape.mass_diameter,
             angles: shape.angles,
-            outer_contact: shape.outer_contact,
+            raceway_contacts: shape.raceway_contacts,
             elastic: None,
             plain: None,
             start: [[0.0; 3]; 3],

@@ -13,8 +13,8 @@ pub(super) struct Shape {
     pub cage_ratio: f64,
     pub mass_diameter: f64,
     pub angles: [f64; 2],
-    /// Radius of the middle of the outer contact, and its axial position, m.
-    pub outer_contact: [f64; 2],
+    /// Radii of the middles of the inner and the outer contact, and their axial positions, m.
+    pub raceway_contacts: [[f64; 2]; 2],
 }
 
 /// Section of a contact line: a point, or an interval over which the relief is averaged.
@@ -109,7 +109,7 @@ impl RollerGeometry {
             cage_ratio: 0.5 * (1.0 - ratio),
             mass_diameter: self.roller_diameter,
             angles: [0.0; 2],
-            outer_contact: [pitch + radius, 0.0],
+            raceway_contacts: [[pitch - radius, 0.0], [pitch + radius, 0.0]],
         }
     }
 
@@ -160,7 +160,7 @@ impl RollerGeometry {
             cage_ratio: 0.5 * (1.0 - tan(taper) / tan(axis)),
             mass_diameter: self.roller_diameter,
             angles,
-            outer_contact: [slant * sin(outer_angle), apex_z - slant * cos(outer_angle)],
+            raceway_contacts: angles.map(|angle| [slant * sin(angle), apex_z - slant * cos(angle)]),
         })
     }
 
@@ -275,7 +275,8 @@ impl RollerGeometry {
             cage_ratio: 0.5 * (1.0 - ratio),
             mass_diameter: self.roller_diameter,
             angles: [angle; 2],
-            outer_contact: [pitch + radius * cos(angle), radius * sin(angle)],
+            raceway_contacts: [-radius, radius]
+                .map(|radius| [pitch + radius * cos(angle), radius * sin(angle)]),
         })
     }
 }

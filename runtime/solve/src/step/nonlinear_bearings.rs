@@ -8,9 +8,9 @@
 //! upper bound of the energy without another contact problem. A multiple of the typical stiffness
 //! restrains bearings within their clearances; it vanishes with the convergence.
 //!
-//! The outer raceway of rollers may be the bore of an elastic body, which adds its displacement at
-//! each roller to the deflections. It is eliminated from the contact problem
-//! ([`calyx_model::bearing::ElasticRaceway`]), and so is a seat of an elastic body ([`seats`]).
+//! Raceways may belong to elastic bodies, which add their displacements at each element to the
+//! deflections. The bore of a gear is eliminated from the contact problem
+//! ([`calyx_model::bearing::ElasticRaceways`]), and so are seats of elastic bodies ([`seats`]).
 //!
 //! If springs carry the load without contact, there are no cells, and the same iteration repeats
 //! the rigid-body limit.
@@ -30,12 +30,13 @@ use super::{RacewayResult, StepResult};
 use crate::system::System;
 use calyx_contact::problem::{ContactProblem, Solution};
 use calyx_model::bearing::{
-    BearingState, ElasticRaceway, NonlinearLoad, NonlinearState, Springs, Tangent, by_element,
+    BearingState, ElasticRaceways, NonlinearLoad, NonlinearState, PlacedRaceway, SeatTerms, Springs, Tangent,
+    by_element,
 };
 use calyx_model::dof::Dof;
 use calyx_numerics::error::EngineError;
 use nalgebra::DMatrix;
-use seats::{SeatedBody, seated_bodies};
+use seats::{SeatedBodies, seated_bodies};
 use std::cell::Cell;
 
 /// Largest number of contact problems with the same grids.
@@ -63,11 +64,8 @@ struct Member {
     /// Index in the scene.
     bearing: usize,
     nonlinear: NonlinearLoad,
-    /// Elastic raceway, if there is one.
-    raceway: Option<ElasticRaceway>,
-    /// Elastic connection, by its index in the scene, in whose seat the raceway is, and its first
-    /// coefficient there; `None` for the bore of a gear.
-    seat: Option<(usize, usize)>,
+    /// Elastic raceways, if there are any.
+    raceways: Option<ElasticRaceways>,
     /// Deflection by DOF.
     arms: Vec<[f64; 6]>,
     /// Length that makes moments comparable with forces, m.
@@ -81,7 +79,7 @@ pub(super) struct NonlinearBearings<'a> {
     system: &'a System<'a>,
     members: Vec<Member>,
     /// Elastic bodies with members in their seats.
-    seated: Vec<SeatedBody>,
+    seated: Vec<SeatedBodies>,
     /// Springs without the nonlinear load.
     base: Springs,
     /// External load.
@@ -187,7 +185,7 @@ impl System<'_> {
             let mut step = solve(&by_scene, Some(&bearings), &responses)?;
             let is_solved = bearings.is_solved.get();
             let mut moved = bearings.unmoved();
-            bearings.move_seats(&mut moved, &responses, &step.motion);
+            bearings.move_seats(&mut moved, (&tangents, &responses), &step.motion);
             if is_solved || bearings.advance(&mut iteration, &tangents, &step.motion, &moved)? {
                 if !is_solved {
                     step.raceways = bearings.raceways(&iteration);
@@ -210,12 +208,11 @@ fn members(system: &System<'_>, time: f64, has_elastic_raceways: bool) -> Result
         let placed = BearingState::at(&system.scene.bodies, own, time)?;
         let arms = system.dofs.iter().map(|dof: &Dof| placed.deflection(dof)).collect();
         let (radius, width) = (nonlinear.radius(), system.width(own.body.0));
-        let raceway = match has_elastic_raceways {
-            true => system.elastic_raceway(bearing, time)?,
+        let raceways = match has_elastic_raceways {
+            true => system.elastic_raceways(bearing, time)?,
             false => None,
         };
-        let seat = raceway.as_ref().and_then(|_| system.raceway_in_connection(bearing));
-        members.push(Member { bearing, nonlinear, raceway, seat, arms, radius, width });
+        members.push(Member { bearing, nonlinear, raceways, arms, radius, width });
     }
     Ok(members)
 }
@@ -248,7 +245,7 @@ impl<'a> NonlinearBearings<'a> {
 
     fn with(
         system: &'a System<'a>,
-        (members, seated): (Vec<Member>, Vec<SeatedBody>),
+        (members, seated): (Vec<Member>, Vec<SeatedBodies>),
         load: &[f64],
         base: Springs,
         in_time: bool,
@@ -270,7 +267,7 @@ impl<'a> NonlinearBearings<'a> {
             let state = own.nonlinear.state(None, at(own))?;
             match own.elements() {
                 0 => Ok(state),
-                rollers => own.nonlinear.state_on(&state, at(own), &vec![[0.0; 2]; rollers]),
+                elements => own.nonlinear.state_on(&state, at(own), &vec![[0.0; 3]; elements]),
             }
         };
         let states = self.members.iter().map(initial);
@@ -314,11 +311,12 @@ impl<'a> NonlinearBearings<'a> {
                 problem.arms.clone_from(arms);
                 problem.gaps.clone_from(gaps);
                 self.put_raceways(&mut problem, &tangents, growths, start);
+                self.put_seats(&mut problem, (&tangents, &responses), growths, start);
             }
             let (solved, mut solution) = solve(problem, &guess)?;
             let motion = self.absolute(&solution.motion, start);
             let mut moved = self.moved_by(growths, &solution.forces);
-            self.move_seats(&mut moved, &responses, &motion);
+            self.move_seats(&mut moved, (&tangents, &responses), &motion);
             if self.advance(iteration, &tangents, &motion, &moved)? {
                 self.is_solved.set(true);
                 let certificate = &mut solution.certificate;
@@ -338,7 +336,7 @@ impl<'a> NonlinearBearings<'a> {
     fn tangents(&self, iteration: &NonlinearIteration) -> Vec<Tangent> {
         let members = self.members.iter().zip(&iteration.states);
         let tangent = |(own, state): (&Member, &NonlinearState)| {
-            own.nonlinear.tangent_with(state, iteration.addition, own.raceway.as_ref())
+            own.nonlinear.tangent_with(state, iteration.addition, own.raceways.as_ref())
         };
         members.map(tangent).collect()
     }
@@ -494,8 +492,8 @@ impl<'a> NonlinearBearings<'a> {
         for (k, own) in self.members.iter().enumerate() {
             scale = scale.max(next[k].evaluation.scale + states[k].evaluation.scale);
             for (i, (next, linear)) in loads(&next[k]).into_iter().zip(&linear[k]).enumerate() {
-                // Forces and moments of rollers on a raceway alternate.
-                let is_force = if i < 5 { i < 3 } else { i % 2 == 1 };
+                // Elements on raceways have two forces and a moment each.
+                let is_force = if i < 5 { i < 3 } else { (i - 5) % 3 < 2 };
                 let unit = if is_force { 1.0 } else { own.radius };
                 scale = scale.max(linear.abs() / unit);
                 let difference = (next - linear).abs() / unit;
@@ -538,18 +536,24 @@ impl Member {
         deflection
     }
 
-    /// Returns the number of rollers on an elastic raceway; 0 on a rigid one.
+    /// Returns the number of elements on elastic raceways; 0 between rigid ones.
     fn elements(&self) -> usize {
-        self.raceway.as_ref().map_or(0, |raceway| raceway.by_terms.nrows() / 2)
+        self.raceways.as_ref().map_or(0, ElasticRaceways::elements)
+    }
+
+    /// Returns the raceways in seats of elastic bodies.
+    fn seats(&self) -> impl Iterator<Item = (&PlacedRaceway, SeatTerms)> + Clone {
+        let raceways = self.raceways.iter().flat_map(|own| &own.raceways);
+        raceways.filter_map(|raceway| Some((raceway, raceway.seat?)))
     }
 
     /// Returns the deflections of the solution of a contact problem with this tangent, and the
-    /// linearized loads, as [`deflections`] and [`loads`]. `moved` is the displacement of an
-    /// elastic raceway by the forces of cells.
+    /// linearized loads, as [`deflections`] and [`loads`]. `moved` is the displacement of
+    /// elastic raceways by the forces of cells and of seats.
     fn linearized(&self, tangent: &Tangent, motion: &[f64], moved: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let deflection = self.deflection(motion);
         let (mut next, mut load) = (deflection.to_vec(), tangent.load_at(&deflection).to_vec());
-        if let (Some(raceway), Some(own)) = (&self.raceway, &tangent.raceway) {
+        if let (Some(raceway), Some(own)) = (&self.raceways, &tangent.raceway) {
             load.iter_mut().zip(own.push_of(moved)).for_each(|(load, push)| *load += push);
             next.extend(raceway.displaced(own, &deflection, moved));
             load.extend(own.load_at(&deflection, moved).iter().map(|load| -load));
@@ -573,13 +577,13 @@ fn inner(steps: &[Vec<f64>], loads: impl Iterator<Item = Vec<f64>>) -> f64 {
     steps.iter().zip(loads).map(work).sum()
 }
 
-/// Returns the deflections of a bearing, followed by the displacements of its elastic raceway at
-/// the rollers, if there is one.
+/// Returns the deflections of a bearing, followed by the displacements of its elastic raceways at
+/// the elements, if there are any.
 fn deflections(state: &NonlinearState) -> Vec<f64> {
     state.deflection.iter().chain(state.raceway.as_flattened()).copied().collect()
 }
 
-/// Returns the loads conjugate to [`deflections`]: those of rollers act on the raceway.
+/// Returns the loads conjugate to [`deflections`]: those of elements act on the raceways.
 fn loads(state: &NonlinearState) -> Vec<f64> {
     let on_raceway = state.raceway_loads.iter().flat_map(|own| own.force.map(|force| -force));
     state.evaluation.load.iter().copied().chain(on_raceway).collect()

@@ -14,8 +14,9 @@ impl NonlinearBearings<'_> {
         of_terms: impl Fn(usize) -> Result<DMatrix<f64>, EngineError>,
     ) -> Result<Vec<Option<DMatrix<f64>>>, EngineError> {
         let growth = |own: &Member| {
-            let in_gear = own.raceway.as_ref().filter(|_| own.seat.is_none());
-            in_gear.map(|raceway| Ok(raceway.growth(&of_terms(raceway.body)?))).transpose()
+            let Some(raceways) = &own.raceways else { return Ok(None) };
+            let Some(bore) = raceways.bore() else { return Ok(None) };
+            Ok(raceways.growth(&of_terms(bore.body)?))
         };
         self.members.iter().map(growth).collect()
     }
@@ -29,8 +30,8 @@ impl NonlinearBearings<'_> {
         start: &[f64],
     ) {
         for ((own, tangent), growth) in self.members.iter().zip(tangents).zip(growths) {
-            if let (Some(raceway), Some(tangent), Some(growth)) = (&own.raceway, &tangent.raceway, growth) {
-                raceway.put(problem, (tangent, growth), &own.arms, start);
+            if let (Some(raceways), Some(tangent), Some(growth)) = (&own.raceways, &tangent.raceway, growth) {
+                raceways.put(problem, (tangent, growth), &own.arms, start);
             }
         }
     }
@@ -49,13 +50,13 @@ impl NonlinearBearings<'_> {
 
     /// Returns the displacements of elastic raceways without forces on cells.
     pub(super) fn unmoved(&self) -> Vec<Vec<f64>> {
-        self.members.iter().map(|own| vec![0.0; 2 * own.elements()]).collect()
+        self.members.iter().map(|own| vec![0.0; 3 * own.elements()]).collect()
     }
 
     /// Returns the elastic raceways.
     pub(in crate::step) fn raceways(&self, iteration: &NonlinearIteration) -> Vec<RacewayResult> {
         let members = self.members.iter().zip(&iteration.states);
-        let elastic = members.filter(|(own, _)| own.raceway.is_some());
+        let elastic = members.filter(|(own, _)| own.raceways.is_some());
         let result = |(own, state): (&Member, &NonlinearState)| RacewayResult {
             bearing: own.bearing,
             displacement: state.raceway.clone(),
