@@ -22,6 +22,8 @@ struct Planet {
     /// Clearance, µm.
     clearance: f64,
     pin: Option<Pin>,
+    /// Time of the position.
+    time: &'static str,
 }
 
 /// Hollow pin of 34 mm and 42 mm in diameter, which is fixed 15 mm from its middle.
@@ -31,7 +33,15 @@ struct Pin {
     how: &'static str,
     /// Young's modulus, GPa.
     modulus: f64,
+    /// Only a strip of its bore is fixed.
+    on_strip: bool,
+    /// Further motion, the first factor of its frame.
+    motion: &'static str,
 }
+
+const ENDS: &str = "gears.attachment(\"front\", pin, gears.plane_region(15 mm * e3, e3), fixed = TRUE);
+gears.attachment(\"back\", pin, gears.plane_region(-15 mm * e3, e3), fixed = TRUE);";
+const STRIP: &str = "gears.attachment(\"strip\", pin, gears.box_region(-6 mm * e1 - 18 mm * e2 - 16 mm * e3, 6 mm * e1 - 15 mm * e2 + 16 mm * e3), fixed = TRUE);";
 
 const PLANET: Planet = Planet {
     bore: "raceway",
@@ -43,6 +53,7 @@ const PLANET: Planet = Planet {
     turned: 0.0,
     clearance: 20.0,
     pin: None,
+    time: "0 s",
 };
 
 impl Planet {
@@ -52,18 +63,19 @@ impl Planet {
     }
 
     fn model(&self) -> String {
-        let Planet { bore, fidelity, harmonics, degree, estimates, modulus, turned, clearance, pin } = self;
+        let Planet { bore, fidelity, harmonics, degree, estimates, modulus, turned, clearance, pin, time } =
+            self;
         // Azimuths count from the x axis of the body that the bearing is mounted on.
         let (pin, on_pin, azimuth) = match pin {
             None => (String::new(), "", "turned"),
-            Some(Pin { how, .. }) => (
+            Some(Pin { how, on_strip, motion, .. }) => (
                 format!(
-                    "var pin = gears.nastran(\"pin\", \"pin.bdf\", units = \"N-mm-s\", frame := Translate(52.05 mm * e1) * Rotate(turned, e3));
-gears.attachment(\"front\", pin, gears.plane_region(15 mm * e3, e3), fixed = TRUE);
-gears.attachment(\"back\", pin, gears.plane_region(-15 mm * e3, e3), fixed = TRUE);
+                    "var pin = gears.nastran(\"pin\", \"pin.bdf\", units = \"N-mm-s\", frame := {motion}Translate(52.05 mm * e1) * Rotate(turned, e3));
+{}
 var seat = gears.attachment(\"seat\", pin,
     gears.cylinder_region(0 mm * e3, e3, radius = 21 mm, from = -11.5 mm, to = 11.5 mm), how = \"{how}\");
-"
+",
+                    if *on_strip { STRIP } else { ENDS }
                 ),
                 "to = seat, ",
                 "0 deg",
@@ -97,7 +109,7 @@ output fifth := gears.rolling_element_load(needles, 17);
 output pressure := gears.max_bearing_pressure(needles);
 output deflection := gears.bearing_deflection(needles, \"radial\");
 output stress := gears.max_root_stress(planet);
-analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = \"{fidelity}\", error_estimates = \"{estimates}\");
+analyze(\"quasi_static\", over = gears.times(from = {time}, to = {time}, count = 1), fidelity = \"{fidelity}\", error_estimates = \"{estimates}\");
 "
         )
     }
@@ -164,7 +176,7 @@ fn clearance_opens_and_closes_continuously() {
     }
 }
 
-const PIN: Pin = Pin { how: "raceway", modulus: 206.0 };
+const PIN: Pin = Pin { how: "raceway", modulus: 206.0, on_strip: false, motion: "" };
 
 #[test]
 fn needles_on_an_elastic_pin_balance_the_teeth() {
@@ -177,12 +189,31 @@ fn needles_on_an_elastic_pin_balance_the_teeth() {
     }
 }
 
+/// A pin whose seat rotates has the loads of one at rest in the same position. The gears are one pitch
+/// further.
+#[test]
+fn a_rotating_pin_has_the_loads_of_one_at_rest() {
+    let of = |time, motion| {
+        let pin = Some(Pin { on_strip: true, motion, ..PIN });
+        Planet { fidelity: "medium", pin, time, ..PLANET }.results()
+    };
+    let [straight, rotated, moved] =
+        [of("0 s", ""), of("0 s", "Rotate(36 deg, e3) * "), of("0.03 s", "Rotate(200 rpm * Time, e3) * ")];
+    // The strip is not next to the load any more.
+    let [one, other] = [&straight, &rotated].map(|results| results["largest"][0]);
+    assert!((one / other - 1.0).abs() > 0.01, "{one} {other}");
+    for name in SCALARS {
+        close(name, moved[name][0], rotated[name][0], 1e-7, 0.0);
+    }
+}
+
 /// The results of stiff pins approach those of a rigid inner ring as the compliance vanishes. A hollow
 /// pin of steel becomes oval.
 #[test]
 fn a_stiff_pin_has_the_loads_of_a_rigid_raceway() {
-    let of =
-        |how, modulus| Planet { fidelity: "medium", pin: Some(Pin { how, modulus }), ..PLANET }.results();
+    let of = |how, modulus| {
+        Planet { fidelity: "medium", pin: Some(Pin { how, modulus, ..PIN }), ..PLANET }.results()
+    };
     let difference = |modulus: f64, name: &str| {
         let [rigid, elastic] = ["average", "raceway"].map(|how| of(how, modulus)[name][0]);
         (elastic - rigid) / rigid

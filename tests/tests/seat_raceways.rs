@@ -14,7 +14,7 @@ const ALONG: usize = 8;
 /// A tube with these radii inside and outside that extends as far to both sides of z = 0 (mm), with
 /// this Young's modulus (GPa), as a bulk data deck.
 pub fn tube([inside, outside]: [f64; 2], half: f64, modulus: f64) -> String {
-    let mut deck = format!("BEGIN BULK\nMAT1,1,{:e},,0.3,7.85-9\nPSOLID,1,1\n", 1e3 * modulus);
+    let mut deck = format!("BEGIN BULK\nMAT1,1,{:e},,0.3,7.85-9\nPSOLID,1,1,,BUBBLE\n", 1e3 * modulus);
     let index = |i: usize, j: usize, k: usize| 1 + i % AROUND + AROUND * (j + 3 * k);
     for k in 0..=ALONG {
         for j in 0..3 {
