@@ -92,7 +92,7 @@
 //! | [`resources`], [`cache`], [`interrupt`] | resources without influence on results: threads, stored structures, an interrupt |
 //! | [`elastic`] | finite-element models of bodies of any shape, and their import |
 //! | [`structure`], [`fe`], [`profile`], [`surface`] | elastic bodies with their contact surfaces, finite elements, exact profile curves |
-//! | [`rolling`] | rolling bearings with rigid rings |
+//! | [`rolling`] | rolling bearings |
 //! | [`radiated_sound`], [`acoustics`] | sound of elastic bodies in a forced response, and of any vibrating surface |
 //! | [`deck_mesh`] | meshes of NASTRAN decks, for the sound of results on them |
 //! | [`contact`] | closest approaches, grids, the contact problem and its exact solution |

@@ -5,7 +5,7 @@ use crate::error::Severity;
 use crate::host::{Finding, ModelHost, shown};
 use calyx_abi::RuntimeError;
 use calyx_runtime::analyses::Analysis;
-use calyx_runtime::bearing::{Bearing, OnCylinder, RacewayCylinder, Ring, Support};
+use calyx_runtime::bearing::{Bearing, PositionOnCylinder, RacewayCylinder, Ring, Support};
 use calyx_runtime::connection::Seat;
 use calyx_runtime::error::{EngineError, Subject};
 use calyx_runtime::ids::BodyId;
@@ -31,14 +31,16 @@ pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> R
         if matches!(gear.rim.support, BoreSupport::Raceway { .. }) {
             let half = 0.5 * gear.face_width;
             let cylinder = RacewayCylinder::bore(body, gear.rim.fixed_radius);
-            found.extend(Bore { cylinder, ends: [-half, half], of_gear: true }.check(host, analysis)?);
+            found.extend(
+                CheckedRaceway { cylinder, ends: [-half, half], of_gear: true }.check(host, analysis)?,
+            );
         }
     }
     for connection in &host.scene.connections {
         for Seat { body, raceway, .. } in connection.seats() {
             let cylinder = RacewayCylinder::seat(body, &raceway);
             let ends = raceway.raceway.ends;
-            found.extend(Bore { cylinder, ends, of_gear: false }.check(host, analysis)?);
+            found.extend(CheckedRaceway { cylinder, ends, of_gear: false }.check(host, analysis)?);
         }
     }
     for error in found {
@@ -50,15 +52,15 @@ pub(crate) fn check_raceways(host: &mut ModelHost, analysis: &dyn Analysis) -> R
     Ok(())
 }
 
-/// Bore of a gear, or seat of an elastic body.
-struct Bore {
+/// CheckedRaceway of a gear, or seat of an elastic body.
+struct CheckedRaceway {
     cylinder: RacewayCylinder,
     /// Axial coordinates of its ends from the origin of the body, m.
     ends: [f64; 2],
     of_gear: bool,
 }
 
-impl Bore {
+impl CheckedRaceway {
     /// Returns warnings about the bearings on the raceway.
     fn check(&self, host: &ModelHost, analysis: &dyn Analysis) -> Result<Vec<EngineError>, RuntimeError> {
         let body = self.cylinder.body;
@@ -91,8 +93,8 @@ impl Bore {
     fn no_bearing(&self, host: &ModelHost) -> EngineError {
         let (name, body) = (self.name(host), Subject::Body(self.cylinder.body));
         let rest = match self.of_gear {
-            true => "it deforms like a free bore, and bearings have rigid rings",
-            false => "bearings in it have rigid rings",
+            true => "run in it: it deforms like a free bore",
+            false => "run on it: bearings keep rigid rings there",
         };
         let help = self.mounted(host).unwrap_or_else(|| {
             match self.of_gear {
@@ -101,7 +103,7 @@ impl Bore {
             }
             .into()
         });
-        let message = format!("{name} is a raceway, and no rolling elements run in it: {rest}");
+        let message = format!("{name} is a raceway, and no rolling elements {rest}");
         EngineError::new("E0700", message, help).about(body)
     }
 
@@ -134,9 +136,9 @@ impl Bore {
         bearing: usize,
         (elements, distance): (&str, String),
     ) -> RuntimeError {
-        let (name, bore) = (&host.scene.bearings[bearing].name, self.name(host));
+        let (name, raceway) = (&host.scene.bearings[bearing].name, self.name(host));
         let message = format!(
-            "the middle of the {elements} of bearing \"{name}\" is {distance} outside {bore}, which is their raceway"
+            "the middle of the {elements} of bearing \"{name}\" is {distance} outside {raceway}, which is their raceway"
         );
         let help = match self.of_gear {
             true => "correct the position `at`, or choose a rim whose `bore` is \"free\"",
@@ -155,13 +157,13 @@ impl Bore {
         (bearing, ring): (usize, Ring),
     ) -> Result<Vec<EngineError>, RuntimeError> {
         let own: &Bearing = &host.scene.bearings[bearing];
-        let placed = OnCylinder::at(&host.scene.bodies, own, &self.cylinder, 0.0);
+        let placed = PositionOnCylinder::at(&host.scene.bodies, own, &self.cylinder, 0.0);
         let placed = placed.map_err(|error| match self.of_gear {
             true => host.engine_error(error),
             false => host.engine_error(error.about(Subject::Bearing(bearing))),
         })?;
         let mm = |metres: f64| shown(metres, host.length_unit);
-        let (name, bore) = (&own.name, self.name(host));
+        let (name, raceway) = (&own.name, self.name(host));
         let width = self.ends[1] - self.ends[0];
         let rows = own.rolling().map_or(&[][..], |elements| elements.bearing.rows());
         let mut found = Vec::new();
@@ -189,7 +191,7 @@ impl Bore {
                     false => "correct the position `at`, the length of the rollers or that of the region",
                 };
                 let message = format!(
-                    "the {elements} of bearing \"{name}\" reach {} beyond {bore}, which is their raceway",
+                    "the {elements} of bearing \"{name}\" reach {} beyond {raceway}, which is their raceway",
                     mm(beyond)
                 );
                 found.push((message, help.into()));

@@ -78,8 +78,9 @@ fn the_pinion_has_its_published_root_stress_and_forces_are_in_equilibrium() {
 }
 
 /// Without load, elastic teeth touch like rigid ones: their transmission error tends to that of
-/// rigid teeth, within 1 % of its peak to peak value at a hundred-thousandth of the torque. The
-/// deviation is that of Hertzian contact, proportional to the power 2/3 of the torque.
+/// rigid teeth. The deviation is that of Hertzian contact, proportional to the power 2/3 of the
+/// torque: a tenth of the torque has 0.2154 of the deviation, once the ellipse is so small that
+/// no edge of the teeth cuts it.
 #[test]
 #[ignore = "takes a minute: .ci/full runs it"]
 fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
@@ -99,9 +100,9 @@ fn the_limit_of_a_vanishing_load_is_that_of_rigid_teeth() {
             let off = loaded.iter().zip(&rigid).map(|(loaded, rigid)| (loaded - rigid).abs());
             off.fold(0.0, f64::max) / spread(&rigid)
         };
-        let [light, lightest] = ["0.026 lbf*inch", "0.0026 lbf*inch"].map(deviation);
-        assert!(lightest < 0.01, "{fidelity}: {lightest}");
-        assert!((0.2..0.3).contains(&(lightest / light)), "{fidelity}: {light} {lightest}");
+        let [light, lightest] = ["2.6e-4 lbf*inch", "2.6e-5 lbf*inch"].map(deviation);
+        assert!(lightest < 1e-4, "{fidelity}: {lightest}");
+        assert!((0.21..0.22).contains(&(lightest / light)), "{fidelity}: {light} {lightest}");
     }
 }
 

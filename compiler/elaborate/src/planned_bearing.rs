@@ -55,7 +55,7 @@ impl PlannedBearing {
                             };
                         }
                         if let Some(gear) = in_bore(host, plan, bearing) {
-                            text += &format!("; elastic raceway in the bore of {}", name(BodyId(gear)));
+                            text += &format!("; elastic outer raceway in the bore of {}", name(BodyId(gear)));
                         }
                         for (ring, seat) in on_seats(host, plan, bearing) {
                             text += &format!("; elastic {ring} raceway on the seat {}", name(BodyId(seat)));

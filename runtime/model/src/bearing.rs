@@ -37,8 +37,8 @@ pub use load_curve::{LoadCurve, LoadCurves};
 pub use nonlinear::NonlinearLoad;
 pub use nonlinear_state::NonlinearState;
 pub use raceway::{
-    BodyRaceway, ElasticRaceways, HalfSpaceShare, OnCylinder, PlacedRaceway, RacewayCylinder, RacewayOwner,
-    SeatTerms, by_element, half_space_share, half_space_shares,
+    BodyRaceway, ElasticRaceways, HalfSpaceShare, PlacedRaceway, PositionOnCylinder, RacewayCylinder,
+    RacewayOwner, SeatTerms, by_element, half_space_share, half_space_shares,
 };
 pub use rolling::{RollingElements, five, rejected};
 pub use springs::{Springs, damping, springs};

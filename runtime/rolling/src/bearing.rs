@@ -1,4 +1,5 @@
-//! Rolling bearings as sets of rows between rigid rings.
+//! Rolling bearings as sets of rows. Rings are rigid unless their raceways are
+//! displaced.
 
 use crate::ball::{BallKind, BallRow, BallState, Motion};
 use crate::element::{Local, Response};
@@ -66,7 +67,7 @@ pub enum Arrangement {
     Tandem,
 }
 
-/// A rolling bearing with rigid rings.
+/// A rolling bearing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollingBearing {
     rows: Vec<Row>,
@@ -175,7 +176,7 @@ impl Row {
     /// Returns the [`RacewayDisplacement`] at an element by the radial displacement of the raceway
     /// of a ring in the middle of the contact ([`Row::contact`]), outwards, and by the derivative of
     /// this displacement along the axis of the bearing (columns).
-    pub fn raceway_motions(&self, ring: Ring) -> [[f64; 2]; 3] {
+    pub fn relative_displacements(&self, ring: Ring) -> [[f64; 2]; 3] {
         let sign = match ring {
             Ring::Inner => -1.0,
             Ring::Outer => 1.0,
@@ -373,8 +374,7 @@ impl RollingBearing {
     }
 
     /// Computes load and stiffness like [`RollingBearing::evaluate`] between raceways that are
-    /// displaced at each element, row by row. Also returns the loads of the elements on the outer
-    /// one.
+    /// displaced at each element, row by row. Also returns the loads of the elements on the raceways.
     ///
     /// # Errors
     /// [`RollingError::Input`] if a displacement is not finite.

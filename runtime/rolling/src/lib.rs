@@ -1,4 +1,4 @@
-//! Rolling bearings with rigid rings, at the fidelity `analytic`: Hertz contacts of balls and
+//! Rolling bearings, at the fidelity `analytic`: Hertz contacts of balls and
 //! laminae of rollers.
 //!
 //! A [`RollingBearing`] is a set of rows of balls or rollers. [`RollingBearing::evaluate`] computes

@@ -12,17 +12,17 @@ use crate::element::{Local, Response};
 /// Ring of a rolling bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ring {
-    /// With the raceway inside of the elements.
+    /// Inner ring, whose raceway is inside of the elements.
     Inner,
-    /// With the raceway around the elements.
+    /// Outer ring, whose raceway is around the elements.
     Outer,
 }
 
 /// Displacement of the outer relative to the inner raceway at an element, in addition to that of
 /// rigid rings, in the axial plane of the element: radial, m; axial, m, positive along the z axis of
 /// a row that is not mirrored; rotation from axial to radial, rad.
-/// [`Row::raceway_motions`](crate::bearing::Row::raceway_motions) converts radial displacements of
-/// raceways to it.
+/// [`Row::relative_displacements`](crate::bearing::Row::relative_displacements) converts radial
+/// displacements of raceways to it.
 pub type RacewayDisplacement = [f64; 3];
 
 /// Load of an element between raceways that are displaced.
@@ -71,7 +71,8 @@ pub(crate) fn displace(ring: &mut Local, displacement: &RacewayDisplacement) {
 }
 
 impl RacewayLoad {
-    /// Returns the load of an element on the outer raceway from its load on the inner ring.
+    /// Returns the load conjugate to the displacement of the raceways from the load on the inner ring,
+    /// which has no part of the centrifugal force.
     pub(crate) fn of(projection: &[[f64; 5]; 3], response: &Response) -> Self {
         let by_ring = |row: &[f64; 3], column: usize| -> f64 {
             row.iter().zip(projection).map(|(entry, projection)| entry * projection[column]).sum()

@@ -38,7 +38,7 @@ fn all() -> Vec<(&'static str, RollingBearing)> {
 /// Displacements of the raceway of a ring that bends, one for each element.
 fn bent(bearing: &RollingBearing, ring: Ring) -> Vec<RacewayDisplacement> {
     let of = |row: &Row| -> Vec<RacewayDisplacement> {
-        let motions = row.raceway_motions(ring);
+        let motions = row.relative_displacements(ring);
         let radial = |at: f64| [3e-6 * (2.0 * at + 0.3).cos(), 2e-4 * (3.0 * at).sin()];
         let moved = |[displacement, slope]: [f64; 2]| {
             motions.map(|[by_displacement, by_slope]| by_displacement * displacement + by_slope * slope)
@@ -69,7 +69,7 @@ fn loads_on_raceways_are_those_of_the_contacts() {
             assert!(largest > 100.0, "{name}");
             for (state, load) in states.iter().zip(&loads) {
                 let row = &bearing.rows()[state.row];
-                let motions = row.raceway_motions(ring);
+                let motions = row.relative_displacements(ring);
                 let on_raceway = [0, 1].map(|k| (0..3).map(|i| motions[i][k] * load.force[i]).sum::<f64>());
                 let contact = row.contact(ring);
                 // Elements press the inner raceway inwards. Positions along the contact line count
@@ -156,7 +156,7 @@ fn a_rigid_motion_of_a_raceway_is_one_of_the_ring() {
         for (ring, sign) in [(Ring::Outer, -1.0), (Ring::Inner, 1.0)] {
             let [x, y] = [4e-6, -7e-6];
             let of = |row: &Row| -> Vec<RacewayDisplacement> {
-                let motions = row.raceway_motions(ring);
+                let motions = row.relative_displacements(ring);
                 let radial = |at: f64| x * at.cos() + y * at.sin();
                 row.azimuths(&Motion::REST).map(|at| motions.map(|[by, _]| by * radial(at))).collect()
             };
@@ -183,7 +183,7 @@ fn a_slope_of_a_raceway_is_a_rotation_of_the_ring() {
     let rotation = 2e-4;
     for (ring, sign) in [(Ring::Outer, -1.0), (Ring::Inner, 1.0)] {
         let of = |row: &Row| -> Vec<RacewayDisplacement> {
-            let motions = row.raceway_motions(ring);
+            let motions = row.relative_displacements(ring);
             // A rotation about y moves a point at the height z by z times the angle along x.
             let slope = |at: f64| rotation * at.cos();
             row.azimuths(&Motion::REST).map(|at| motions.map(|[_, by]| by * slope(at))).collect()

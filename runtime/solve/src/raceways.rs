@@ -1,7 +1,7 @@
 //! Bearings whose raceways are the bore of a gear or seats of elastic bodies.
 
 use calyx_model::bearing::{
-    BodyRaceway, ElasticRaceways, OnCylinder, RacewayCylinder, RacewayOwner, Ring, RollingElements,
+    BodyRaceway, ElasticRaceways, PositionOnCylinder, RacewayCylinder, RacewayOwner, Ring, RollingElements,
     SeatTerms, half_space_shares,
 };
 use calyx_model::connection::{ElasticConnection, Seat};
@@ -56,7 +56,7 @@ pub(crate) fn find(
             });
             let (cylinder, series, modulus, owner) = in_gear.or_else(|| in_seat(connections, body))?;
             // A bearing that is not coaxial is rejected at its position.
-            let placed = OnCylinder::at(&scene.bodies, bearing, &cylinder, 0.0).ok();
+            let placed = PositionOnCylinder::at(&scene.bodies, bearing, &cylinder, 0.0).ok();
             let shares = half_space_shares(elements, (ring, &series, modulus), placed);
             Some(BodyRaceway { cylinder, ring, series, shares, owner })
         };

@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Nonlinear load of a bearing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NonlinearLoad {
-    /// Rolling elements between rigid rings.
+    /// Rolling elements.
     Rolling(Arc<RollingElements>),
     /// Tables of force over displacement.
     Curves(Arc<LoadCurves>),

@@ -95,7 +95,7 @@ pub struct PlacedRaceway {
 /// Elastic raceways of a bearing at a time.
 #[derive(Clone, Debug)]
 pub struct ElasticRaceways {
-    /// One, or those of both rings.
+    /// Elastic raceways of one or both rings.
     pub raceways: Vec<PlacedRaceway>,
     /// [`RacewayDisplacement`] by loads of the elements: of bores of gears, less those of
     /// half-spaces.
@@ -133,7 +133,7 @@ pub struct RacewayCylinder {
     /// Distance of the axis of a bearing from that of the cylinder, relative to its radius, up to
     /// which it is coaxial.
     pub eccentricity: f64,
-    /// What it is, for messages.
+    /// Noun for the cylinder in messages.
     pub what: &'static str,
     /// Remedy for a bearing that is not coaxial.
     pub remedy: &'static str,
@@ -157,7 +157,7 @@ impl RacewayCylinder {
 
 /// Position of a bearing on the cylinder of a body.
 #[derive(Clone, Copy, Debug)]
-pub struct OnCylinder {
+pub struct PositionOnCylinder {
     /// Axial coordinate of its origin from that of the body, m.
     pub z: f64,
     /// Angle of its x axis from the direction of the angle 0, or the first tooth of a gear, rad.
@@ -166,7 +166,7 @@ pub struct OnCylinder {
     pub sense: f64,
 }
 
-impl OnCylinder {
+impl PositionOnCylinder {
     /// Places a bearing on a cylinder at a time (s).
     ///
     /// # Errors
@@ -210,7 +210,8 @@ impl BodyRaceway {
         (bearing, elements): (&Bearing, &RollingElements),
         time: f64,
     ) -> Result<(PlacedRaceway, DMatrix<f64>), EngineError> {
-        let OnCylinder { z, angle: first, sense } = OnCylinder::at(bodies, bearing, &self.cylinder, time)?;
+        let PositionOnCylinder { z, angle: first, sense } =
+            PositionOnCylinder::at(bodies, bearing, &self.cylinder, time)?;
         let rows = elements.bearing.rows();
         let size = COMPONENTS * rows.iter().map(Row::count).sum::<usize>();
         let mut by_terms = DMatrix::zeros(size, self.series.terms());
@@ -219,7 +220,7 @@ impl BodyRaceway {
         for (row, share) in rows.iter().zip(&self.shares) {
             let contact = row.contact(self.ring);
             // By the radial displacement and its derivative along the axis of the cylinder.
-            let motions = row.raceway_motions(self.ring).map(|[by, by_slope]| [by, sense * by_slope]);
+            let motions = row.relative_displacements(self.ring).map(|[by, by_slope]| [by, sense * by_slope]);
             let at = z + sense * (row.position + contact.position);
             for azimuth in row.azimuths(&elements.motion) {
                 let parts = self.series.terms_along(first + sense * azimuth, at, contact.width);
@@ -255,8 +256,8 @@ impl BodyRaceway {
 }
 
 impl PlacedRaceway {
-    /// Returns the forces on the terms of the series of loads of elements, as
-    /// [`calyx_rolling::RacewayLoad`].
+    /// Returns the generalized forces on the terms of the series from loads of the elements, three for
+    /// each as in [`calyx_rolling::RacewayLoad::force`].
     pub fn on_terms(&self, loads: &[f64]) -> DVector<f64> {
         self.by_terms.transpose() * DVector::from_row_slice(loads)
     }
@@ -399,7 +400,7 @@ impl ElasticRaceways {
 pub fn half_space_shares(
     elements: &RollingElements,
     (ring, raceway, modulus): (Ring, &Raceway, f64),
-    placed: Option<OnCylinder>,
+    placed: Option<PositionOnCylinder>,
 ) -> Vec<HalfSpaceShare> {
     let middle = 0.5 * (raceway.ends[0] + raceway.ends[1]);
     let position =

@@ -16,7 +16,7 @@ use std::sync::{Arc, OnceLock};
 /// moment: that of boundary lubrication.
 const GYROSCOPIC_FRICTION: f64 = 0.1;
 
-/// Rolling elements of a bearing with rigid rings.
+/// Rolling elements of a bearing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollingElements {
     /// Rows of rolling elements.

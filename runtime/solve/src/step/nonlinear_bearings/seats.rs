@@ -251,6 +251,7 @@ impl SeatedBodies {
         (members, tangents, response): (&[Member], &[Tangent], &SeatResponse),
         motion: &[f64],
     ) {
+        // The displacements H' p take the place of H', and G' p that of G'.
         let on_gears = members.iter().zip(moved.iter()).map(|(own, moved)| {
             let bore = own.raceways.as_ref()?.bore();
             bore.map(|_| DMatrix::from_row_slice(1, moved.len(), moved))

@@ -15,6 +15,10 @@ const CELLS: usize = 4;
 const DOFS: usize = 3;
 /// Terms of the series of the bore and of the seat.
 const TERMS: [usize; 2] = [5, 4];
+/// Width of a plane model, m.
+const WIDTH: f64 = 0.02;
+/// Terms of other seats of the elastic body, before those of the bearing.
+const OTHERS: usize = 3;
 const DEFLECTION: [f64; 5] = [12e-6, -4e-6, 0.0, 1e-4, -5e-5];
 
 /// Numbers between -1 and 1 that look random, of the same size in each run.
@@ -70,13 +74,20 @@ fn elimination_solves_the_equations_of_all_unknowns() {
         let all = numbers(size, terms, seed);
         DMatrix::from_fn(size, terms, |row, column| scales[row % 3] * all[(row, column)])
     };
-    let [bore, seat] = [by_terms(TERMS[0], 0.2), by_terms(TERMS[1], 0.3)];
+    let [bore, own_seat] = [by_terms(TERMS[0], 0.2), by_terms(TERMS[1], 0.3)];
+    let terms_of_body = OTHERS + TERMS[1];
+    let mut seat = DMatrix::zeros(size, terms_of_body);
+    seat.columns_mut(OTHERS, TERMS[1]).copy_from(&own_seat);
     let of_bore = definite(TERMS[0], 1e-9, 0.4);
-    let terms = SeatTerms { connection: 0, first: 0 };
+    // The connection has one coefficient of another one before its own.
+    let terms = SeatTerms { connection: 5, first: OTHERS - 1 };
     let compliance = &bore * &of_bore * bore.transpose();
     let placed = |by_terms: &DMatrix<f64>, seat| PlacedRaceway { body: 0, seat, by_terms: by_terms.clone() };
-    let raceways =
-        ElasticRaceways::new(vec![placed(&bore, None), placed(&seat, Some(terms))], compliance.clone(), 1.0);
+    let raceways = ElasticRaceways::new(
+        vec![placed(&bore, None), placed(&own_seat, Some(terms))],
+        compliance.clone(),
+        WIDTH,
+    );
 
     let at_rest = nonlinear.state(None, DEFLECTION).expect("finite");
     let state = nonlinear.state_on(&at_rest, DEFLECTION, &by_element(displaced.as_slice())).expect("finite");
@@ -87,8 +98,8 @@ fn elimination_solves_the_equations_of_all_unknowns() {
         .row_iter()
         .map(|row| std::array::from_fn(|k| if k < 3 { row[k] } else { 20.0 * row[k] }))
         .collect();
-    let motions = numbers(TERMS[1], DOFS, 0.6);
-    let of_seat = definite(TERMS[1], 2e-9, 0.7);
+    let motions = numbers(terms_of_body, DOFS, 0.6);
+    let of_seat = definite(terms_of_body, 2e-9, 0.7);
     let factor = of_seat.clone().cholesky().expect("definite").l();
     let by_cells = 1e-9 * numbers(CELLS, TERMS[0], 0.8);
     let growth = raceways.growth(&by_cells).expect("a bore");
@@ -103,7 +114,7 @@ fn elimination_solves_the_equations_of_all_unknowns() {
     // Unknowns: forces of cells, motions, displacements of the raceways, loads on them, and the
     // elastic part of the terms of the seat.
     let [p, u, v, f, s] = [0, CELLS, CELLS + DOFS, CELLS + DOFS + size, CELLS + DOFS + 2 * size];
-    let all = s + TERMS[1];
+    let all = s + terms_of_body;
     let mut equations = Equations { matrix: DMatrix::zeros(all, all), right: DVector::zeros(all) };
     let mut stiffness = DMatrix::zeros(size, size);
     let mut coupling = DMatrix::zeros(size, 5);
@@ -127,15 +138,15 @@ fn elimination_solves_the_equations_of_all_unknowns() {
     // Gaps: g + A p + C u + H f = 0, and the growth of gaps by the bore.
     equations.add((p, p), &own);
     equations.add((p, u), &lever);
-    equations.add((p, f), &growth);
+    equations.add((p, f), &(&growth / WIDTH));
     equations.right.rows_mut(p, CELLS).copy_from(&-&gaps);
     // Motions: K u + D' (k D u - l - B' (v - v0)) - A' E' f - C' p = load.
-    equations.add((u, u), &(&springs + deflections.transpose() * &bearing * &deflections));
-    equations.add((u, v), &-(deflections.transpose() * coupling.transpose()));
-    equations.add((u, f), &-(motions.transpose() * seat.transpose()));
+    equations.add((u, u), &(&springs + deflections.transpose() * &bearing * &deflections / WIDTH));
+    equations.add((u, v), &-(deflections.transpose() * coupling.transpose() / WIDTH));
+    equations.add((u, f), &-(motions.transpose() * seat.transpose() / WIDTH));
     equations.add((u, p), &-lever.transpose());
     let rest = DVector::from_fn(5, |k, _| rigid.load[k]) - coupling.transpose() * &at;
-    equations.right.rows_mut(u, DOFS).copy_from(&(&load + deflections.transpose() * rest));
+    equations.right.rows_mut(u, DOFS).copy_from(&(&load + deflections.transpose() * rest / WIDTH));
     // Displacements: v = H' p + C f + E (A u + s).
     equations.add((v, v), &identity(size));
     equations.add((v, p), &-growth.transpose());
@@ -149,7 +160,7 @@ fn elimination_solves_the_equations_of_all_unknowns() {
     let start = loads - &coupling * DVector::from_row_slice(&DEFLECTION) + &stiffness * at;
     equations.right.rows_mut(f, size).copy_from(&start);
     // Seat: s = C E' f.
-    equations.add((s, s), &identity(TERMS[1]));
+    equations.add((s, s), &identity(terms_of_body));
     equations.add((s, f), &-(&of_seat * seat.transpose()));
     let expected = equations.matrix.lu().solve(&equations.right).expect("regular");
 
@@ -159,27 +170,33 @@ fn elimination_solves_the_equations_of_all_unknowns() {
         raceways: Some(raceways.clone()),
         arms: arms.clone(),
         radius: 20e-3,
-        width: 1.0,
+        width: WIDTH,
     };
-    let first = BTreeMap::from([(0, 0)]);
-    let bodies = SeatedBodies { motions, factor, first, members: vec![0], width: 1.0 };
+    let first = BTreeMap::from([(2, 0), (5, 1)]);
+    let bodies = SeatedBodies { motions, factor, first, members: vec![0], width: WIDTH };
     let (members, tangents, growths) = ([member], [tangent.clone()], [Some(growth.clone())]);
     let response = bodies.response(&members, &tangents);
     let rows = |matrix: &DMatrix<f64>| matrix.transpose().as_slice().to_vec();
     let deflected = DMatrix::from_fn(5, 5, |row, column| tangent.stiffness[row][column]);
-    let of_bearing = deflections.transpose() * deflected * &deflections;
-    let pushed = deflections.transpose() * DVector::from_fn(5, |k, _| tangent.load[k]);
+    let of_bearing = deflections.transpose() * deflected * &deflections / WIDTH;
+    let pushed = deflections.transpose() * DVector::from_fn(5, |k, _| tangent.load[k]) / WIDTH;
+    // Motions of the problem are relative to these.
+    let began = 1e-6 * DVector::from_fn(DOFS, |row, _| 1.0 + row as f64);
     let mut problem = ContactProblem {
         compliance: rows(&own),
         arms: rows(&lever),
-        gaps: gaps.as_slice().to_vec(),
+        gaps: (&gaps + &lever * &began).as_slice().to_vec(),
         stiffness: rows(&(&springs + of_bearing)),
         load: (&load + pushed).as_slice().to_vec(),
     };
     response.add_to(&mut problem.stiffness, &mut problem.load);
     let elastic = tangent.raceway.as_ref().expect("a raceway");
-    raceways.put(&mut problem, (elastic, &growth), &arms, &[0.0; DOFS]);
-    bodies.put(&mut problem, (&members, &tangents, &response), &growths, &[0.0; DOFS]);
+    raceways.put(&mut problem, (elastic, &growth), &arms, began.as_slice());
+    bodies.put(&mut problem, (&members, &tangents, &response), &growths, began.as_slice());
+
+    let stiffness = DMatrix::from_row_slice(DOFS, DOFS, &problem.stiffness);
+    let strained = &stiffness * &began;
+    problem.load.iter_mut().zip(strained.iter()).for_each(|(load, part)| *load -= part);
 
     // All cells in contact: A p + C u = -g, K u - C' p = load.
     let mut reduced =
@@ -188,7 +205,7 @@ fn elimination_solves_the_equations_of_all_unknowns() {
     let lever = DMatrix::from_row_slice(CELLS, DOFS, &problem.arms);
     reduced.add((0, CELLS), &lever);
     reduced.add((CELLS, 0), &-lever.transpose());
-    reduced.add((CELLS, CELLS), &DMatrix::from_row_slice(DOFS, DOFS, &problem.stiffness));
+    reduced.add((CELLS, CELLS), &stiffness);
     reduced.right.rows_mut(0, CELLS).copy_from(&-DVector::from_row_slice(&problem.gaps));
     reduced.right.rows_mut(CELLS, DOFS).copy_from(&DVector::from_row_slice(&problem.load));
     let found = reduced.matrix.lu().solve(&reduced.right).expect("regular");
@@ -200,7 +217,7 @@ fn elimination_solves_the_equations_of_all_unknowns() {
         }
     };
     close("forces", &found.as_slice()[..CELLS], &expected.as_slice()[p..u]);
-    close("motions", &found.as_slice()[CELLS..], &expected.as_slice()[u..v]);
+    close("motions", (found.rows(CELLS, DOFS) + &began).as_slice(), &expected.as_slice()[u..v]);
     let motion = &expected.as_slice()[u..v];
     let on_cells = DVector::from_row_slice(&expected.as_slice()[p..u]);
     let mut moved = vec![growth.tr_mul(&on_cells).as_slice().to_vec()];
