@@ -244,7 +244,8 @@ fn loads(solved: &Solved) -> Vec<f64> {
     solved.step.raceways.iter().flat_map(|raceway| raceway.loads.iter().step_by(3).copied()).collect()
 }
 
-/// Rotated, with the axis of the tube along x or y of its file, and with supports that have a value.
+/// Rotated, with the axis of the tube along x or y of its file, and with supports that have a
+/// value.
 #[test]
 fn the_same_arrangement_has_the_same_loads() {
     for rings in [OUTER, INNER, BOTH] {
@@ -272,8 +273,8 @@ fn the_same_arrangement_has_the_same_loads() {
     }
 }
 
-/// The half-spaces that are subtracted are softer than the elements where tubes are: the elimination
-/// of raceways has a pole between both. Equilibrium is found on either side.
+/// The half-spaces that are subtracted are softer than the elements where tubes are: the
+/// elimination of raceways has a pole between both. Equilibrium is found on either side.
 #[test]
 fn soft_tubes_have_an_equilibrium() {
     for rings in [INNER, BOTH] {

@@ -107,7 +107,8 @@ impl CheckedRaceway {
         EngineError::new("E0700", message, help).about(body)
     }
 
-    /// Returns the change with which a bearing that is mounted on the body would run on its raceway.
+    /// Returns the change with which a bearing that is mounted on the body would run on its
+    /// raceway.
     fn mounted(&self, host: &ModelHost) -> Option<String> {
         let is_on_body = |bearing: &&Bearing| {
             let is = |body: BodyId| body.0 == self.cylinder.body;

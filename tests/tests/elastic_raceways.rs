@@ -189,8 +189,8 @@ fn needles_on_an_elastic_pin_balance_the_teeth() {
     }
 }
 
-/// A pin whose seat rotates has the loads of one at rest in the same position. The gears are one pitch
-/// further.
+/// A pin whose seat rotates has the loads of one at rest in the same position. The gears are one
+/// pitch further.
 #[test]
 fn a_rotating_pin_has_the_loads_of_one_at_rest() {
     let of = |time, motion| {
@@ -207,8 +207,8 @@ fn a_rotating_pin_has_the_loads_of_one_at_rest() {
     }
 }
 
-/// The results of stiff pins approach those of a rigid inner ring as the compliance vanishes. A hollow
-/// pin of steel becomes oval.
+/// The results of stiff pins approach those of a rigid inner ring as the compliance vanishes. A
+/// hollow pin of steel becomes oval.
 #[test]
 fn a_stiff_pin_has_the_loads_of_a_rigid_raceway() {
     let of = |how, modulus| {

@@ -174,8 +174,8 @@ impl Row {
     }
 
     /// Returns the [`RacewayDisplacement`] at an element by the radial displacement of the raceway
-    /// of a ring in the middle of the contact ([`Row::contact`]), outwards, and by the derivative of
-    /// this displacement along the axis of the bearing (columns).
+    /// of a ring in the middle of the contact ([`Row::contact`]), outwards, and by the derivative
+    /// of this displacement along the axis of the bearing (columns).
     pub fn relative_displacements(&self, ring: Ring) -> [[f64; 2]; 3] {
         let sign = match ring {
             Ring::Inner => -1.0,
@@ -374,7 +374,8 @@ impl RollingBearing {
     }
 
     /// Computes load and stiffness like [`RollingBearing::evaluate`] between raceways that are
-    /// displaced at each element, row by row. Also returns the loads of the elements on the raceways.
+    /// displaced at each element, row by row. Also returns the loads of the elements on the
+    /// raceways.
     ///
     /// # Errors
     /// [`RollingError::Input`] if a displacement is not finite.

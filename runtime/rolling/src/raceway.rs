@@ -3,9 +3,9 @@
 //! The displacement of a raceway is radial: `v + s t` at the distance t along z from the middle of
 //! the contact of an element. A contact with the angle α to the radial direction sees the normal
 //! component `cos α (v + s ξ cos α)` at the distance ξ along the contact line. That is the
-//! displacement of a ring that moves radially by v and rotates by `s cos² α` about the middle of the
-//! contact. An element sees only the displacement of both rings relative to each other, so those of
-//! both raceways add up.
+//! displacement of a ring that moves radially by v and rotates by `s cos² α` about the middle of
+//! the contact. An element sees only the displacement of both rings relative to each other, so
+//! those of both raceways add up.
 
 use crate::element::{Local, Response};
 
@@ -19,8 +19,8 @@ pub enum Ring {
 }
 
 /// Displacement of the outer relative to the inner raceway at an element, in addition to that of
-/// rigid rings, in the axial plane of the element: radial, m; axial, m, positive along the z axis of
-/// a row that is not mirrored; rotation from axial to radial, rad.
+/// rigid rings, in the axial plane of the element: radial, m; axial, m, positive along the z axis
+/// of a row that is not mirrored; rotation from axial to radial, rad.
 /// [`Row::relative_displacements`](crate::bearing::Row::relative_displacements) converts radial
 /// displacements of raceways to it.
 pub type RacewayDisplacement = [f64; 3];
@@ -71,8 +71,8 @@ pub(crate) fn displace(ring: &mut Local, displacement: &RacewayDisplacement) {
 }
 
 impl RacewayLoad {
-    /// Returns the load conjugate to the displacement of the raceways from the load on the inner ring,
-    /// which has no part of the centrifugal force.
+    /// Returns the load conjugate to the displacement of the raceways from the load on the inner
+    /// ring, which has no part of the centrifugal force.
     pub(crate) fn of(projection: &[[f64; 5]; 3], response: &Response) -> Self {
         let by_ring = |row: &[f64; 3], column: usize| -> f64 {
             row.iter().zip(projection).map(|(entry, projection)| entry * projection[column]).sum()

@@ -1,4 +1,5 @@
-//! Raceways that are displaced at each element: loads on them, their derivatives, and rigid motions.
+//! Raceways that are displaced at each element: loads on them, their derivatives, and rigid
+//! motions.
 
 use crate::sample::{
     angular_contact, balls, close, cylindrical, deep_groove, evaluate, four_point, rollers, spherical,
@@ -55,7 +56,8 @@ fn loads(bearing: &RollingBearing, at: &Displacement, raceway: &[RacewayDisplace
 }
 
 /// The load of every element on a raceway, conjugate to the radial displacement and its derivative,
-/// is the radial part of its contact load, and the moment of the radial loads along the contact line.
+/// is the radial part of its contact load, and the moment of the radial loads along the contact
+/// line.
 #[test]
 fn loads_on_raceways_are_those_of_the_contacts() {
     for (name, bearing) in all() {

@@ -34,8 +34,9 @@ pub(crate) fn dense(matrix: MatRef<'_, f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| matrix[(row, column)])
 }
 
-/// Finds the modelled bearings that run on elastic raceways. `raceway_of` returns the raceway in the
-/// bore of a gear with its plane-strain modulus (Pa) and the compliance of its terms, if it has one.
+/// Finds the modelled bearings that run on elastic raceways. `raceway_of` returns the raceway in
+/// the bore of a gear with its plane-strain modulus (Pa) and the compliance of its terms, if it has
+/// one.
 pub(crate) fn find(
     scene: &Mechanism,
     modelled: &[usize],
@@ -103,8 +104,8 @@ fn square_root(matrix: DMatrix<f64>) -> DMatrix<f64> {
 }
 
 impl BearingOnRaceways {
-    /// Places the raceways at a time (s), with these elements of the bearing; `width` (m) is that of
-    /// a body in a plane model and 1 in three dimensions.
+    /// Places the raceways at a time (s), with these elements of the bearing; `width` (m) is that
+    /// of a body in a plane model and 1 in three dimensions.
     ///
     /// # Errors
     /// Those of [`ElasticRaceways::at`].

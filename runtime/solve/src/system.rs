@@ -287,8 +287,8 @@ impl<'s> System<'s> {
         })
     }
 
-    /// Returns the elastic raceways of a bearing by its index in the scene at a time (s); `None` for
-    /// one between rigid rings.
+    /// Returns the elastic raceways of a bearing by its index in the scene at a time (s); `None`
+    /// for one between rigid rings.
     ///
     /// # Errors
     /// Those of [`ElasticRaceways::at`].

@@ -1,13 +1,13 @@
 //! Raceways of rolling bearings that are the bore of a gear or a seat of an elastic body.
 //!
 //! The elements of a bearing press on a raceway at their own angles. At each of them the raceways
-//! have a displacement `v` of the outer relative to the inner one ([`RacewayDisplacement`]). With the
-//! loads `f` of the elements and the forces `p` of teeth, `v = H p + C f`. The radial displacement
-//! of a raceway is a series ([`calyx_structure::Raceway`]), and `C` the compliance of the bodies in
-//! these series. The contact of an element is that of half-spaces, whose displacement in the same
-//! series would count twice, so it is subtracted from `C`: body and half-space have the same
-//! displacements at short wavelengths, and their difference converges quickly with the number of
-//! terms.
+//! have a displacement `v` of the outer relative to the inner one ([`RacewayDisplacement`]). With
+//! the loads `f` of the elements and the forces `p` of teeth, `v = H p + C f`. The radial
+//! displacement of a raceway is a series ([`calyx_structure::Raceway`]), and `C` the compliance of
+//! the bodies in these series. The contact of an element is that of half-spaces, whose displacement
+//! in the same series would count twice, so it is subtracted from `C`: body and half-space have the
+//! same displacements at short wavelengths, and their difference converges quickly with the number
+//! of terms.
 //!
 //! With linearized elements, `f = c + B q - K v` at the deflection `q` of the bearing, `v` is
 //! eliminated from the contact problem: `v = M (H p + C (c + B q))` with `M = (I + C K)^-1`.
@@ -256,8 +256,8 @@ impl BodyRaceway {
 }
 
 impl PlacedRaceway {
-    /// Returns the generalized forces on the terms of the series from loads of the elements, three for
-    /// each as in [`calyx_rolling::RacewayLoad::force`].
+    /// Returns the generalized forces on the terms of the series from loads of the elements, three
+    /// for each as in [`calyx_rolling::RacewayLoad::force`].
     pub fn on_terms(&self, loads: &[f64]) -> DVector<f64> {
         self.by_terms.transpose() * DVector::from_row_slice(loads)
     }
@@ -380,14 +380,14 @@ impl ElasticRaceways {
         }
     }
 
-    /// Returns the displacements of the raceways by unit forces on cells, from those of the terms of
-    /// the series of the bore of a gear: cells by displacements. `None` without such a raceway.
+    /// Returns the displacements of the raceways by unit forces on cells, from those of the terms
+    /// of the series of the bore of a gear: cells by displacements. `None` without such a raceway.
     pub fn growth(&self, by_cells: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         Some(by_cells * self.bore()?.by_terms.transpose())
     }
 
-    /// Returns the displacements of the raceways with linearized elements at a deflection; `moved` is
-    /// that by forces of teeth and of seats.
+    /// Returns the displacements of the raceways with linearized elements at a deflection; `moved`
+    /// is that by forces of teeth and of seats.
     pub fn displaced(&self, tangent: &RacewayTangent, deflection: &[f64; 5], moved: &[f64]) -> Vec<f64> {
         let load = &tangent.load + &tangent.coupling * DVector::from_row_slice(deflection);
         let moved = DVector::from_row_slice(moved) + &self.compliance * load;
@@ -419,10 +419,10 @@ const POINTS: usize = 16;
 const POINTS_ALONG: usize = 6;
 
 /// Returns the displacements of the elements of a row on a half-space by their own loads, as far as
-/// they are in the series of the raceway of a ring, on which the middle of a contact has an axial coordinate
-/// `z` (m). The force of a roller is uniform along its length, its moment that of a linear
-/// pressure, and displacements are means with the same weights; the force of a ball acts at a
-/// point. In a plane model, and on the edge of a shell, the series has no axial part: the roller
+/// they are in the series of the raceway of a ring, on which the middle of a contact has an axial
+/// coordinate `z` (m). The force of a roller is uniform along its length, its moment that of a
+/// linear pressure, and displacements are means with the same weights; the force of a ball acts at
+/// a point. In a plane model, and on the edge of a shell, the series has no axial part: the roller
 /// has its whole length there, and a ball its diameter. The half-space has the plane-strain modulus
 /// (Pa) of the body whose series it is: that of the ring enters the contact deflection.
 pub fn half_space_share(

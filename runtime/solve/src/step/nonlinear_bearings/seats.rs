@@ -2,12 +2,12 @@
 //!
 //! With the motions `u` of the DOFs, the coefficients of all raceways of a body are `r = A u + s`,
 //! and `s` has the elastic energy `s' C^-1 s / 2`. All bearings of the body together determine `s`,
-//! and a bearing between two elastic bodies that of both. Between the raceways of gears and of these
-//! bodies, the elements of a bearing have the displacement `w = H p + E r` by the forces `p` of teeth
-//! and the terms of the series. Their linearized loads are `f = M' (c + B q) - Q w`, with `M` and
-//! `Q = K M` of [`calyx_model::bearing::ElasticRaceways`]. Equilibrium of the bodies, `s = C E' f`,
-//! gives with `P = E' Q E`, `X u = -E' M' B q`, `l = E' M' c`, `Y = P A + X` and
-//! `N = (C^-1 + P)^-1`
+//! and a bearing between two elastic bodies that of both. Between the raceways of gears and of
+//! these bodies, the elements of a bearing have the displacement `w = H p + E r` by the forces `p`
+//! of teeth and the terms of the series. Their linearized loads are `f = M' (c + B q) - Q w`, with
+//! `M` and `Q = K M` of [`calyx_model::bearing::ElasticRaceways`]. Equilibrium of the bodies, `s =
+//! C E' f`, gives with `P = E' Q E`, `X u = -E' M' B q`, `l = E' M' c`, `Y = P A + X` and `N =
+//! (C^-1 + P)^-1`
 //!
 //! ```text
 //! s = N (l - Y u - G' p),    G = H' Q E .
