@@ -34,8 +34,8 @@ const GEAR: BodyId = BodyId(1);
 const MEDIUM: Fidelity = Fidelity::Solid(Template::Medium);
 /// Positions within a mesh cycle.
 const PARTS: [f64; 5] = [0.05, 0.2, 0.35, 0.5, 0.65];
-/// Number of positions for means over a mesh cycle. These means differ by up to 3e-6 from those over
-/// 512 positions, because the torque varies rapidly where an edge enters contact.
+/// Number of positions for means over a mesh cycle. These means differ by up to 3e-6 from those
+/// over 512 positions, because the torque varies rapidly where an edge enters contact.
 const POSITIONS: u32 = 64;
 /// Half of the distance of two positions whose difference is a rate, in mesh cycles.
 const STEP: f64 = 2e-3;

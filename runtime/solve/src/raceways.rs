@@ -25,7 +25,7 @@ pub(crate) struct BearingOnRaceways {
 #[derive(Clone, Default)]
 pub(crate) struct RacewaySet {
     pub bearings: Vec<BearingOnRaceways>,
-    /// By elastic connection: `L` with the compliance `L L'` of the terms of all its seats.
+    /// `L` with the compliance `L L'` of the terms of all seats, by elastic connection.
     pub factors: BTreeMap<usize, Arc<DMatrix<f64>>>,
 }
 

@@ -234,8 +234,8 @@ mod tests {
             let rotation = rotation(angle);
             let before = POSE.point(POINT);
             let exact = minus(rotation.applied_to(&POSE).point(POINT), before);
-            // The next term of the series is half of the square of the angle times the distance from
-            // the axis.
+            // The next term of the series is half of the square of the angle times the distance
+            // from the axis.
             let error = apart(rotation.displacement(before), exact);
             let distance = length(cross(rotation.axis, minus(before, rotation.origin)));
             assert!((error / (0.5 * angle * angle * distance) - 1.0).abs() < 1e-3, "{error:e}");

@@ -219,7 +219,7 @@ impl BodyRaceway {
         let mut element = 0;
         for (row, share) in rows.iter().zip(&self.shares) {
             let contact = row.contact(self.ring);
-            // By the radial displacement and its derivative along the axis of the cylinder.
+            // The derivative of the radial displacement is along the axis of the cylinder.
             let motions = row.relative_displacements(self.ring).map(|[by, by_slope]| [by, sense * by_slope]);
             let at = z + sense * (row.position + contact.position);
             for azimuth in row.azimuths(&elements.motion) {
