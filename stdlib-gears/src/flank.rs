@@ -265,7 +265,7 @@ impl Flank {
     }
 
     /// Arc length of the modified involute per unit of roll, m.
-    fn speed(&self, roll: f64) -> f64 {
+    pub(crate) fn speed(&self, roll: f64) -> f64 {
         let [amount, slope, _] = self.amount(roll);
         (self.base_radius * roll - amount).hypot(slope)
     }

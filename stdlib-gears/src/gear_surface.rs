@@ -73,7 +73,7 @@ impl GearSurface {
         }
         let on_flank = u.clamp(0.0, self.plain.edge_range()[0]);
         let plain_roll = self.plain.roll_at(on_flank);
-        let per_length = 1.0 / self.plain.at_roll(plain_roll).1;
+        let per_length = 1.0 / self.plain.speed(plain_roll);
         let roll = plain_roll + (u - on_flank) * per_length;
         let sense = plain_roll.signum();
         let twist = self.twist_off(roll, v);
@@ -134,7 +134,7 @@ impl GearSurface {
         let plain_roll = self.plain.roll_at(u.max(0.0));
         let [roll, rate] = self.modified_roll(plain_roll);
         let (point, speed) = self.modified.at_roll(roll);
-        let stretch = speed * rate / self.plain.at_roll(plain_roll).1;
+        let stretch = speed * rate / self.plain.speed(plain_roll);
         if u >= 0.0 {
             Section { point, stretch }
         } else {

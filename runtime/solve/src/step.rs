@@ -16,6 +16,7 @@ mod friction;
 mod grid_sizes;
 mod grid_warnings;
 mod linearized_bearings;
+mod loaded_zones;
 mod nonlinear_bearings;
 mod participation;
 mod patch;

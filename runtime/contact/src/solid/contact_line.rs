@@ -107,12 +107,23 @@ pub fn find_contact_line(
     second: PlacedSurface,
     search_edges: bool,
 ) -> Option<ContactLine> {
+    find_contact_line_within(first, second, search_edges, f64::INFINITY)
+}
+
+/// Finds the contact line as [`find_contact_line`] does. If the gap exceeds `far` (m), it is
+/// accurate to a few percent.
+pub fn find_contact_line_within(
+    first: PlacedSurface,
+    second: PlacedSurface,
+    search_edges: bool,
+    far: f64,
+) -> Option<ContactLine> {
     let mut best: Option<ContactLine> = None;
     for start in starts([first, second], search_edges) {
         if best.as_ref().is_some_and(|best| best.passes(first.at(start[0]).position)) {
             continue;
         }
-        let Some(contact_line) = Search { placed: [first, second], search_edges }.settle(start) else {
+        let Some(contact_line) = Search { placed: [first, second], search_edges, far }.settle(start) else {
             continue;
         };
         // Nearly equal gaps mean that the same contact line was found again.
@@ -187,6 +198,8 @@ fn samples(placed: &PlacedSurface, search_edges: bool) -> Vec<Vec<([f64; 2], Vec
 struct Search<'a> {
     placed: [PlacedSurface<'a>; 2],
     search_edges: bool,
+    /// Gap beyond which the contact line is not refined, m.
+    far: f64,
 }
 
 /// Contact line in one frame.
@@ -209,7 +222,7 @@ impl<'a> Search<'a> {
         let mut places = start;
         let [[from_u, to_u], [from_v, to_v]] = self.placed[0].surface.range();
         let corners = [[from_u, from_v], [to_u, to_v]].map(|corner| self.placed[0].at(corner).position);
-        let size = length(minus(corners[1], corners[0]));
+        let far = self.far.min(FAR * length(minus(corners[1], corners[0])));
         for round in 0..ROUNDS {
             let height_fields = self.height_fields(frame, places);
             let stations = self.stations(&height_fields, places)?;
@@ -217,18 +230,30 @@ impl<'a> Search<'a> {
             let reach = stations.reach();
             let shift = length(minus(next.point, frame.point)) / reach;
             let turn = length(minus(next.normal, frame.normal)).max(length(minus(next.along, frame.along)));
+            let change = shift.max(turn);
+            let is_far = round > 0 && stations.least.gap() > far;
+            if is_far || change <= SETTLED {
+                return self.contact_line(frame, &height_fields, &stations);
+            }
             frame = next;
             places = stations.least.places();
-            let is_far = round > 0 && stations.least.gap() > FAR * size;
-            if shift.max(turn) <= SETTLED || is_far {
-                break;
-            }
         }
         let height_fields = self.height_fields(frame, places);
         let stations = self.stations(&height_fields, places)?;
+        self.contact_line(frame, &height_fields, &stations)
+    }
+
+    /// Returns the contact line with these points in its frame.
+    fn contact_line(
+        &self,
+        frame: PatchFrame,
+        height_fields: &[HeightField; 2],
+        stations: &Stations,
+    ) -> Option<ContactLine> {
+        let places = stations.least.places();
         let on_edge = [0, 1].map(|side| self.placed[side].on_edge(places[side]));
         let points = stations.found.iter().map(|closest| self.point(closest)).collect();
-        let center = closest_across(&height_fields, 0.0, places)?;
+        let center = closest_across(height_fields, 0.0, places)?;
         Some(ContactLine { frame, gap: center.gap(), places, on_edge, at_end: center.end.is_some(), points })
     }
 

@@ -19,6 +19,7 @@ mod height_field;
 mod image;
 mod interval_averages;
 mod interval_pairs;
+mod loaded_zone;
 mod placement;
 mod pressure;
 mod slant;
@@ -29,10 +30,11 @@ mod transverse_approach;
 pub use crate::assembly::Entries;
 pub use active_set_guess::first_guess;
 pub use assembly::{PatchCells, Side, compliance};
-pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line};
+pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line, find_contact_line_within};
 pub use deflected_normals::{LineOfAction, LoadedPatch, lines_of_action};
 pub use grid::{Cell, Grid, Slice, build_grid, contact_modulus, grid_width};
 pub use grid_region::{GridOptions, GridSize};
+pub use loaded_zone::{LoadedZone, estimated_zone, extended_zone, with_a_cell_for_each_slice, within_zone};
 pub use placement::{BodyRotation, PatchFrame, PlacedSurface, Pose, sliding};
 pub use pressure::{
     GridReport, Peak, assess, fitting_size, half_axes, peak, peak_in, pressures, slice_peaks_in, zones,
@@ -45,6 +47,8 @@ mod general_tests;
 mod helical_tests;
 #[cfg(test)]
 mod hertz_tests;
+#[cfg(test)]
+mod loaded_zone_tests;
 #[cfg(test)]
 mod size_tests;
 #[cfg(test)]

@@ -7,6 +7,7 @@ use crate::modal::Modes;
 use crate::system::Teeth;
 use calyx_contact::assembly::Entries;
 use calyx_contact::problem::{ContactProblem, Solution};
+use calyx_contact::solid::LoadedZone;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
 use nalgebra::DMatrix;
@@ -163,6 +164,35 @@ pub(super) trait ContactGeometry: Sync {
     /// Returns an initial active set; it affects only the time of the solution.
     fn guess(&self, _problem: &ContactProblem, _grids: &[Self::Grid]) -> Vec<usize> {
         Vec::new()
+    }
+
+    /// Returns the grid with one cell for each slice, for an estimate of the part that carries
+    /// load; `None` if problems contain all cells.
+    fn with_a_cell_for_each_slice(&self, _grid: &Self::Grid) -> Option<Self::Grid> {
+        None
+    }
+
+    /// Estimates the part of a grid that carries load from the forces of its slices, see
+    /// [`calyx_contact::solid::estimated_zone`].
+    fn estimated_zone(&self, _grid: &Self::Grid, _forces: &[f64]) -> (LoadedZone, Vec<usize>) {
+        Default::default()
+    }
+
+    /// Returns the grid of the cells in a zone; `None` if problems contain all cells.
+    fn within_zone(&self, _grid: &Self::Grid, _zone: &[Range<usize>]) -> Option<Self::Grid> {
+        None
+    }
+
+    /// Returns the zone extended by cells that may carry load; `None` if there are none. `loaded`
+    /// are the cells of the zone.
+    fn extended_zone(
+        &self,
+        _candidate: &Candidate<Self::Site>,
+        _grid: &Self::Grid,
+        _zone: &[Range<usize>],
+        _loaded: &LoadedCells,
+    ) -> Option<LoadedZone> {
+        None
     }
 
     /// Returns whether grids may be enlarged after the usual number of corrections: in three

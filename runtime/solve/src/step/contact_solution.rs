@@ -13,7 +13,7 @@ use crate::system::System;
 use calyx_contact::assembly::{Entries, FormerCompliance};
 use calyx_contact::friction::{ActiveSet, solve_with_friction};
 use calyx_contact::problem::{ContactError, ContactProblem, Solution};
-use calyx_contact::unloaded_equilibrium::{UnloadedEquilibrium, unloaded_equilibrium};
+use calyx_contact::unloaded_equilibrium::unloaded_equilibrium;
 use calyx_model::dof::Dof;
 use calyx_model::ids::BodyId;
 use calyx_numerics::error::EngineError;
@@ -33,7 +33,7 @@ const WORTH_LOADING: f64 = 0.1;
 const MATRICES: u64 = 4;
 
 /// Compliance matrix of the grids before their correction.
-struct KnownCompliance {
+pub(super) struct KnownCompliance {
     matrix: Vec<f64>,
     /// Number of cells of each patch.
     sizes: Vec<usize>,
@@ -42,7 +42,7 @@ struct KnownCompliance {
 }
 
 /// Coupling of modal coordinates, which are eliminated, to the cells of a contact problem.
-struct Modal {
+pub(super) struct Modal {
     /// Derivatives of the gaps, cells by coordinates.
     arms: Mat<f64>,
     /// Compliance and arms of the static problem.
@@ -57,15 +57,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         candidates: &[&Candidate<S::Site>],
         solved: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
-        // Fully constrained or sprung bodies may overlap and press on each other without any load.
-        // In a time step inertia balances these forces.
-        if !self.under.in_time {
-            let rest = unloaded_equilibrium(&self.under.springs.stiffness, load);
-            if rest.balanced
-                && let Some(laid) = self.touch_without_load(time, load, candidates, &rest)?
-            {
-                return Ok(laid);
-            }
+        if let Some(laid) = self.touch_without_load(time, load, candidates)? {
+            return Ok(laid);
         }
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
         let space = self.space;
@@ -84,57 +77,68 @@ impl<S: ContactGeometry> Solver<'_, S> {
             try_map(patches, build_grid)
         };
         let all: Vec<usize> = (0..candidates.len()).collect();
-        let mut grids = build_grids(&all, &sizes)?;
         let mut known: Option<KnownCompliance> = None;
         let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
+        let whole = build_grids(&all, &sizes)?;
+        let mut zoned = self.zone_grids(load, candidates, whole, iteration.as_ref())?;
         // Active set of the grids without the rotation of their normals.
         let mut active: Option<Vec<usize>> = None;
         let (drags, problem, modal, solution) = loop {
-            let patches = self.patch_cells(candidates, &grids);
+            let grids = &zoned.grids[..];
+            let patches = self.patch_cells(candidates, grids);
             let given = self.given_state(solved.len(), &patches);
-            let (problem, modal, of_cells) = self.problem(load, candidates, &grids, (known.take(), given))?;
-            let (drags, mut works) = self.friction(time, candidates, &grids);
+            let (problem, modal, of_cells) = self.problem(load, candidates, grids, (known.take(), given))?;
+            let (drags, mut works) = self.friction(time, candidates, grids);
             works.resize(problem.arms.len(), 0.0);
             let deflected = active.is_some();
-            let former = active.take();
+            let former = active.take().or(zoned.estimate.take());
             // Corrected grids start with the bearings of the former grids.
-            let laid = (candidates, &grids[..]);
+            let laid = (candidates, grids);
             let (problem, solution) = match given {
                 Some(given) => {
                     let set = ActiveSet::Given(&given.active);
                     self.solve_problem(problem, &works, set, laid, &mut iteration)?
                 }
                 None => {
-                    let guess = former.unwrap_or_else(|| self.guess(load, candidates, &problem, &grids));
+                    let guess = former.unwrap_or_else(|| self.guess(load, candidates, &problem, grids));
                     self.solve_problem(problem, &works, ActiveSet::Estimate(&guess), laid, &mut iteration)?
                 }
             };
+            if !deflected && self.extend(candidates, &mut zoned, &solution) {
+                continue;
+            }
+            let grids = &zoned.grids[..];
             solved.push(GridState { patches, active: solution.active.clone() });
             if deflected {
                 break (drags, problem, modal, solution);
             }
             // Sizes that are not prescribed follow the forces of the patches.
-            let better = self.corrected_grid_sizes(candidates, (&grids[..], &sizes), &solution);
+            let better = self.corrected_grid_sizes(candidates, (grids, &sizes), &solution);
             let changed = sizes.correct(&better);
             let sizes_of_patches = grids.iter().map(|grid| self.space.count(grid)).collect();
             let unchanged = all.iter().map(|patch| !changed.contains(patch)).collect();
+            let is_whole = zoned.is_whole();
             if changed.is_empty() {
-                let laid: Vec<_> = candidates.iter().copied().zip(&grids).collect();
+                let laid: Vec<_> = candidates.iter().copied().zip(grids).collect();
                 let Some(rotated) = self.space.with_deflected_normals(&laid, &solution)? else {
                     break (drags, problem, modal, solution);
                 };
-                (grids, active) = (rotated, Some(solution.active));
+                (zoned.grids, active) = (rotated, Some(solution.active));
             } else {
+                let mut whole = zoned.into_whole();
                 let rebuilt = build_grids(&changed, &sizes)?;
-                changed.into_iter().zip(rebuilt).for_each(|(patch, grid)| grids[patch] = grid);
+                changed.into_iter().zip(rebuilt).for_each(|(patch, grid)| whole[patch] = grid);
+                zoned = self.zone_grids(load, candidates, whole, iteration.as_ref())?;
             }
-            // A given state has some of the entries only.
-            if given.is_none() {
+            // A given state has some of the entries only, and a zone that is estimated again may
+            // have other cells.
+            if given.is_none() && (is_whole || active.is_some()) {
                 let matrix = of_cells.unwrap_or(problem.compliance);
                 known = Some(KnownCompliance { matrix, sizes: sizes_of_patches, unchanged });
             }
         };
+        let grids = zoned.grids;
 
         let mut laid =
             self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces);
@@ -247,14 +251,22 @@ impl<S: ContactGeometry> Solver<'_, S> {
 
     /// Rigid-body limit as the load that springs do not carry vanishes: rigid contact at the
     /// closest approaches. `None` if bodies press on each other even then, like teeth of a mesh
-    /// without backlash on both flanks.
+    /// without backlash on both flanks, and if springs do not carry the load.
     fn touch_without_load(
         &self,
         time: f64,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
-        rest: &UnloadedEquilibrium,
     ) -> Result<Option<LaidOutContact>, EngineError> {
+        // Fully constrained or sprung bodies may overlap and press on each other without any load.
+        // In a time step inertia balances these forces.
+        if self.under.in_time {
+            return Ok(None);
+        }
+        let rest = unloaded_equilibrium(&self.under.springs.stiffness, load);
+        if !rest.balanced {
+            return Ok(None);
+        }
         let (gaps, arms) = self.rigid_contacts(candidates.iter().copied());
         let System { scene, left_out, dofs, .. } = self.system;
         let rotor = gaps.is_empty() && spins_freely(scene, left_out, dofs, &rest.free);
@@ -410,7 +422,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
 
     /// Creates the contact problem. Also returns the compliance matrix of the cells alone, unless
     /// it is that of the problem.
-    fn problem(
+    pub(super) fn problem(
         &self,
         load: &[f64],
         candidates: &[&Candidate<S::Site>],
