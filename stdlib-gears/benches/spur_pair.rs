@@ -181,7 +181,12 @@ fn last_rounds(scene: &Scene, plan: &Plan, steps: &[StepResult], line: &dyn Fn(&
                     // Side faces of spur gears do not move when the gears rotate.
                     pose: Pose::IDENTITY,
                 };
-                PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells }
+                PatchCells {
+                    sides: [side(0), side(1)],
+                    frame: &grid.frame,
+                    cells: &grid.cells,
+                    beside_faces: grid.beside_faces,
+                }
             })
             .collect();
         giving += timed(|| {

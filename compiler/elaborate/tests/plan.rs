@@ -7,6 +7,7 @@ use calyx_runtime::scene::Fidelity;
 use calyx_runtime::tolerance::MOST_WORK;
 
 const PAIR: &str = include_str!("../../../examples/spur_pair.cx");
+const PLANETARY: &str = include_str!("../../../examples/planetary.cx");
 
 fn planned(text: &str, set: &[(&str, &str)]) -> Option<Planned> {
     planned_with(text, set, Override::default())
@@ -151,4 +152,15 @@ fn the_disk_space_of_a_run_includes_its_meshes_on_request() {
         assert!(disk.with_meshes > 5.0 * disk.view, "{disk:?}");
         assert!(disk.text().contains(", with --vtu "), "{}", disk.text());
     }
+}
+
+#[test]
+fn the_plan_names_elastic_raceways() {
+    let set = |bearings| [("planet_bearings", bearings), ("fidelity", "plane")];
+    let of = |bearings| planned(PLANETARY, &set(bearings)).expect("a plan").text();
+    let elastic = "\"planet 1\" on \"carrier\", cylindrical roller bearing";
+    let text = of("rollers");
+    let line = text.lines().find(|line| line.contains(elastic)).expect("the bearing");
+    assert!(line.ends_with("; elastic outer raceway in the bore of \"planet 1\""), "{line}");
+    assert!(!of("springs").contains("raceway"));
 }

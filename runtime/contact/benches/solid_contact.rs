@@ -82,7 +82,12 @@ fn measure(half_count: usize, half_slices: usize) {
 fn problem(grid: &Grid, body: &HalfSpaceBody) -> ContactProblem {
     let chart = Chart { tooth: 0, surface: 0 };
     let side = |number| Side { body: number, structure: body, chart, pose: Pose::IDENTITY };
-    let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
+    let patch = PatchCells {
+        sides: [side(0), side(1)],
+        frame: &grid.frame,
+        cells: &grid.cells,
+        beside_faces: grid.beside_faces,
+    };
     ContactProblem {
         compliance: compliance(&[patch], Entries::All, &Interrupt::never()).expect("nothing interrupts it"),
         arms: vec![1.0; grid.cells.len()],

@@ -53,7 +53,8 @@ pub struct ContactField {
     pub surfaces: [u32; 2],
     /// True for coast flanks.
     pub back: bool,
-    /// All cells, including those without load.
+    /// All cells of the contact problem, including those without load. That of a time step leaves
+    /// out cells that stay open.
     pub cells: Vec<PressedCell>,
     /// Slices along the contact line.
     pub slices: Vec<Slice>,

@@ -40,14 +40,12 @@ pub struct PatchCells<'a> {
     pub frame: &'a PatchFrame,
     /// Cells of the grid.
     pub cells: &'a [Cell],
+    /// Surface coordinates next to the side faces, see [`super::Grid::beside_faces`].
+    pub beside_faces: [[f64; 2]; 2],
 }
 
 /// Computes A, row-major, with the cells in the order of the patches: growth of a cell's average
 /// gap per force on a cell, m/N. Each block has checkpoints.
-///
-/// The images at curved side faces depend on the slices at the ends of a patch. With
-/// [`Entries::Between`], the entries are therefore those of the whole matrix only if all cells of
-/// these slices are wanted.
 ///
 /// # Errors
 /// Those of the interrupt.
@@ -113,12 +111,9 @@ pub(super) fn softness(side: &Side) -> f64 {
     if modulus.is_infinite() { 0.0 } else { (PI * modulus).recip() }
 }
 
-/// Returns the mirrors of a side of a patch. A curved side face counts where the patch is closest
-/// to it: images matter only there.
+/// Returns the mirrors of a side of a patch.
 pub(super) fn mirrors(patch: &PatchCells, side: usize) -> Vec<PlacedMirror> {
-    let places = || patch.cells.iter().map(|cell| cell.places[side]);
-    let by_v = |a: &[f64; 2], b: &[f64; 2]| a[1].total_cmp(&b[1]);
-    let ends = [places().min_by(by_v), places().max_by(by_v)].map(|place| place.map_or(0.0, |[u, _]| u));
+    let ends = patch.beside_faces[side];
     let side = &patch.sides[side];
     let faces = side.structure.side_faces(side.chart.surface, ends);
     faces.iter().map(|face| PlacedMirror::new(face, &side.pose, softness(side))).collect()

@@ -111,6 +111,9 @@ pub struct Grid {
     pub surface_ends: [bool; 2],
     /// Hertzian half-width of a line load of 1 N/m, m.
     pub unit_half_width: f64,
+    /// Surface coordinate `u` of the cells nearest to the side faces, by side, see
+    /// [`beside_faces`].
+    pub beside_faces: [[f64; 2]; 2],
 }
 
 impl Slice {
@@ -159,9 +162,18 @@ pub fn build_grid(
     let [low, high] = contact_line.extent();
     let line = high - low;
     let unit_half_width = unit_half_width(options.contact_modulus, flank);
-    let (cells, slices) = (Vec::new(), Vec::new());
-    let mut grid =
-        Grid { frame, cells, slices, width, along: y, line, half_counts, surface_ends, unit_half_width };
+    let mut grid = Grid {
+        frame,
+        cells: Vec::new(),
+        slices: Vec::new(),
+        width,
+        along: y,
+        line,
+        half_counts,
+        surface_ends,
+        unit_half_width,
+        beside_faces: [[0.0; 2]; 2],
+    };
     if !([width, length].iter().all(|size| size.is_finite() && *size > 0.0)) {
         return Ok(grid);
     }
@@ -180,7 +192,18 @@ pub fn build_grid(
         contact_line: &contact_line.points,
     };
     layer.fill(&mut grid, contact_line.places, interrupt)?;
+    grid.beside_faces = beside_faces(&grid.cells);
     Ok(grid)
+}
+
+/// Returns the surface coordinate `u` of the cells with the smallest and the largest `v`, by side:
+/// a curved side face counts where the patch is closest to it, because images matter only there.
+pub fn beside_faces(cells: &[Cell]) -> [[f64; 2]; 2] {
+    [0, 1].map(|side: usize| {
+        let places = || cells.iter().map(|cell| cell.places[side]);
+        let by_v = |a: &[f64; 2], b: &[f64; 2]| a[1].total_cmp(&b[1]);
+        [places().min_by(by_v), places().max_by(by_v)].map(|place| place.map_or(0.0, |[u, _]| u))
+    })
 }
 
 /// Returns the width across of the grid that [`build_grid`] creates, m.

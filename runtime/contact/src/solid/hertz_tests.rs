@@ -71,7 +71,12 @@ impl Press {
                     .unwrap();
             let chart = Chart { tooth: 0, surface: 0 };
             let side = |k: usize| Side { body: k, structure: &body, chart, pose: self.poses[k] };
-            let patch = PatchCells { sides: [side(0), side(1)], frame: &grid.frame, cells: &grid.cells };
+            let patch = PatchCells {
+                sides: [side(0), side(1)],
+                frame: &grid.frame,
+                cells: &grid.cells,
+                beside_faces: grid.beside_faces,
+            };
             let n = grid.cells.len();
             let problem = ContactProblem {
                 compliance: compliance(&[patch], Entries::All, &Interrupt::never()).expect("no interrupt"),

@@ -19,7 +19,7 @@ mod height_field;
 mod image;
 mod interval_averages;
 mod interval_pairs;
-mod loaded_zone;
+mod loaded_ranges;
 mod placement;
 mod pressure;
 mod slant;
@@ -32,9 +32,11 @@ pub use active_set_guess::first_guess;
 pub use assembly::{PatchCells, Side, compliance};
 pub use contact_line::{ContactLine, ContactLinePoint, find_contact_line, find_contact_line_within};
 pub use deflected_normals::{LineOfAction, LoadedPatch, lines_of_action};
-pub use grid::{Cell, Grid, Slice, build_grid, contact_modulus, grid_width};
+pub use grid::{Cell, Grid, Slice, beside_faces, build_grid, contact_modulus, grid_width};
 pub use grid_region::{GridOptions, GridSize};
-pub use loaded_zone::{LoadedZone, estimated_zone, extended_zone, with_a_cell_for_each_slice, within_zone};
+pub use loaded_ranges::{
+    LoadedRanges, estimated_ranges, extended_ranges, renumbered, with_a_cell_for_each_slice, within_ranges,
+};
 pub use placement::{BodyRotation, PatchFrame, PlacedSurface, Pose, sliding};
 pub use pressure::{
     GridReport, Peak, assess, fitting_size, half_axes, peak, peak_in, pressures, slice_peaks_in, zones,
@@ -48,7 +50,7 @@ mod helical_tests;
 #[cfg(test)]
 mod hertz_tests;
 #[cfg(test)]
-mod loaded_zone_tests;
+mod loaded_ranges_tests;
 #[cfg(test)]
 mod size_tests;
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::modal::Modes;
 use crate::system::Teeth;
 use calyx_contact::assembly::Entries;
 use calyx_contact::problem::{ContactProblem, Solution};
-use calyx_contact::solid::LoadedZone;
+use calyx_contact::solid::LoadedRanges;
 use calyx_numerics::error::EngineError;
 use faer::Mat;
 use nalgebra::DMatrix;
@@ -52,6 +52,15 @@ impl<S> Candidate<S> {
     }
 }
 
+/// Surfaces whose approach is computed accurately.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Search {
+    /// Those that may touch in a time step. Larger gaps are accurate to a few percent.
+    Near,
+    /// All.
+    All,
+}
+
 /// Number of cells of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Resolution {
@@ -72,7 +81,12 @@ pub(super) trait ContactGeometry: Sync {
 
     /// Returns all tooth pairs near enough to face each other, in a fixed order, with the
     /// deviations `moved` from the prescribed motions, m or rad by DOF.
-    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Self::Site>>, EngineError>;
+    fn candidates(
+        &self,
+        time: f64,
+        moved: &[f64],
+        search: Search,
+    ) -> Result<Vec<Candidate<Self::Site>>, EngineError>;
 
     /// Estimates the force that flattens surfaces with an overlap (m), in the unit of loads.
     fn force_of_overlap(&self, candidate: &Candidate<Self::Site>, overlap: f64) -> f64;
@@ -173,25 +187,25 @@ pub(super) trait ContactGeometry: Sync {
     }
 
     /// Estimates the part of a grid that carries load from the forces of its slices, see
-    /// [`calyx_contact::solid::estimated_zone`].
-    fn estimated_zone(&self, _grid: &Self::Grid, _forces: &[f64]) -> (LoadedZone, Vec<usize>) {
+    /// [`calyx_contact::solid::estimated_ranges`].
+    fn estimated_ranges(&self, _grid: &Self::Grid, _forces: &[f64]) -> (LoadedRanges, Vec<usize>) {
         Default::default()
     }
 
-    /// Returns the grid of the cells in a zone; `None` if problems contain all cells.
-    fn within_zone(&self, _grid: &Self::Grid, _zone: &[Range<usize>]) -> Option<Self::Grid> {
+    /// Returns the grid of the cells in some ranges; `None` if problems contain all cells.
+    fn within_ranges(&self, _grid: &Self::Grid, _ranges: &[Range<usize>]) -> Option<Self::Grid> {
         None
     }
 
-    /// Returns the zone extended by cells that may carry load; `None` if there are none. `loaded`
-    /// are the cells of the zone.
-    fn extended_zone(
+    /// Returns the ranges extended by cells that may carry load; `None` if there are none. `loaded`
+    /// are the cells of the ranges.
+    fn extended_ranges(
         &self,
         _candidate: &Candidate<Self::Site>,
         _grid: &Self::Grid,
-        _zone: &[Range<usize>],
+        _ranges: &[Range<usize>],
         _loaded: &LoadedCells,
-    ) -> Option<LoadedZone> {
+    ) -> Option<LoadedRanges> {
         None
     }
 

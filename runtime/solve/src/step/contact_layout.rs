@@ -6,13 +6,13 @@
 //! See `docs/theory/equilibrium.md`.
 
 use super::StepResult;
-use super::contact_geometry::{Approach, Candidate, ContactGeometry};
+use super::contact_geometry::{Approach, Candidate, ContactGeometry, Search};
 use super::contact_state::{ContactState, GridState};
 use super::nonlinear_bearings::NonlinearBearings;
 use super::relinearization::{ContactReference, farthest};
 use crate::modal::ModalElimination;
 use crate::restraint_check;
-use crate::system::System;
+use crate::system::{System, Teeth};
 use calyx_contact::problem::ContactError;
 use calyx_contact::unloaded_equilibrium::unloaded_equilibrium;
 use calyx_model::bearing::Springs;
@@ -123,7 +123,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         start: &[f64],
         grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
-        let candidates = self.space.candidates(time, start)?;
+        let candidates = self.space.candidates(time, start, Search::All)?;
         // Motions are relative to this position, at which springs are already strained.
         let (springs, load) = self.under.springs.from(start, load);
         self.under(&springs, start).solve_at_layout(time, &load, candidates, grids)
@@ -135,10 +135,11 @@ impl<S: ContactGeometry> Solver<'_, S> {
         &self,
         time: f64,
         load: &[f64],
-        candidates: Vec<Candidate<S::Site>>,
+        mut candidates: Vec<Candidate<S::Site>>,
         grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
         let start = self.under.start;
+        let mut search = if self.under.in_time { Search::Near } else { Search::All };
         let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
         let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
         if !chosen.contains(&true) && !self.under.in_time {
@@ -162,12 +163,20 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 let step = StepResult { motion, start: start.to_vec(), ..step };
                 return Ok(LaidOutContact { step, references });
             }
+            if search == Search::Near {
+                // The approach of teeth that were left out is not accurate.
+                let used: Vec<Teeth> =
+                    candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c.teeth).collect();
+                search = Search::All;
+                candidates = self.space.candidates(time, start, search)?;
+                chosen = candidates.iter().map(|c| near(c) || used.contains(&c.teeth)).collect();
+            }
         }
     }
 
     /// Solves a time step.
     pub(super) fn take(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
-        let candidates = self.space.candidates(time, self.under.start)?;
+        let candidates = self.space.candidates(time, self.under.start, Search::Near)?;
         Ok(self.solve_at_layout(time, load, candidates, &mut Vec::new())?.step)
     }
 
@@ -175,7 +184,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
     /// deflection, motions that they leave free at the rigid-body limit, as for other grid
     /// positions. Motions that nothing leaves free are kept, including their elastic part.
     fn carried(&self, time: f64, load: &[f64], step: &StepResult) -> Result<Vec<f64>, EngineError> {
-        let candidates = self.space.candidates(time, &step.motion)?;
+        let candidates = self.space.candidates(time, &step.motion, Search::All)?;
         let (mut springs, load) = self.under.springs.from(&step.motion, load);
         springs.gaps.iter_mut().for_each(|gap| *gap = gap.max(0.0));
         let solver = self.under(&springs, self.under.start);
@@ -240,7 +249,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let direction = self.limit_direction();
         let mut start = nowhere.clone();
         for _ in 0..STARTS {
-            let candidates = self.space.candidates(time, &start)?;
+            let candidates = self.space.candidates(time, &start, Search::All)?;
             let (springs, load) = self.under.springs.from(&start, load);
             let solver = self.under(&springs, self.under.start);
             let (gaps, arms) = solver.rigid_contacts(&candidates);

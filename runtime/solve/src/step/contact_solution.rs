@@ -81,18 +81,18 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
         let whole = build_grids(&all, &sizes)?;
-        let mut zoned = self.zone_grids(load, candidates, whole, iteration.as_ref())?;
+        let mut reduced = self.reduced_grids(load, candidates, whole, iteration.as_ref())?;
         // Active set of the grids without the rotation of their normals.
         let mut active: Option<Vec<usize>> = None;
         let (drags, problem, modal, solution) = loop {
-            let grids = &zoned.grids[..];
+            let grids = &reduced.grids[..];
             let patches = self.patch_cells(candidates, grids);
             let given = self.given_state(solved.len(), &patches);
             let (problem, modal, of_cells) = self.problem(load, candidates, grids, (known.take(), given))?;
             let (drags, mut works) = self.friction(time, candidates, grids);
             works.resize(problem.arms.len(), 0.0);
             let deflected = active.is_some();
-            let former = active.take().or(zoned.estimate.take());
+            let former = active.take().or(reduced.estimate.take());
             // Corrected grids start with the bearings of the former grids.
             let laid = (candidates, grids);
             let (problem, solution) = match given {
@@ -105,10 +105,10 @@ impl<S: ContactGeometry> Solver<'_, S> {
                     self.solve_problem(problem, &works, ActiveSet::Estimate(&guess), laid, &mut iteration)?
                 }
             };
-            if !deflected && self.extend(candidates, &mut zoned, &solution) {
+            if self.extend(candidates, &mut reduced, &solution) {
                 continue;
             }
-            let grids = &zoned.grids[..];
+            let grids = &reduced.grids[..];
             solved.push(GridState { patches, active: solution.active.clone() });
             if deflected {
                 break (drags, problem, modal, solution);
@@ -118,27 +118,28 @@ impl<S: ContactGeometry> Solver<'_, S> {
             let changed = sizes.correct(&better);
             let sizes_of_patches = grids.iter().map(|grid| self.space.count(grid)).collect();
             let unchanged = all.iter().map(|patch| !changed.contains(patch)).collect();
-            let is_whole = zoned.is_whole();
+            let was_whole = reduced.is_whole();
             if changed.is_empty() {
                 let laid: Vec<_> = candidates.iter().copied().zip(grids).collect();
                 let Some(rotated) = self.space.with_deflected_normals(&laid, &solution)? else {
                     break (drags, problem, modal, solution);
                 };
-                (zoned.grids, active) = (rotated, Some(solution.active));
+                (reduced.grids, active) = (rotated, Some(solution.active));
             } else {
-                let mut whole = zoned.into_whole();
+                let mut whole = reduced.into_whole();
                 let rebuilt = build_grids(&changed, &sizes)?;
                 changed.into_iter().zip(rebuilt).for_each(|(patch, grid)| whole[patch] = grid);
-                zoned = self.zone_grids(load, candidates, whole, iteration.as_ref())?;
+                reduced = self.reduced_grids(load, candidates, whole, iteration.as_ref())?;
             }
-            // A given state has some of the entries only, and a zone that is estimated again may
+            // A given state has some of the entries only, and ranges that are estimated again may
             // have other cells.
-            if given.is_none() && (is_whole || active.is_some()) {
+            let keeps_cells = active.is_some() || was_whole && reduced.is_whole();
+            if given.is_none() && keeps_cells {
                 let matrix = of_cells.unwrap_or(problem.compliance);
                 known = Some(KnownCompliance { matrix, sizes: sizes_of_patches, unchanged });
             }
         };
-        let grids = zoned.grids;
+        let grids = reduced.grids;
 
         let mut laid =
             self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces);

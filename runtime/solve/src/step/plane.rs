@@ -1,7 +1,9 @@
 //! Plane implementation of a position: closest approach of profiles, grids along their common
 //! tangent.
 
-use super::contact_geometry::{Approach, Candidate, ContactGeometry, LoadedCells, Resolution, WidthReport};
+use super::contact_geometry::{
+    Approach, Candidate, ContactGeometry, LoadedCells, Resolution, Search, WidthReport,
+};
 use super::friction::Action;
 use super::{ContactGrid, ContactPatch};
 use crate::modal::Modes;
@@ -49,7 +51,7 @@ impl ContactGeometry for Plane<'_> {
     /// Width, m.
     type Size = f64;
 
-    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
+    fn candidates(&self, time: f64, moved: &[f64], _: Search) -> Result<Vec<Candidate<Site>>, EngineError> {
         let scene = self.system.scene;
         let mut found = Vec::new();
         for (index, pair) in scene.pairs.iter().enumerate() {

@@ -3,7 +3,7 @@
 
 mod near_teeth;
 
-use super::contact_geometry::{Candidate, ContactGeometry, LoadedCells, Resolution, WidthReport};
+use super::contact_geometry::{Candidate, ContactGeometry, LoadedCells, Resolution, Search, WidthReport};
 use super::friction::Action;
 use super::patch::solid_arm;
 use super::{ContactGrid, ContactPatch};
@@ -13,10 +13,10 @@ use calyx_contact::assembly::Entries;
 use calyx_contact::grid::MARGIN;
 use calyx_contact::problem::{ContactProblem, Solution};
 use calyx_contact::solid::{
-    self, BodyRotation, ContactLine, Grid, GridOptions, GridSize, LineOfAction, LoadedPatch, LoadedZone,
+    self, BodyRotation, ContactLine, Grid, GridOptions, GridSize, LineOfAction, LoadedPatch, LoadedRanges,
     PatchCells, PatchFrame, PlacedSurface, Pose, assess, build_grid, compliance, contact_modulus,
-    estimated_zone, extended_zone, first_guess, fitting_size, grid_width, lines_of_action, pressures,
-    with_a_cell_for_each_slice, within_zone,
+    estimated_ranges, extended_ranges, first_guess, fitting_size, grid_width, lines_of_action, pressures,
+    with_a_cell_for_each_slice, within_ranges,
 };
 use calyx_model::dof::{Component, Dof};
 use calyx_model::pairs::SurfacePair;
@@ -73,7 +73,12 @@ impl ContactGeometry for Solid<'_> {
     type Size = GridSize;
 
     /// Tooth pairs are searched by several threads at a time.
-    fn candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<Site>>, EngineError> {
+    fn candidates(
+        &self,
+        time: f64,
+        moved: &[f64],
+        search: Search,
+    ) -> Result<Vec<Candidate<Site>>, EngineError> {
         let mut near = Vec::new();
         for index in 0..self.system.scene.pairs.len() {
             if let Some(placed) = self.placed_pair(index, time, moved)? {
@@ -84,7 +89,7 @@ impl ContactGeometry for Solid<'_> {
         }
         let candidate = |(placed, teeth): &(Arc<PlacedPair<'_>>, [ToothAt; 2])| {
             self.system.interrupt.check()?;
-            Ok::<_, EngineError>(self.candidate(placed, *teeth))
+            Ok::<_, EngineError>(self.candidate(placed, *teeth, search))
         };
         Ok(try_map(&near, candidate)?.into_iter().flatten().collect())
     }
@@ -220,22 +225,22 @@ impl ContactGeometry for Solid<'_> {
         Some(with_a_cell_for_each_slice(grid))
     }
 
-    fn estimated_zone(&self, grid: &Grid, forces: &[f64]) -> (LoadedZone, Vec<usize>) {
-        estimated_zone(grid, forces)
+    fn estimated_ranges(&self, grid: &Grid, forces: &[f64]) -> (LoadedRanges, Vec<usize>) {
+        estimated_ranges(grid, forces)
     }
 
-    fn within_zone(&self, grid: &Grid, zone: &[Range<usize>]) -> Option<Grid> {
-        Some(within_zone(grid, zone))
+    fn within_ranges(&self, grid: &Grid, ranges: &[Range<usize>]) -> Option<Grid> {
+        Some(within_ranges(grid, ranges))
     }
 
-    fn extended_zone(
+    fn extended_ranges(
         &self,
         candidate: &Candidate<Site>,
         grid: &Grid,
-        zone: &[Range<usize>],
+        ranges: &[Range<usize>],
         loaded: &LoadedCells,
-    ) -> Option<LoadedZone> {
-        extended_zone(grid, zone, (loaded.forces, loaded.gaps), self.contact_modulus(candidate))
+    ) -> Option<LoadedRanges> {
+        extended_ranges(grid, ranges, (loaded.forces, loaded.gaps), self.contact_modulus(candidate))
     }
 
     fn by_raceway(
@@ -332,6 +337,7 @@ impl ContactGeometry for Solid<'_> {
             half_counts: [0; 2],
             surface_ends: [false; 2],
             unit_half_width: 0.0,
+            beside_faces: [[0.0; 2]; 2],
         };
         let (grid, forces) = laid.unwrap_or_else(|| (empty(), Vec::new()));
         ContactPatch {
@@ -394,7 +400,12 @@ impl Solid<'_> {
             let chart = Chart { tooth: candidate.teeth.1[side], surface: pair.surfaces[side] };
             Some(solid::Side { body, structure, chart, pose: candidate.site.poses[side] })
         };
-        Some(PatchCells { sides: [side(0)?, side(1)?], frame: &grid.frame, cells: &grid.cells })
+        Some(PatchCells {
+            sides: [side(0)?, side(1)?],
+            frame: &grid.frame,
+            cells: &grid.cells,
+            beside_faces: grid.beside_faces,
+        })
     }
 
     fn pair(&self, candidate: &Candidate<Site>) -> &SurfacePair {

@@ -1,7 +1,7 @@
 //! Search for the teeth of a surface pair that are near each other, and for their contact lines.
 
 use super::{Site, Solid, has_local_normals};
-use crate::step::contact_geometry::{Approach, Candidate};
+use crate::step::contact_geometry::{Approach, Candidate, Search};
 use crate::step::contact_layout::SEARCH_DEPTH;
 use crate::step::surface_boxes::Shape;
 use calyx_contact::solid::{ContactLine, PlacedSurface, Pose, find_contact_line_within};
@@ -95,12 +95,15 @@ impl Solid<'_> {
         &self,
         placed_pair: &PlacedPair<'_>,
         [(first, first_pose), (second, second_pose)]: [ToothAt; 2],
+        search: Search,
     ) -> Option<Candidate<Site>> {
         let PlacedPair { index, pair, bodies, structures, surfaces, shapes, origins, axes, .. } = placed_pair;
         let (poses, local_normals) = ([first_pose, second_pose], has_local_normals(pair));
         let placed = |side: usize| PlacedSurface { surface: surfaces[side].as_ref(), pose: poses[side] };
-        // In a time step, surfaces with a larger gap do not touch.
-        let far = if self.in_time { SEARCH_DEPTH * shapes[0].across } else { f64::INFINITY };
+        let far = match search {
+            Search::Near => SEARCH_DEPTH * shapes[0].across,
+            Search::All => f64::INFINITY,
+        };
         let contact_line = find_contact_line_within(placed(0), placed(1), pair.grid.edges, far)
             .filter(|contact_line| faces(contact_line, &poses, *structures))?;
         let frame = &contact_line.frame;
