@@ -101,7 +101,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
             count += own.iter().map(ExactSizeIterator::len).sum::<usize>();
         }
         // Stops of bearings and flanks of splines follow the cells.
-        let number = |&cell: &usize| numbers.get(cell).copied().unwrap_or(cell - numbers.len() + count);
+        let number =
+            |&cell: &usize| numbers.get(cell).copied().unwrap_or_else(|| count + cell - numbers.len());
         let estimate = solution.active.iter().map(number).collect();
         let within = whole.iter().zip(ranges.iter()).map(|(grid, own)| self.space.within_ranges(grid, own));
         if is_extended && let Some(extended) = within.collect::<Option<Vec<_>>>() {
