@@ -1,7 +1,7 @@
 //! Computing times of whole transmissions: `cargo bench -p calyx --bench transmissions`. They cover
-//! 11 positions of `rear_axle.cx` and `transfer_case.cx` at "medium", first and with the structures
-//! of the first run, in positions at "analytic", and the forced response of `countershaft.cx` at 500
-//! speeds.
+//! 11 positions of `rear_axle.cx` and `transfer_case.cx` at "medium", without and with structures
+//! of an earlier run, in positions at "analytic", and the forced response of `countershaft.cx` at
+//! 500 speeds.
 
 use calyx::{Engine, Instance, Module};
 use std::path::{Path, PathBuf};
