@@ -187,7 +187,8 @@ impl Scaled<'_> {
     fn close(&self, active: &[usize], interrupt: &Interrupt) -> Result<(Vec<f64>, Vec<f64>), Singular> {
         let m = self.load.len();
         let equations = ActiveEquations::new(
-            |i, j| self.compliance(i, j),
+            |cell| self.row(cell),
+            &self.cell_scale,
             &self.arms,
             &self.stiffness,
             active,

@@ -137,10 +137,12 @@ pub(super) struct ActiveEquations {
 const RANK_TOLERANCE: f64 = 1e-12;
 
 impl ActiveEquations {
-    /// Factorizes the equations from the `compliance` between two cells, the `arms` of all cells,
-    /// the ascending `active` cells and the `stiffness` of the DOFs.
-    pub fn new(
-        compliance: impl Fn(usize, usize) -> f64,
+    /// Factorizes the equations from the rows of the symmetric compliance of all cells, which is
+    /// multiplied by `scale` from both sides, the scaled `arms` of all cells, the ascending `active`
+    /// cells and the `stiffness` of the DOFs.
+    pub fn new<'a>(
+        row: impl Fn(usize) -> &'a [f64],
+        scale: &[f64],
         arms: &DMatrix<f64>,
         stiffness: &DMatrix<f64>,
         active: &[usize],
@@ -149,14 +151,16 @@ impl ActiveEquations {
         let (n, m) = (active.len(), arms.ncols());
         let checkpoint = || interrupt.check().map_err(Singular::Interrupted);
         let mut factor = Mat::zeros(n, n);
+        let scales: Vec<f64> = active.iter().map(|&cell| scale[cell]).collect();
         for columns in tiles(n) {
             checkpoint()?;
-            // Only the lower triangle is read.
-            for rows in tiles(n).filter(|rows| rows.end > columns.start) {
-                for i in rows {
-                    for j in columns.clone() {
-                        factor[(i, j)] = compliance(active[i], active[j]);
-                    }
+            // Only the lower triangle is read. Its columns are rows of the symmetric compliance, so
+            // that both are read and written in the order of their addresses.
+            for j in columns {
+                let (of_cell, own) = (row(active[j]), scales[j]);
+                let entries = factor.col_as_slice_mut(j)[j..].iter_mut().zip(&scales[j..]);
+                for ((entry, scale), &cell) in entries.zip(&active[j..]) {
+                    *entry = scale * of_cell[cell] * own;
                 }
             }
         }
