@@ -15,7 +15,7 @@
 
 use super::height_field::HeightField;
 use super::placement::{PatchFrame, PlacedSurface};
-use super::transverse_approach::{TransverseApproach, closest_across, closest_near};
+use super::transverse_approach::{TransverseApproach, closest_across, closest_between, closest_near};
 use calyx_numerics::vec3::{Vector, dot, length, minus, plus, scaled, unit};
 
 /// Point of the contact line.
@@ -81,6 +81,8 @@ const STATIONS: usize = 17;
 const ROUNDS: usize = 12;
 /// Gaps that differ by less than this fraction of the patch's length are equal to rounding.
 const SAME_GAP: f64 = 1e-12;
+/// Points nearer than this fraction of the patch's length lead to the same least gap.
+const SAME_POINT: f64 = 1e-3;
 /// The direction of the contact line is determined where the gap exceeds the least by less than
 /// this fraction of the patch's length.
 const DIRECTION_DEPTH: f64 = 1e-3;
@@ -123,9 +125,8 @@ pub fn find_contact_line_within(
         if best.as_ref().is_some_and(|best| best.passes(first.at(start[0]).position)) {
             continue;
         }
-        let Some(contact_line) = Search { placed: [first, second], search_edges, far }.settle(start) else {
-            continue;
-        };
+        let search = Search { placed: [first, second], search_edges, far };
+        let Some(contact_line) = search.settle(start, best.as_ref()) else { continue };
         // Nearly equal gaps mean that the same contact line was found again.
         let reach = contact_line.extent()[1] - contact_line.extent()[0];
         if best.as_ref().is_none_or(|best| contact_line.gap < best.gap - SAME_GAP * reach) {
@@ -212,7 +213,8 @@ struct Stations {
 
 impl<'a> Search<'a> {
     /// Improves frame and contact line alternately from a pair of near points until they converge.
-    fn settle(&self, start: Places) -> Option<ContactLine> {
+    /// `None` if the surfaces do not face each other, and if it converges to a known contact line.
+    fn settle(&self, start: Places, known: Option<&ContactLine>) -> Option<ContactLine> {
         let [first, second] = [0, 1].map(|side| self.placed[side].at(start[side]));
         let tangent = first.tangents[0];
         let normal = unit(minus(first.normal, second.normal));
@@ -226,6 +228,9 @@ impl<'a> Search<'a> {
         for round in 0..ROUNDS {
             let height_fields = self.height_fields(frame, places);
             let stations = self.stations(&height_fields, places)?;
+            if known.is_some_and(|known| self.is_least_of(known, &stations)) {
+                return None;
+            }
             let next = self.improved(&frame, &stations);
             let reach = stations.reach();
             let shift = length(minus(next.point, frame.point)) / reach;
@@ -241,6 +246,17 @@ impl<'a> Search<'a> {
         let height_fields = self.height_fields(frame, places);
         let stations = self.stations(&height_fields, places)?;
         self.contact_line(frame, &height_fields, &stations)
+    }
+
+    /// Returns whether the point of the least gap is that of a known contact line.
+    fn is_least_of(&self, known: &ContactLine, stations: &Stations) -> bool {
+        let places = stations.least.places();
+        let is_alike = |side: usize| {
+            let [own, other] = [places[side], known.places[side]].map(|at| self.placed[side].at(at).position);
+            self.placed[side].on_edge(places[side]) == known.on_edge[side]
+                && length(minus(own, other)) <= SAME_POINT * stations.reach()
+        };
+        is_alike(0) && is_alike(1)
     }
 
     /// Returns the contact line with these points in its frame.
@@ -336,12 +352,13 @@ impl<'a> Search<'a> {
         if best.len() == found.len() || best.is_empty() {
             return found[best].to_vec();
         }
-        let sought = |inside: TransverseApproach, outside: f64| {
-            let (mut kept, mut beyond) = (inside, outside);
+        let sought = |inside: &TransverseApproach, outside: &TransverseApproach| {
+            let (mut kept, mut ended, mut beyond) = (*inside, *outside, outside.at()[1]);
             for _ in 0..40 {
                 let middle = 0.5 * (kept.at()[1] + beyond);
-                match closest_near(height_fields, middle, &kept).filter(&usable) {
-                    Some(closest) => kept = closest,
+                match closest_between(height_fields, middle, [&kept, &ended]) {
+                    Some(closest) if usable(&closest) => kept = closest,
+                    Some(closest) => (ended, beyond) = (closest, middle),
                     None => beyond = middle,
                 }
             }
@@ -349,11 +366,11 @@ impl<'a> Search<'a> {
         };
         let mut stretch = Vec::with_capacity(best.len() + 2);
         if best.start > 0 {
-            stretch.push(sought(found[best.start], found[best.start - 1].at()[1]));
+            stretch.push(sought(&found[best.start], &found[best.start - 1]));
         }
         stretch.extend_from_slice(&found[best.clone()]);
         if best.end < found.len() {
-            stretch.push(sought(found[best.end - 1], found[best.end].at()[1]));
+            stretch.push(sought(&found[best.end - 1], &found[best.end]));
         }
         stretch
     }

@@ -2,7 +2,7 @@
 
 use super::height_field::HeightField;
 use super::test_surfaces::{HELICAL, Helicoid, Pair};
-use super::transverse_approach::{closest_across, closest_near};
+use super::transverse_approach::{closest_across, closest_between, closest_near};
 use super::*;
 use calyx_numerics::error::EngineError;
 use calyx_numerics::interrupt::Interrupt;
@@ -122,6 +122,56 @@ fn minima_do_not_depend_on_where_their_search_starts() {
         assert_eq!(near.end, far.end, "{y}");
         assert!((near.gap() - far.gap()).abs() < 1e-16, "{y}: {:e} {:e}", near.gap(), far.gap());
         assert!((near.at()[0] - far.at()[0]).abs() < 1e-13, "{y}: {:?} {:?}", near.at(), far.at());
+    }
+}
+
+/// Where the minimum of the gap passes the end of a surface, searches from either side agree with
+/// the search between the ends of both surfaces.
+#[test]
+fn ends_of_surfaces_do_not_depend_on_where_their_search_starts() {
+    let (mut flanks, turns) = HELICAL.turned();
+    // The first surface ends where the contact line crosses it.
+    let middle = 0.5 * (flanks[0].u[0] + flanks[0].u[1]);
+    for end in [0, 1] {
+        flanks[0].u = HELICAL.turned().0[0].u;
+        flanks[0].u[end] = middle;
+        let poses = [0, 1].map(|side: usize| {
+            let origin = [[0.0, HELICAL.center()][side], 0.0, 0.0];
+            Pose { origin, ..Pose::IDENTITY }.rotated_first(turns[side])
+        });
+        let placed = [0, 1].map(|side: usize| PlacedSurface { surface: &flanks[side], pose: poses[side] });
+        let line = find_contact_line(placed[0], placed[1], true).expect("they face each other");
+        let fields =
+            [0, 1].map(|side: usize| HeightField::new(placed[side], line.frame, line.places[side], true));
+        let [low, high] = line.extent();
+        let at = |part: f64| low + (high - low) * part;
+        let across =
+            |part: f64| closest_across(&fields, at(part), line.places).expect("they face each other");
+        let all: Vec<_> = (1..40).map(|step| across(f64::from(step) / 40.0)).collect();
+        let crossing = all.windows(2).position(|pair| pair[0].end.is_some() != pair[1].end.is_some());
+        let crossing = crossing.expect("the contact line passes the end");
+        let [one, other] = [&all[crossing], &all[crossing + 1]];
+        let (inside, outside) = if one.end.is_none() { (one, other) } else { (other, one) };
+        for step in 0..=40 {
+            let y = at((crossing as f64 + 1.0 + f64::from(step) / 40.0) / 40.0);
+            let expected = closest_across(&fields, y, inside.places()).expect("they face each other");
+            let found = [
+                closest_between(&fields, y, [inside, outside]),
+                closest_near(&fields, y, inside),
+                closest_near(&fields, y, outside),
+            ];
+            for found in found {
+                let found = found.expect("they face each other");
+                assert_eq!(found.end, expected.end, "{y}");
+                assert!(
+                    (found.gap() - expected.gap()).abs() < 1e-16,
+                    "{y}: {:e} {:e}",
+                    found.gap(),
+                    expected.gap()
+                );
+                assert!((found.at()[0] - expected.at()[0]).abs() < 1e-13, "{y}");
+            }
+        }
     }
 }
 

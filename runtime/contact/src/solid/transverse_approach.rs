@@ -185,7 +185,48 @@ pub fn closest_near(
     y: f64,
     near: &TransverseApproach,
 ) -> Option<TransverseApproach> {
-    by_secants(height_fields, y, near).or_else(|| closest_across(height_fields, y, near.places()))
+    let found = match near.end {
+        Some(_) => at_near_end(height_fields, y, near),
+        None => by_secants(height_fields, y, near),
+    };
+    found.or_else(|| closest_across(height_fields, y, near.places()))
+}
+
+/// Finds the closest approach where a surface ends before the minimum of the gap, from one at a near
+/// y. `None` unless one ends before it here, too.
+fn at_near_end(
+    height_fields: &[HeightField; 2],
+    y: f64,
+    near: &TransverseApproach,
+) -> Option<TransverseApproach> {
+    let downhill = -slope_across(&near.feet).signum();
+    let end = |side: usize| {
+        let (field, foot) = (&height_fields[side], &near.feet[side]);
+        let [across, along] = field.roles;
+        let [low, high] = field.range[across];
+        let value = if downhill * field.sense(0, foot) > 0.0 { high } else { low };
+        SurfaceEnd { x: field.towards(across, value, 1, y, foot.place[along]).0.at[0], side }
+    };
+    let [first, second] = [end(0), end(1)];
+    let limit = if downhill * (second.x - first.x) < 0.0 { second } else { first };
+    let over = |side: usize| height_fields[side].over_near([limit.x, y], &near.feet[side]);
+    let feet = [over(0)?, over(1)?];
+    let other = 1 - limit.side;
+    let is_end = height_fields[other].is_inside_across(&feet[other]) && slope_across(&feet) * downhill < 0.0;
+    is_end.then_some(TransverseApproach { feet, end: Some(limit.side), minimum: None })
+}
+
+/// Finds the closest approach at `y` between a minimum that both surfaces have inside their ends and
+/// one of which `outside` may be at an end. The result is that of [`closest_near`] from `inside`.
+pub fn closest_between(
+    height_fields: &[HeightField; 2],
+    y: f64,
+    [inside, outside]: [&TransverseApproach; 2],
+) -> Option<TransverseApproach> {
+    let ended = || outside.end.and_then(|_| at_near_end(height_fields, y, outside));
+    by_secants(height_fields, y, inside)
+        .or_else(ended)
+        .or_else(|| closest_across(height_fields, y, inside.places()))
 }
 
 /// Finds a minimum of the gap that both surfaces have inside their ends, by secant steps from that
