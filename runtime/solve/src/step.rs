@@ -181,6 +181,7 @@ impl System<'_> {
                 sizing,
                 in_time: false,
                 state,
+                by_slices: false,
             };
             match &self.bodies {
                 Bodies::Plane(bodies) => {
@@ -228,8 +229,17 @@ impl System<'_> {
         };
         let nonlinear = bearings.as_ref();
         let state = None;
-        let under =
-            Conditions { direction, springs, nonlinear, start, elastic, sizing, in_time: true, state };
+        let under = Conditions {
+            direction,
+            springs,
+            nonlinear,
+            start,
+            elastic,
+            sizing,
+            in_time: true,
+            state,
+            by_slices: false,
+        };
         let mut step = match &self.bodies {
             Bodies::Plane(bodies) => {
                 Solver { system: self, space: &Plane { system: self, bodies }, under }.take(time, load)

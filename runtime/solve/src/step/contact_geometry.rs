@@ -180,6 +180,11 @@ pub(super) trait ContactGeometry: Sync {
         Vec::new()
     }
 
+    /// Returns whether grids have slices, and problems may contain parts of them.
+    fn has_slices(&self) -> bool {
+        false
+    }
+
     /// Returns the grid with one cell for each slice, for an estimate of the part that carries
     /// load; `None` if problems contain all cells.
     fn with_a_cell_for_each_slice(&self, _grid: &Self::Grid) -> Option<Self::Grid> {

@@ -33,6 +33,12 @@ const TOUCHING_AT: f64 = 1e-8;
 /// Difference of successive relinearization positions, relative to half a grid's width, that counts
 /// as converged.
 const SETTLED: f64 = 1e-3;
+/// Drift of an estimate of the position, relative to half a grid's width, after which it is used:
+/// the next one is about a hundredth of it.
+const ESTIMATED: f64 = 1.0;
+/// Drift by which the motion may differ from that of the estimate. It contains the error of the
+/// deflection of teeth, and is several times that of the position.
+const CONFIRMED: f64 = 2e-2;
 /// Errors that can be due to the position of the bodies: the previous solution remains, with a
 /// warning.
 const UNSOLVED: [&str; 5] = ["E0714", "E0715", "E0716", "E0717", "E0719"];
@@ -61,6 +67,8 @@ pub(super) struct Conditions<'a> {
     pub(super) in_time: bool,
     /// State of contact that is kept, if its patches have the same cells.
     pub(super) state: Option<&'a ContactState>,
+    /// True for grids with one cell for each slice, which estimate the position under load.
+    pub(super) by_slices: bool,
 }
 
 /// Solver of a position.
@@ -75,19 +83,41 @@ pub(super) struct LaidOutContact {
     pub(super) step: StepResult,
     pub(super) references: Vec<ContactReference>,
 }
+
+/// Estimate of the bodies under load, as deviations from the prescribed motions, m or rad by DOF.
+struct Estimate {
+    /// Position at which the contact grid is created, see [`Solver::carried`].
+    position: Vec<f64>,
+    /// Motion with the deflection of the teeth.
+    motion: Vec<f64>,
+}
+
 impl<S: ContactGeometry> Solver<'_, S> {
     /// Solves with the contact grid at the unloaded position, after closing backlash, and
-    /// relinearizes where the load displaces bodies far, until this converges.
+    /// relinearizes where the load displaces bodies far, until this converges. The first position
+    /// under load is estimated, if possible.
     pub(super) fn solve(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
         let start = self.start(time, load)?;
         let mut grids = Vec::new();
-        let mut laid = self.solve_from(time, load, &start, &mut grids)?;
+        let mut estimate = self.estimated_position(time, load, &start)?;
+        let first = estimate.as_ref().map_or(&start, |estimate| &estimate.position);
+        let mut laid = match self.solve_from(time, load, first, &mut grids) {
+            Err(error) if estimate.is_some() && UNSOLVED.contains(&error.code) => {
+                estimate = None;
+                self.solve_from(time, load, &start, &mut grids)?
+            }
+            laid => laid?,
+        };
         if laid.step.problem.gaps.is_empty() && self.on_general_axes() {
             return Ok(self.touching(time, load, laid).step);
         }
         let with_grids = |step: StepResult, grids| StepResult { grids, ..step };
         let LaidOutContact { step, references } = &laid;
-        if farthest(self.system, time, references, &difference(&step.motion, &step.start)).0 <= MOST_SHIFT {
+        let (moved, most) = match &estimate {
+            Some(estimate) => (difference(&step.motion, &estimate.motion), CONFIRMED),
+            None => (difference(&step.motion, &step.start), MOST_SHIFT),
+        };
+        if farthest(self.system, time, references, &moved).0 <= most {
             return Ok(with_grids(laid.step, grids));
         }
         for _ in 0..PLACES {
@@ -114,6 +144,44 @@ impl<S: ContactGeometry> Solver<'_, S> {
         Ok(with_grids(step, grids))
     }
 
+    /// Estimates the position of the bodies under load by grids with one cell for each slice, if
+    /// nonlinear bearings displace them so far that contact would leave its grid: `None` otherwise.
+    ///
+    /// # Errors
+    /// Those of the interrupt.
+    fn estimated_position(
+        &self,
+        time: f64,
+        load: &[f64],
+        start: &[f64],
+    ) -> Result<Option<Estimate>, EngineError> {
+        if self.under.in_time || self.under.nonlinear.is_none() || !self.space.has_slices() {
+            return Ok(None);
+        }
+        let solver = Solver { under: Conditions { by_slices: true, ..self.under }, ..*self };
+        let mut found: Option<Estimate> = None;
+        for _ in 0..PLACES {
+            let at = found.as_ref().map_or(start, |found| &found.position);
+            // The problem of all cells reports errors.
+            let Ok(LaidOutContact { step, references }) = solver.solve_from(time, load, at, &mut Vec::new())
+            else {
+                break;
+            };
+            let shift = |to: &[f64]| farthest(self.system, time, &references, &difference(to, at)).0;
+            if found.is_none() && shift(&step.motion) <= MOST_SHIFT {
+                break;
+            }
+            let position = self.carried(time, load, &step)?;
+            let is_near = shift(&position) <= ESTIMATED;
+            found = Some(Estimate { position, motion: step.motion });
+            if is_near {
+                break;
+            }
+        }
+        self.system.interrupt.check()?;
+        Ok(found)
+    }
+
     /// Solves with the contact grid created at the deviations `start` from the prescribed motions.
     /// Solved grids are added to `grids`.
     fn solve_from(
@@ -123,10 +191,22 @@ impl<S: ContactGeometry> Solver<'_, S> {
         start: &[f64],
         grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
-        let candidates = self.space.candidates(time, start, Search::All)?;
+        let candidates = match self.under.by_slices {
+            true => self.near_candidates(time, start)?,
+            false => self.space.candidates(time, start, Search::All)?,
+        };
         // Motions are relative to this position, at which springs are already strained.
         let (springs, load) = self.under.springs.from(start, load);
         self.under(&springs, start).solve_at_layout(time, &load, candidates, grids)
+    }
+
+    /// Searches accurately for near teeth only, if there are any.
+    fn near_candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<S::Site>>, EngineError> {
+        let found = self.space.candidates(time, moved, Search::Near)?;
+        match found.iter().any(is_near) {
+            true => Ok(found),
+            false => self.space.candidates(time, moved, Search::All),
+        }
     }
 
     /// Solves with contact between these candidates at the solver's start, to which springs and
@@ -139,9 +219,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
         let start = self.under.start;
-        let mut search = if self.under.in_time { Search::Near } else { Search::All };
-        let near = |candidate: &Candidate<S::Site>| candidate.nearest.gap < SEARCH_DEPTH * candidate.length;
-        let mut chosen: Vec<bool> = candidates.iter().map(near).collect();
+        let mut search = if self.under.in_time || self.under.by_slices { Search::Near } else { Search::All };
+        let mut chosen: Vec<bool> = candidates.iter().map(is_near).collect();
         if !chosen.contains(&true) && !self.under.in_time {
             // The motions must first close a gap.
             chosen.fill(true);
@@ -169,7 +248,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
                     candidates.iter().zip(&chosen).filter(|(_, used)| **used).map(|(c, _)| c.teeth).collect();
                 search = Search::All;
                 candidates = self.space.candidates(time, start, search)?;
-                chosen = candidates.iter().map(|c| near(c) || used.contains(&c.teeth)).collect();
+                chosen = candidates.iter().map(|c| is_near(c) || used.contains(&c.teeth)).collect();
             }
         }
     }
@@ -184,7 +263,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
     /// deflection, motions that they leave free at the rigid-body limit, as for other grid
     /// positions. Motions that nothing leaves free are kept, including their elastic part.
     fn carried(&self, time: f64, load: &[f64], step: &StepResult) -> Result<Vec<f64>, EngineError> {
-        let candidates = self.space.candidates(time, &step.motion, Search::All)?;
+        let candidates = self.near_candidates(time, &step.motion)?;
         let (mut springs, load) = self.under.springs.from(&step.motion, load);
         springs.gaps.iter_mut().for_each(|gap| *gap = gap.max(0.0));
         let solver = self.under(&springs, self.under.start);
@@ -288,6 +367,11 @@ impl<S: ContactGeometry> Solver<'_, S> {
     fn under<'b>(&'b self, springs: &'b Springs, start: &'b [f64]) -> Solver<'b, S> {
         Solver { system: self.system, space: self.space, under: Conditions { springs, start, ..self.under } }
     }
+}
+
+/// Returns whether a grid is created first.
+fn is_near<S>(candidate: &Candidate<S>) -> bool {
+    candidate.nearest.gap < SEARCH_DEPTH * candidate.length
 }
 
 fn difference(one: &[f64], other: &[f64]) -> Vec<f64> {

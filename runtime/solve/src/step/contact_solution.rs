@@ -62,12 +62,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         }
         let largest_forces = self.largest_forces(self.under.sizing.unwrap_or(load), candidates);
         let space = self.space;
-        let first_resolution = |candidate: &&Candidate<S::Site>| {
-            let halved = !self.under.in_time && space.sizes_at_half_resolution(candidate);
-            if halved { Resolution::Half } else { Resolution::Full }
-        };
-        let resolutions = candidates.iter().map(first_resolution).collect();
-        let mut sizes = GridSizes::new(resolutions, space.may_grow());
+        let mut sizes = self.first_sizes(candidates);
         // Several threads build grids unless all are busy with other positions.
         let build_grids = |patches: &[usize], sizes: &GridSizes<S::Size>| {
             let build_grid = |&patch: &usize| {
@@ -81,6 +76,9 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
         let whole = build_grids(&all, &sizes)?;
+        if self.under.by_slices {
+            return self.solved_by_slices(time, load, candidates, (whole, iteration), &largest_forces);
+        }
         let mut reduced = self.reduced_grids(load, candidates, whole, iteration.as_ref())?;
         // Active set of the grids without the rotation of their normals.
         let mut active: Option<Vec<usize>> = None;
@@ -139,14 +137,48 @@ impl<S: ContactGeometry> Solver<'_, S> {
                 known = Some(KnownCompliance { matrix, sizes: sizes_of_patches, unchanged });
             }
         };
-        let grids = reduced.grids;
-
-        let mut laid =
-            self.laid_out(time, candidates, grids, (drags, problem, modal, solution), &largest_forces);
+        let mut laid = self.laid_out(
+            time,
+            candidates,
+            reduced.grids,
+            (drags, problem, modal, solution),
+            &largest_forces,
+        );
         if let (Some(bearings), Some(iteration)) = (self.under.nonlinear, &iteration) {
             laid.step.raceways = bearings.raceways(iteration);
         }
         Ok(laid)
+    }
+
+    /// Returns the sizes of grids before their correction.
+    fn first_sizes(&self, candidates: &[&Candidate<S::Site>]) -> GridSizes<S::Size> {
+        let first_resolution = |candidate: &&Candidate<S::Site>| {
+            let halved = !self.under.in_time && self.space.sizes_at_half_resolution(candidate);
+            if halved { Resolution::Half } else { Resolution::Full }
+        };
+        let resolutions = candidates.iter().map(first_resolution).collect();
+        GridSizes::new(resolutions, self.space.may_grow())
+    }
+
+    /// Solves with one cell for each slice of the grids. Sizes of grids are not corrected.
+    fn solved_by_slices(
+        &self,
+        time: f64,
+        load: &[f64],
+        candidates: &[&Candidate<S::Site>],
+        (whole, mut iteration): (Vec<S::Grid>, Option<NonlinearIteration>),
+        largest_forces: &[f64],
+    ) -> Result<LaidOutContact, EngineError> {
+        let coarse = |grid: S::Grid| self.space.with_a_cell_for_each_slice(&grid).unwrap_or(grid);
+        let slices: Vec<S::Grid> = whole.into_iter().map(coarse).collect();
+        let (problem, modal, _) = self.problem(load, candidates, &slices, (None, None))?;
+        let (drags, mut works) = self.friction(time, candidates, &slices);
+        works.resize(problem.arms.len(), 0.0);
+        let every: Vec<usize> = (0..problem.cells()).collect();
+        let laid = (candidates, &slices[..]);
+        let (problem, solution) =
+            self.solve_problem(problem, &works, ActiveSet::Estimate(&every), laid, &mut iteration)?;
+        Ok(self.laid_out(time, candidates, slices, (drags, problem, modal, solution), largest_forces))
     }
 
     /// Assembles the solved position from the friction vectors and the solution on its grids.

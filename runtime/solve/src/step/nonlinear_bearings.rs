@@ -38,7 +38,7 @@ use calyx_model::dof::Dof;
 use calyx_numerics::error::EngineError;
 use nalgebra::DMatrix;
 use seats::{SeatedBodies, seated_bodies};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// Largest number of contact problems with the same grids.
 const ROUNDS: usize = 100;
@@ -89,6 +89,8 @@ pub(super) struct NonlinearBearings<'a> {
     scale: f64,
     /// True once a contact problem had the tangents.
     is_solved: Cell<bool>,
+    /// Equilibrium of the last grids: the first estimate for others.
+    last: RefCell<Option<NonlinearIteration>>,
     /// True for a time step, whose contact problems contain the springs and loads besides the
     /// bearings, relative to its start.
     in_time: bool,
@@ -250,12 +252,16 @@ impl<'a> NonlinearBearings<'a> {
             system.width(dof.body) * load.abs() / unit
         };
         let scale = load.iter().zip(&system.dofs).map(force).fold(0.0, f64::max);
-        let (load, is_solved) = (load.to_vec(), Cell::new(false));
-        Self { system, members, seated, base, load, scale, is_solved, in_time }
+        let (load, is_solved, last) = (load.to_vec(), Cell::new(false), RefCell::new(None));
+        Self { system, members, seated, base, load, scale, is_solved, last, in_time }
     }
 
-    /// Returns the iteration at bearings without deflection, or in a time step at its start.
+    /// Returns the iteration at the equilibrium of the last grids, at bearings without deflection if
+    /// there were none, or in a time step at its start.
     pub(super) fn initial(&self, start: &[f64]) -> Result<NonlinearIteration, EngineError> {
+        if let Some(last) = &*self.last.borrow() {
+            return Ok(last.clone());
+        }
         let at = |own: &Member| if self.in_time { own.deflection(start) } else { [0.0; 5] };
         let initial = |own: &Member| {
             let state = own.nonlinear.state(None, at(own))?;
@@ -313,6 +319,7 @@ impl<'a> NonlinearBearings<'a> {
             self.move_seats(&mut moved, (&tangents, &responses), &motion);
             if self.advance(iteration, &tangents, &motion, &moved)? {
                 self.is_solved.set(true);
+                self.last.replace(Some(iteration.clone()));
                 let certificate = &mut solution.certificate;
                 certificate.equilibrium = certificate.equilibrium.max(iteration.residual);
                 return Ok((solved, solution));

@@ -221,6 +221,10 @@ impl ContactGeometry for Solid<'_> {
         first_guess(problem, &grids.iter().collect::<Vec<_>>(), &self.system.interrupt)
     }
 
+    fn has_slices(&self) -> bool {
+        true
+    }
+
     fn with_a_cell_for_each_slice(&self, grid: &Grid) -> Option<Grid> {
         Some(with_a_cell_for_each_slice(grid))
     }
