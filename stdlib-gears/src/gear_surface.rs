@@ -194,6 +194,7 @@ impl Surface for GearSurface {
         let along_profile = [0, 1].map(|axis| along * tangent[axis] - off_by_u * normal[axis]);
         let along_face = [-rate * y - off_by_v * normal[0], rate * x - off_by_v * normal[1]];
         let own = [0, 1].map(|axis| along * normal[axis] + off_by_u * tangent[axis]);
+        // Faster than `hypot`, whose range is not needed.
         let size = (own[0] * own[0] + own[1] * own[1]).sqrt();
         let normal = own.map(|part| part / size);
         let lean = normal[0] * along_face[0] + normal[1] * along_face[1];

@@ -12,6 +12,7 @@ mod contact_geometry;
 mod contact_layout;
 mod contact_solution;
 mod contact_state;
+mod estimated_position;
 mod friction;
 mod grid_sizes;
 mod grid_warnings;
@@ -60,6 +61,8 @@ pub struct StepResult {
     pub active: Vec<usize>,
     /// Grids that were solved one after the other, of which the last one is that of the solution.
     pub grids: Vec<GridState>,
+    /// Number of estimates of the position that preceded them.
+    pub estimates: usize,
     /// Modal coordinates, body by body; empty without modes.
     pub modal: Vec<f64>,
     /// Rates of the DOFs and of the modal coordinates, per second; empty in equilibrium.
@@ -181,7 +184,7 @@ impl System<'_> {
                 sizing,
                 in_time: false,
                 state,
-                by_slices: false,
+                one_cell_per_slice: false,
             };
             match &self.bodies {
                 Bodies::Plane(bodies) => {
@@ -238,7 +241,7 @@ impl System<'_> {
             sizing,
             in_time: true,
             state,
-            by_slices: false,
+            one_cell_per_slice: false,
         };
         let mut step = match &self.bodies {
             Bodies::Plane(bodies) => {

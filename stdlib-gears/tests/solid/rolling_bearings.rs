@@ -131,11 +131,11 @@ fn observed_stiffness_is_the_derivative_of_the_force() {
     }
 }
 
-/// Replaces the rolling elements of both bearings by their tangents at motions of the gear.
+/// Replaces the rolling elements of both bearings by their tangents at these motions of the gear.
 fn linearize(scene: &mut Scene, motion: &[f64]) {
     for (index, bearing) in scene.bearings.iter_mut().enumerate() {
         let elements = bearing.nonlinear.take().expect("rolling elements");
-        let &[ux, uy, uz, about_x, about_y, ..] = motion else { panic!("five freedoms") };
+        let &[ux, uy, uz, about_x, about_y, ..] = motion else { panic!("five DOFs") };
         let place = PLACES[index];
         let deflection = [ux + place * about_y, uy - place * about_x, uz, about_x, about_y];
         let state = elements.state(None, deflection).expect("finite");
@@ -180,9 +180,11 @@ fn an_estimated_position_has_the_solution_without_the_estimate() {
         let rows = rows([loose(0.9e-3), loose(0.7e-3)], 0.0);
         let nonlinear = scene(&rows, torque);
         let expected = solved(Fidelity::Analytic, &nonlinear, |_, step| step.clone());
+        assert!(expected.estimates > 0);
         let mut linear = scene(&rows, torque);
         linearize(&mut linear.0, &expected.motion);
         solved(Fidelity::Analytic, &linear, |_, step| {
+            assert_eq!(step.estimates, 0);
             let largest = step.motion[1].abs();
             assert!(largest > 0.5e-3, "{largest}");
             for k in 0..5 {
@@ -194,6 +196,33 @@ fn an_estimated_position_has_the_solution_without_the_estimate() {
             }
         });
     }
+}
+
+/// In a given state of contact, the motion at an estimated position is a smooth function of the load.
+#[test]
+fn an_estimated_position_varies_smoothly_with_the_load() {
+    let loose = |clearance| balls(BallKind::DeepGroove { clearance });
+    let rows = rows([loose(0.9e-3), loose(0.7e-3)], 0.0);
+    let expected = solved(Fidelity::Analytic, &scene(&rows, 100.0), |_, step| step.clone());
+    let state = expected.contact_state();
+    assert!(state.estimates > 0);
+    let at = |torque: f64| {
+        solved(Fidelity::Analytic, &scene(&rows, torque), |system, step| {
+            let found = system.solve_in_state(step.time, &state).expect("solved");
+            assert_eq!((found.estimates, found.contact_state()), (state.estimates, state.clone()));
+            found.motion
+        })
+    };
+    let [less, same, more] = [100.0 * (1.0 - 1e-4), 100.0, 100.0 * (1.0 + 1e-4)].map(at);
+    let sizes = |of: &dyn Fn(usize) -> f64| -> Vec<f64> {
+        (0..6).map(|k| of(k).abs() * if k < 3 { 1.0 } else { 30e-3 }).collect()
+    };
+    let largest = |sizes: Vec<f64>| sizes.into_iter().fold(0.0, f64::max);
+    let change = largest(sizes(&|k| more[k] - less[k]));
+    let bend = largest(sizes(&|k| more[k] + less[k] - 2.0 * same[k]));
+    assert!(bend < 1e-4 * change, "{bend:e} {change:e}");
+    let difference = largest(sizes(&|k| same[k] - expected.motion[k]));
+    assert!(difference < 1e-9 * change, "{difference:e}");
 }
 
 /// A small load closes the clearances of the bearings, and the displacement grows with the load.

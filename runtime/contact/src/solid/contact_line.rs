@@ -81,7 +81,8 @@ const STATIONS: usize = 17;
 const ROUNDS: usize = 12;
 /// Gaps that differ by less than this fraction of the patch's length are equal to rounding.
 const SAME_GAP: f64 = 1e-12;
-/// Points nearer than this fraction of the patch's length lead to the same least gap.
+/// Points of least gap whose distance is below this fraction of the patch's length belong to the
+/// same contact line, if the frame has changed by less.
 const SAME_POINT: f64 = 1e-3;
 /// The direction of the contact line is determined where the gap exceeds the least by less than
 /// this fraction of the patch's length.
@@ -228,14 +229,14 @@ impl<'a> Search<'a> {
         for round in 0..ROUNDS {
             let height_fields = self.height_fields(frame, places);
             let stations = self.stations(&height_fields, places)?;
-            if known.is_some_and(|known| self.is_least_of(known, &stations)) {
-                return None;
-            }
             let next = self.improved(&frame, &stations);
             let reach = stations.reach();
             let shift = length(minus(next.point, frame.point)) / reach;
             let turn = length(minus(next.normal, frame.normal)).max(length(minus(next.along, frame.along)));
             let change = shift.max(turn);
+            if change <= SAME_POINT && known.is_some_and(|known| self.is_least_of(known, &stations)) {
+                return None;
+            }
             let is_far = round > 0 && stations.least.gap() > far;
             if is_far || change <= SETTLED {
                 return self.contact_line(frame, &height_fields, &stations);
@@ -256,7 +257,7 @@ impl<'a> Search<'a> {
             self.placed[side].on_edge(places[side]) == known.on_edge[side]
                 && length(minus(own, other)) <= SAME_POINT * stations.reach()
         };
-        is_alike(0) && is_alike(1)
+        stations.least.end.is_some() == known.at_end && is_alike(0) && is_alike(1)
     }
 
     /// Returns the contact line with these points in its frame.

@@ -192,8 +192,8 @@ pub fn closest_near(
     found.or_else(|| closest_across(height_fields, y, near.places()))
 }
 
-/// Finds the closest approach where a surface ends before the minimum of the gap, from one at a near
-/// y. `None` unless one ends before it here, too.
+/// Finds the closest approach at `y` where a surface ends before the minimum of the gap, from a near
+/// one with such an end. `None` if no surface ends before the minimum at `y`.
 fn at_near_end(
     height_fields: &[HeightField; 2],
     y: f64,
@@ -216,8 +216,9 @@ fn at_near_end(
     is_end.then_some(TransverseApproach { feet, end: Some(limit.side), minimum: None })
 }
 
-/// Finds the closest approach at `y` between a minimum that both surfaces have inside their ends and
-/// one of which `outside` may be at an end. The result is that of [`closest_near`] from `inside`.
+/// Finds the closest approach at `y`, which lies between `inside`, a minimum of the gap, and
+/// `outside`, where a surface may end before the minimum. The result is that of [`closest_near`] from
+/// `inside`.
 pub fn closest_between(
     height_fields: &[HeightField; 2],
     y: f64,

@@ -33,11 +33,8 @@ const TOUCHING_AT: f64 = 1e-8;
 /// Difference of successive relinearization positions, relative to half a grid's width, that counts
 /// as converged.
 const SETTLED: f64 = 1e-3;
-/// Drift of an estimate of the position, relative to half a grid's width, after which it is used:
-/// the next one is about a hundredth of it.
-const ESTIMATED: f64 = 1.0;
-/// Drift by which the motion may differ from that of the estimate. It contains the error of the
-/// deflection of teeth, and is several times that of the position.
+/// Largest difference between the motions of a solution and of the estimate of its position, as
+/// drift relative to half a grid's width, with which the position is accepted.
 const CONFIRMED: f64 = 2e-2;
 /// Errors that can be due to the position of the bodies: the previous solution remains, with a
 /// warning.
@@ -67,8 +64,8 @@ pub(super) struct Conditions<'a> {
     pub(super) in_time: bool,
     /// State of contact that is kept, if its patches have the same cells.
     pub(super) state: Option<&'a ContactState>,
-    /// True for grids with one cell for each slice, which estimate the position under load.
-    pub(super) by_slices: bool,
+    /// True for an estimate of the position under load, on grids with one cell for each slice.
+    pub(super) one_cell_per_slice: bool,
 }
 
 /// Solver of a position.
@@ -84,14 +81,6 @@ pub(super) struct LaidOutContact {
     pub(super) references: Vec<ContactReference>,
 }
 
-/// Estimate of the bodies under load, as deviations from the prescribed motions, m or rad by DOF.
-struct Estimate {
-    /// Position at which the contact grid is created, see [`Solver::carried`].
-    position: Vec<f64>,
-    /// Motion with the deflection of the teeth.
-    motion: Vec<f64>,
-}
-
 impl<S: ContactGeometry> Solver<'_, S> {
     /// Solves with the contact grid at the unloaded position, after closing backlash, and
     /// relinearizes where the load displaces bodies far, until this converges. The first position
@@ -101,17 +90,22 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let mut grids = Vec::new();
         let mut estimate = self.estimated_position(time, load, &start)?;
         let first = estimate.as_ref().map_or(&start, |estimate| &estimate.position);
-        let mut laid = match self.solve_from(time, load, first, &mut grids) {
-            Err(error) if estimate.is_some() && UNSOLVED.contains(&error.code) => {
+        let mut laid = match (self.solve_from(time, load, first, &mut grids), self.under.nonlinear) {
+            (Err(_), Some(bearings)) if estimate.is_some() => {
+                self.system.interrupt.check()?;
+                // The unloaded position may have a solution; otherwise it states the error.
+                bearings.forget();
+                grids.clear();
                 estimate = None;
                 self.solve_from(time, load, &start, &mut grids)?
             }
-            laid => laid?,
+            (laid, _) => laid?,
         };
         if laid.step.problem.gaps.is_empty() && self.on_general_axes() {
             return Ok(self.touching(time, load, laid).step);
         }
-        let with_grids = |step: StepResult, grids| StepResult { grids, ..step };
+        let estimates = estimate.as_ref().map_or(0, |estimate| estimate.count);
+        let with_grids = |step: StepResult, grids| StepResult { grids, estimates, ..step };
         let LaidOutContact { step, references } = &laid;
         let (moved, most) = match &estimate {
             Some(estimate) => (difference(&step.motion, &estimate.motion), CONFIRMED),
@@ -144,68 +138,34 @@ impl<S: ContactGeometry> Solver<'_, S> {
         Ok(with_grids(step, grids))
     }
 
-    /// Estimates the position of the bodies under load by grids with one cell for each slice, if
-    /// nonlinear bearings displace them so far that contact would leave its grid: `None` otherwise.
-    ///
-    /// # Errors
-    /// Those of the interrupt.
-    fn estimated_position(
-        &self,
-        time: f64,
-        load: &[f64],
-        start: &[f64],
-    ) -> Result<Option<Estimate>, EngineError> {
-        if self.under.in_time || self.under.nonlinear.is_none() || !self.space.has_slices() {
-            return Ok(None);
-        }
-        let solver = Solver { under: Conditions { by_slices: true, ..self.under }, ..*self };
-        let mut found: Option<Estimate> = None;
-        for _ in 0..PLACES {
-            let at = found.as_ref().map_or(start, |found| &found.position);
-            // The problem of all cells reports errors.
-            let Ok(LaidOutContact { step, references }) = solver.solve_from(time, load, at, &mut Vec::new())
-            else {
-                break;
-            };
-            let shift = |to: &[f64]| farthest(self.system, time, &references, &difference(to, at)).0;
-            if found.is_none() && shift(&step.motion) <= MOST_SHIFT {
-                break;
-            }
-            let position = self.carried(time, load, &step)?;
-            let is_near = shift(&position) <= ESTIMATED;
-            found = Some(Estimate { position, motion: step.motion });
-            if is_near {
-                break;
-            }
-        }
-        self.system.interrupt.check()?;
-        Ok(found)
-    }
-
     /// Solves with the contact grid created at the deviations `start` from the prescribed motions.
     /// Solved grids are added to `grids`.
-    fn solve_from(
+    pub(super) fn solve_from(
         &self,
         time: f64,
         load: &[f64],
         start: &[f64],
         grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
-        let candidates = match self.under.by_slices {
+        let found = match self.under.one_cell_per_slice {
             true => self.near_candidates(time, start)?,
-            false => self.space.candidates(time, start, Search::All)?,
+            false => (self.space.candidates(time, start, Search::All)?, Search::All),
         };
         // Motions are relative to this position, at which springs are already strained.
         let (springs, load) = self.under.springs.from(start, load);
-        self.under(&springs, start).solve_at_layout(time, &load, candidates, grids)
+        self.under(&springs, start).solve_at_layout(time, &load, found, grids)
     }
 
-    /// Searches accurately for near teeth only, if there are any.
-    fn near_candidates(&self, time: f64, moved: &[f64]) -> Result<Vec<Candidate<S::Site>>, EngineError> {
+    /// Returns candidates whose approach is accurate if they are near, or all are if none is near.
+    fn near_candidates(
+        &self,
+        time: f64,
+        moved: &[f64],
+    ) -> Result<(Vec<Candidate<S::Site>>, Search), EngineError> {
         let found = self.space.candidates(time, moved, Search::Near)?;
         match found.iter().any(is_near) {
-            true => Ok(found),
-            false => self.space.candidates(time, moved, Search::All),
+            true => Ok((found, Search::Near)),
+            false => Ok((self.space.candidates(time, moved, Search::All)?, Search::All)),
         }
     }
 
@@ -215,11 +175,10 @@ impl<S: ContactGeometry> Solver<'_, S> {
         &self,
         time: f64,
         load: &[f64],
-        mut candidates: Vec<Candidate<S::Site>>,
+        (mut candidates, mut search): (Vec<Candidate<S::Site>>, Search),
         grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
         let start = self.under.start;
-        let mut search = if self.under.in_time || self.under.by_slices { Search::Near } else { Search::All };
         let mut chosen: Vec<bool> = candidates.iter().map(is_near).collect();
         if !chosen.contains(&true) && !self.under.in_time {
             // The motions must first close a gap.
@@ -255,15 +214,21 @@ impl<S: ContactGeometry> Solver<'_, S> {
 
     /// Solves a time step.
     pub(super) fn take(&self, time: f64, load: &[f64]) -> Result<StepResult, EngineError> {
-        let candidates = self.space.candidates(time, self.under.start, Search::Near)?;
-        Ok(self.solve_at_layout(time, load, candidates, &mut Vec::new())?.step)
+        let found = (self.space.candidates(time, self.under.start, Search::Near)?, Search::Near);
+        Ok(self.solve_at_layout(time, load, found, &mut Vec::new())?.step)
     }
 
     /// Returns the position of the bodies under load: springs and stops with their present
     /// deflection, motions that they leave free at the rigid-body limit, as for other grid
-    /// positions. Motions that nothing leaves free are kept, including their elastic part.
-    fn carried(&self, time: f64, load: &[f64], step: &StepResult) -> Result<Vec<f64>, EngineError> {
-        let candidates = self.near_candidates(time, &step.motion)?;
+    /// positions. Motions that nothing leaves free are kept, including their elastic part. Teeth that
+    /// are not near do not limit the motions, because loaded ones overlap there.
+    pub(super) fn carried(
+        &self,
+        time: f64,
+        load: &[f64],
+        step: &StepResult,
+    ) -> Result<Vec<f64>, EngineError> {
+        let (candidates, _) = self.near_candidates(time, &step.motion)?;
         let (mut springs, load) = self.under.springs.from(&step.motion, load);
         springs.gaps.iter_mut().for_each(|gap| *gap = gap.max(0.0));
         let solver = self.under(&springs, self.under.start);
@@ -374,6 +339,6 @@ fn is_near<S>(candidate: &Candidate<S>) -> bool {
     candidate.nearest.gap < SEARCH_DEPTH * candidate.length
 }
 
-fn difference(one: &[f64], other: &[f64]) -> Vec<f64> {
+pub(super) fn difference(one: &[f64], other: &[f64]) -> Vec<f64> {
     one.iter().zip(other).map(|(one, other)| one - other).collect()
 }

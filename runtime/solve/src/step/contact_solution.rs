@@ -76,7 +76,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         let initial = |bearings: &NonlinearBearings<'_>| bearings.initial(self.under.start);
         let mut iteration = self.under.nonlinear.map(initial).transpose()?;
         let whole = build_grids(&all, &sizes)?;
-        if self.under.by_slices {
+        if self.under.one_cell_per_slice {
             return self.solved_by_slices(time, load, candidates, (whole, iteration), &largest_forces);
         }
         let mut reduced = self.reduced_grids(load, candidates, whole, iteration.as_ref())?;
@@ -160,29 +160,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
         GridSizes::new(resolutions, self.space.may_grow())
     }
 
-    /// Solves with one cell for each slice of the grids. Sizes of grids are not corrected.
-    fn solved_by_slices(
-        &self,
-        time: f64,
-        load: &[f64],
-        candidates: &[&Candidate<S::Site>],
-        (whole, mut iteration): (Vec<S::Grid>, Option<NonlinearIteration>),
-        largest_forces: &[f64],
-    ) -> Result<LaidOutContact, EngineError> {
-        let coarse = |grid: S::Grid| self.space.with_a_cell_for_each_slice(&grid).unwrap_or(grid);
-        let slices: Vec<S::Grid> = whole.into_iter().map(coarse).collect();
-        let (problem, modal, _) = self.problem(load, candidates, &slices, (None, None))?;
-        let (drags, mut works) = self.friction(time, candidates, &slices);
-        works.resize(problem.arms.len(), 0.0);
-        let every: Vec<usize> = (0..problem.cells()).collect();
-        let laid = (candidates, &slices[..]);
-        let (problem, solution) =
-            self.solve_problem(problem, &works, ActiveSet::Estimate(&every), laid, &mut iteration)?;
-        Ok(self.laid_out(time, candidates, slices, (drags, problem, modal, solution), largest_forces))
-    }
-
     /// Assembles the solved position from the friction vectors and the solution on its grids.
-    fn laid_out(
+    pub(super) fn laid_out(
         &self,
         time: f64,
         candidates: &[&Candidate<S::Site>],
@@ -229,6 +208,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             problem,
             active: solution.active,
             grids: Vec::new(),
+            estimates: 0,
             stops,
             raceways: Vec::new(),
             certificate: solution.certificate,
@@ -238,7 +218,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
     }
 
     /// Solves a contact problem, with nonlinear bearings in equilibrium.
-    fn solve_problem(
+    pub(super) fn solve_problem(
         &self,
         problem: ContactProblem,
         works: &[f64],
@@ -348,6 +328,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             problem,
             active,
             grids: Vec::new(),
+            estimates: 0,
             stops,
             raceways: Vec::new(),
             certificate,
@@ -529,7 +510,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
 
     /// Computes the friction of each patch's cells, see [`ContactPatch::friction_vectors`], and its
     /// generalized forces on the DOFs, see [`solve_with_friction`].
-    fn friction(
+    pub(super) fn friction(
         &self,
         time: f64,
         candidates: &[&Candidate<S::Site>],

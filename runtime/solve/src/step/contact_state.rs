@@ -53,6 +53,8 @@ impl GridState {
 pub struct ContactState {
     /// Grids that were solved one after the other until their sizes and places were suitable.
     pub grids: Vec<GridState>,
+    /// Number of estimates of the position that preceded them.
+    pub estimates: usize,
     /// Patches of the solution, in order.
     pub patches: Vec<PatchCells>,
     /// Its cells, followed by stops of bearings and spline teeth, that carry force.
@@ -75,7 +77,12 @@ impl StepResult {
             cells: patch.forces.len(),
         };
         let patches = self.patches.iter().map(patch).collect();
-        ContactState { grids: self.grids.clone(), patches, active: self.active.clone() }
+        ContactState {
+            grids: self.grids.clone(),
+            estimates: self.estimates,
+            patches,
+            active: self.active.clone(),
+        }
     }
 
     /// Returns whether a cell is at the boundary between contact and separation: it touches without

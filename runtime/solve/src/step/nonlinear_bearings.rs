@@ -280,6 +280,17 @@ impl<'a> NonlinearBearings<'a> {
         })
     }
 
+    /// Starts other grids from bearings without deflection.
+    pub(super) fn forget(&self) {
+        self.last.replace(None);
+        self.await_solution();
+    }
+
+    /// Takes solutions so far as estimates.
+    pub(super) fn await_solution(&self) {
+        self.is_solved.set(false);
+    }
+
     /// Solves a contact problem, whose motions are relative to `start`, with the bearings in
     /// equilibrium. `solve` solves a problem from an active set. The iteration starts from the
     /// given one and replaces it. `growths` are those of the gaps of cells by unit loads on elastic

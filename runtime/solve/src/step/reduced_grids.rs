@@ -49,8 +49,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         if !self.under.in_time || whole.is_empty() {
             return Ok(all(whole));
         }
-        let coarse = |grid| self.space.with_a_cell_for_each_slice(grid);
-        let Some(slices) = whole.iter().map(coarse).collect::<Option<Vec<_>>>() else {
+        let Some(slices) = self.slices(&whole) else {
             return Ok(all(whole));
         };
         let (mut problem, ..) = self.problem(load, candidates, &slices, (None, None))?;
