@@ -9,9 +9,10 @@ use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
 use calyx_runtime::bearing::{Bearing, NonlinearLoad, RollingElements};
 use calyx_runtime::observables::{
-    BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingElementLoad, StaticSafety,
+    BearingFriction, BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingElementLoad,
+    StaticSafety,
 };
-use calyx_runtime::rolling::rating::{LifeConditions, LoadDirection};
+use calyx_runtime::rolling::rating::{FrictionCoefficients, LifeConditions, LoadDirection};
 use calyx_runtime::rolling::{
     Arrangement, BallGeometry, BallKind, BallRow, Elements, Material, Motion, Profile, Rib, RollerGeometry,
     RollerKind, RollerRow, RollingBearing, RollingError, Row,
@@ -203,6 +204,18 @@ calyx_abi::externs! {
             direction: load_direction(&rotating_ring),
         };
         life(context, bearing, conditions, true)
+    }
+
+    Scene fn calyx_gears_bearing_friction_torque(
+        context, bearing: Handle, viscosity: f64, viscous_coefficient: Option<f64>, load_coefficient: Option<f64>,
+    ) -> Handle {
+        bearing_friction(context, bearing, viscosity, [viscous_coefficient, load_coefficient], false)
+    }
+
+    Scene fn calyx_gears_bearing_friction_loss(
+        context, bearing: Handle, viscosity: f64, viscous_coefficient: Option<f64>, load_coefficient: Option<f64>,
+    ) -> Handle {
+        bearing_friction(context, bearing, viscosity, [viscous_coefficient, load_coefficient], true)
     }
 }
 
@@ -398,6 +411,22 @@ fn life(
     // Conditions are checked before any solution.
     life.check(&elements).map_err(rejected)?;
     observe(context, life)
+}
+
+/// Observes the friction of a rolling bearing, with the coefficients of its type if they are not
+/// given.
+fn bearing_friction(
+    context: &mut Context,
+    bearing: Handle,
+    viscosity: f64,
+    [viscous, load]: [Option<f64>; 2],
+    is_loss: bool,
+) -> Result<Handle, RuntimeError> {
+    let (bearing, elements) = rolling(context, bearing)?;
+    let own = FrictionCoefficients::of(&elements.bearing);
+    let coefficients =
+        FrictionCoefficients { viscous: viscous.unwrap_or(own.viscous), load: load.unwrap_or(own.load) };
+    observe(context, BearingFriction { bearing, viscosity, coefficients, is_loss })
 }
 
 /// Returns the ring relative to which the load is steady: the one that does not rotate.

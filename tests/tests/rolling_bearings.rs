@@ -95,6 +95,30 @@ var far = gears.ball_bearing(\"far\", pinion, at = 120 mm * e3, {BALLS}, azimuth
     )
 }
 
+/// Palmgren's torque: the part of the load, with the force of deep groove bearings, and the viscous
+/// part; the power is that of the speed of the shaft.
+#[test]
+fn friction_is_that_of_the_forces_and_the_speed() {
+    let bearings = format!(
+        "function balls(in name, in at) {{ return gears.ball_bearing(name, pinion, at = at * e3, {BALLS}); }}
+var near = balls(\"near\", -40 mm);
+var far = balls(\"far\", 60 mm);
+var near_force := gears.bearing_force(near, \"radial\");
+var near_thrust := abs(gears.bearing_force(near, \"axial\"));
+output excess := gears.bearing_friction_torque(near, 30 mm^2/s, viscous_coefficient = 0) / (2.5e-4 * 60 mm)
+    - max(near_force, 3 * near_thrust - 0.1 * near_force);
+output viscous := gears.bearing_friction_torque(near, 30 mm^2/s, load_coefficient = 0);
+output rate := gears.bearing_friction_loss(near, 30 mm^2/s) / gears.bearing_friction_torque(near, 30 mm^2/s);"
+    );
+    let found = solved(&helical(&bearings, 80.0, 0.0));
+    let viscous = 2.0 * (30.0 * 600.0_f64).powf(2.0 / 3.0) * 60.0_f64.powi(3) * 1e-10;
+    for end in [0, 1] {
+        close("force", found["excess"][end], 0.0, 1e-9, 1000.0);
+        close("viscous torque", found["viscous"][end], viscous, 1e-9, 0.0);
+        close("speed", found["rate"][end], 20.0 * std::f64::consts::PI, 1e-9, 0.0);
+    }
+}
+
 /// Model and elements turned by the same angle have the same results.
 #[test]
 fn the_turned_whole_has_the_same_results() {

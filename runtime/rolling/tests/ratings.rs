@@ -4,11 +4,12 @@ use crate::sample::{angular_contact, balls, close, cylindrical, deep_groove, rol
 use calyx_rolling::ball::BallGeometry;
 use calyx_rolling::catalogue::{CatalogueData, Estimated, estimate_balls, estimate_rollers};
 use calyx_rolling::rating::{
-    FrictionCoefficients, LifeConditions, LoadDirection, capacity, friction, life_modification, rating_life,
-    static_safety,
+    FrictionCoefficients, LifeConditions, LoadDirection, capacity, friction, friction_load,
+    life_modification, rating_life, static_safety,
 };
 use calyx_rolling::{
-    BallKind, BallRow, Load, Motion, Profile, Rib, RollerGeometry, RollerKind, RollingBearing, Row,
+    Arrangement, BallKind, BallRow, Load, Motion, Profile, Rib, RollerGeometry, RollerKind, RollingBearing,
+    Row,
 };
 
 /// Factors f_c of ISO 281, table 2 (groove radii 0.52 D), for Dw cos α / Dpw.
@@ -159,6 +160,26 @@ fn friction_has_the_torque_of_the_formula() {
     let still = friction(&coefficients, 60e-3, 5000.0, 0.0, 20e-6).expect("valid");
     assert_eq!((still.viscous, still.torque()), (0.0, still.load));
     assert!(friction(&coefficients, 60e-3, 5000.0, 1.0, -1.0).is_err());
+}
+
+/// The force of the torque by the type of bearing, and the viscous torque of two rows.
+#[test]
+fn friction_follows_the_type_of_bearing() {
+    let angle = 40f64.to_radians();
+    let row = BallRow::new(angular_contact()).expect("valid");
+    let two = RollingBearing::pair(row, Arrangement::BackToBack, 20e-3, 0.0).expect("valid");
+    for (bearing, forces, load, coefficients) in [
+        (balls(deep_groove()), [1000.0, 500.0], 1400.0, [2.0, 2.5e-4]),
+        (balls(deep_groove()), [1000.0, -100.0], 1000.0, [2.0, 2.5e-4]),
+        (rollers(cylindrical()), [1000.0, 5000.0], 1000.0, [2.0, 3e-4]),
+        (rollers(RollerGeometry { length: 40e-3, ..cylindrical() }), [1000.0, 0.0], 1000.0, [12.0, 1.5e-3]),
+        (two, [100.0, 2000.0], 0.9 * 2000.0 / angle.tan() - 10.0, [6.6, 4.7e-4]),
+    ] {
+        let found = friction_load(&bearing, forces);
+        assert!((found / load - 1.0).abs() < 1e-12, "{found} {load}");
+        let FrictionCoefficients { viscous, load } = FrictionCoefficients::of(&bearing);
+        assert_eq!([viscous, load], coefficients);
+    }
 }
 
 /// Data of a catalogue: bore, outside diameter and width, mm, C and C0, kN.

@@ -61,8 +61,8 @@ pub use mode_kind::{
 pub use parts::{ForceOf, Part, PartForce, PartKind, PartMotion, PartOf, parts, prescribed_poses};
 pub use pressure::{MaxContactPressure, MaxEdgePressure};
 pub use rolling::{
-    BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingBearingField, RollingElementLoad,
-    StaticSafety,
+    BearingFriction, BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingBearingField,
+    RollingElementLoad, StaticSafety,
 };
 pub use shafts::{
     ConnectionLoad, NominalStress, SectionComponent, ShaftDisplacement, ShaftMoment, ShaftPosition,

@@ -1,11 +1,16 @@
-//! Observables of rolling bearings: loads and pressures of the elements, static safety, and
-//! reference rating life.
+//! Observables of rolling bearings: loads and pressures of the elements, static safety, reference
+//! rating life, and friction.
 
-use super::{Equilibrium, Observable, Quantity};
-use calyx_model::bearing::{NonlinearLoad, RollingElements};
+use super::{Direction, Equilibrium, Observable, Quantity};
+use calyx_model::bearing::{Bearing, NonlinearLoad, RollingElements, Support};
 use calyx_model::ids::BearingId;
+use calyx_model::mechanism::Mechanism;
+use calyx_model::motion::angular_velocity;
 use calyx_model::observed::Observed;
-use calyx_rolling::rating::{Life, LifeConditions, rating_life, static_safety};
+use calyx_numerics::vec3::{length, minus};
+use calyx_rolling::rating::{
+    Friction, FrictionCoefficients, Life, LifeConditions, friction, friction_load, rating_life, static_safety,
+};
 use calyx_rolling::{ElementState, RollingError};
 
 /// Rolling elements of a bearing.
@@ -182,5 +187,72 @@ impl Observable for BearingLife {
             let life = self.of(elements?, states).ok()?;
             Some(if self.modified { life.modified } else { life.basic })
         })
+    }
+}
+
+/// Friction of a rolling bearing by Palmgren's model: its torque, N m, or its power loss, W.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BearingFriction {
+    /// Bearing.
+    pub bearing: BearingId,
+    /// Kinematic viscosity of the lubricant at its operating temperature, m²/s.
+    pub viscosity: f64,
+    /// Coefficients of the torque.
+    pub coefficients: FrictionCoefficients,
+    /// True for the power loss.
+    pub is_loss: bool,
+}
+
+impl BearingFriction {
+    /// Returns the torque from the radial and the axial force, N, and the relative speed of the
+    /// rings, rad/s.
+    ///
+    /// # Errors
+    /// [`RollingError::Input`] if the viscosity is not positive, or a value is not finite.
+    pub fn of(
+        &self,
+        elements: &RollingElements,
+        forces: [f64; 2],
+        speed: f64,
+    ) -> Result<Friction, RollingError> {
+        let diameter = elements.bearing.rows().first().map_or(f64::NAN, |row| row.pitch_diameter());
+        let load = friction_load(&elements.bearing, forces);
+        friction(&self.coefficients, diameter, load, speed, self.viscosity)
+    }
+}
+
+/// Returns the speed of the body of the first race relative to that of the second at a time (s),
+/// rad/s.
+fn relative_speed(scene: &Mechanism, bearing: &Bearing, time: f64) -> f64 {
+    let of = |body: usize| angular_velocity(scene.bodies[body].motion.as_ref(), time);
+    let own = of(bearing.body.0);
+    match bearing.to {
+        Support::Ground => length(own),
+        Support::Body(other) => length(minus(own, of(other.0))),
+    }
+}
+
+impl Observable for BearingFriction {
+    fn quantity(&self) -> Quantity {
+        match self.is_loss {
+            true => Quantity::repeating("bearing_friction_loss", "W"),
+            false => Quantity::repeating("bearing_friction_torque", "N*m"),
+        }
+    }
+
+    fn bearing_of(&self) -> Option<BearingId> {
+        Some(self.bearing)
+    }
+
+    fn value(&self, at: &Equilibrium<'_>) -> Observed {
+        let of = |direction: Direction| super::BearingForce(self.bearing, direction).value(at).value;
+        let forces = [of(Direction::Radial), of(Direction::Axial)];
+        let scene = at.system.scene;
+        let torque = scene.bearings.get(self.bearing.0).and_then(|bearing| {
+            let speed = relative_speed(scene, bearing, at.step.time);
+            let friction = self.of(bearing.rolling()?, forces, speed).ok()?;
+            Some(friction.torque() * if self.is_loss { speed } else { 1.0 })
+        });
+        Observed::number(torque.unwrap_or(f64::NAN))
     }
 }
