@@ -81,6 +81,9 @@ pub(super) struct LaidOutContact {
     pub(super) references: Vec<ContactReference>,
 }
 
+/// Candidates, and which of their approaches are accurate.
+type SearchResult<Site> = (Vec<Candidate<Site>>, Search);
+
 impl<S: ContactGeometry> Solver<'_, S> {
     /// Solves with the contact grid at the unloaded position, after closing backlash, and
     /// relinearizes where the load displaces bodies far, until this converges. The first position
@@ -157,11 +160,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
     }
 
     /// Returns candidates whose approach is accurate if they are near, or all are if none is near.
-    fn near_candidates(
-        &self,
-        time: f64,
-        moved: &[f64],
-    ) -> Result<(Vec<Candidate<S::Site>>, Search), EngineError> {
+    fn near_candidates(&self, time: f64, moved: &[f64]) -> Result<SearchResult<S::Site>, EngineError> {
         let found = self.space.candidates(time, moved, Search::Near)?;
         match found.iter().any(is_near) {
             true => Ok((found, Search::Near)),
@@ -175,7 +174,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         &self,
         time: f64,
         load: &[f64],
-        (mut candidates, mut search): (Vec<Candidate<S::Site>>, Search),
+        (mut candidates, mut search): SearchResult<S::Site>,
         grids: &mut Vec<GridState>,
     ) -> Result<LaidOutContact, EngineError> {
         let start = self.under.start;
