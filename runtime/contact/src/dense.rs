@@ -138,8 +138,8 @@ const RANK_TOLERANCE: f64 = 1e-12;
 
 impl ActiveEquations {
     /// Factorizes the equations from the rows of the symmetric compliance of all cells, which is
-    /// multiplied by `scale` from both sides, the scaled `arms` of all cells, the ascending `active`
-    /// cells and the `stiffness` of the DOFs.
+    /// multiplied by `scale` from both sides, the scaled `arms` of all cells, the ascending
+    /// `active` cells and the `stiffness` of the DOFs.
     pub fn new<'a>(
         row: impl Fn(usize) -> &'a [f64],
         scale: &[f64],

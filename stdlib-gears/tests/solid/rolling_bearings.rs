@@ -170,9 +170,9 @@ fn linear_bearings_with_the_tangents_have_the_same_solution() {
     }
 }
 
-/// A position that is estimated with one cell for each slice has the solution of linear bearings with
-/// the tangents, whose position under load follows from solutions with all cells. What remains are
-/// other sizes of the grids: the clearances leave the gear a soft direction.
+/// A position that is estimated with one cell for each slice has the solution of linear bearings
+/// with the tangents, whose position under load follows from solutions with all cells. What
+/// remains are other sizes of the grids: the clearances leave the gear a soft direction.
 #[test]
 fn an_estimated_position_has_the_solution_without_the_estimate() {
     let loose = |clearance| balls(BallKind::DeepGroove { clearance });
@@ -198,7 +198,8 @@ fn an_estimated_position_has_the_solution_without_the_estimate() {
     }
 }
 
-/// In a given state of contact, the motion at an estimated position is a smooth function of the load.
+/// In a given state of contact, the motion at an estimated position is a smooth function of the
+/// load.
 #[test]
 fn an_estimated_position_varies_smoothly_with_the_load() {
     let loose = |clearance| balls(BallKind::DeepGroove { clearance });

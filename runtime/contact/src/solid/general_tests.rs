@@ -125,8 +125,8 @@ fn minima_do_not_depend_on_where_their_search_starts() {
     }
 }
 
-/// Where the minimum of the gap passes the end of a surface, searches from either side agree with
-/// the search between the ends of both surfaces.
+/// Searches from either side of the position where the minimum of the gap passes the end of a
+/// surface agree with the search between the ends of both surfaces.
 #[test]
 fn ends_of_surfaces_do_not_depend_on_where_their_search_starts() {
     let (mut flanks, turns) = HELICAL.turned();

@@ -192,8 +192,8 @@ pub fn closest_near(
     found.or_else(|| closest_across(height_fields, y, near.places()))
 }
 
-/// Finds the closest approach at `y` where a surface ends before the minimum of the gap, from a near
-/// one with such an end. `None` if no surface ends before the minimum at `y`.
+/// Finds the closest approach at `y` where a surface ends before the minimum of the gap, from a
+/// near one with such an end. `None` if no surface ends before the minimum at `y`.
 fn at_near_end(
     height_fields: &[HeightField; 2],
     y: f64,
@@ -217,8 +217,8 @@ fn at_near_end(
 }
 
 /// Finds the closest approach at `y`, which lies between `inside`, a minimum of the gap, and
-/// `outside`, where a surface may end before the minimum. The result is that of [`closest_near`] from
-/// `inside`.
+/// `outside`, where a surface may end before the minimum. The result is that of [`closest_near`]
+/// from `inside`.
 pub fn closest_between(
     height_fields: &[HeightField; 2],
     y: f64,

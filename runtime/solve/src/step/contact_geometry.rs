@@ -185,8 +185,8 @@ pub(super) trait ContactGeometry: Sync {
         false
     }
 
-    /// Returns the grid with one cell for each slice, for estimates of the position under load and of
-    /// the part that carries load; `None` if problems contain all cells.
+    /// Returns the grid with one cell for each slice, for estimates of the position under load
+    /// and of the part that carries load; `None` if problems contain all cells.
     fn with_a_cell_for_each_slice(&self, _grid: &Self::Grid) -> Option<Self::Grid> {
         None
     }

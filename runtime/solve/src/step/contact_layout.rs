@@ -219,8 +219,8 @@ impl<S: ContactGeometry> Solver<'_, S> {
 
     /// Returns the position of the bodies under load: springs and stops with their present
     /// deflection, motions that they leave free at the rigid-body limit, as for other grid
-    /// positions. Motions that nothing leaves free are kept, including their elastic part. Teeth that
-    /// are not near do not limit the motions, because loaded ones overlap there.
+    /// positions. Motions that nothing leaves free are kept, including their elastic part. Teeth
+    /// that are not near do not limit the motions, because loaded ones overlap there.
     pub(super) fn carried(
         &self,
         time: f64,

@@ -32,8 +32,8 @@ pub(super) struct Estimate {
 
 impl<S: ContactGeometry> Solver<'_, S> {
     /// Estimates the position of the bodies under load, if nonlinear bearings displace them so far
-    /// that contact would leave its grid: `None` otherwise. Afterwards the bearings start near their
-    /// equilibrium. A given state of contact has a given number of estimates.
+    /// that contact would leave its grid: `None` otherwise. Afterwards the bearings start near
+    /// their equilibrium. A given state of contact has a given number of estimates.
     ///
     /// # Errors
     /// Those of the interrupt. The problem of all cells reports other errors.

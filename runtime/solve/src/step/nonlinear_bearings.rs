@@ -256,8 +256,8 @@ impl<'a> NonlinearBearings<'a> {
         Self { system, members, seated, base, load, scale, is_solved, last, in_time }
     }
 
-    /// Returns the iteration at the equilibrium of the last grids, at bearings without deflection if
-    /// there were none, or in a time step at its start.
+    /// Returns the iteration at the equilibrium of the last grids, at bearings without deflection
+    /// if there were none, or in a time step at its start.
     pub(super) fn initial(&self, start: &[f64]) -> Result<NonlinearIteration, EngineError> {
         if let Some(last) = &*self.last.borrow() {
             return Ok(last.clone());
