@@ -311,7 +311,7 @@ pub struct RunOutputs<'a> {
 }
 
 /// Writes `run.json` and `timing.json` of a finished run with the subject `run` (see [`head`]).
-/// `signals` are those of [`crate::signals::list`].
+/// `signals` are those of `signals::list`, which needs the feature `pages`.
 pub fn write_run(
     directory: &Path,
     mut run: Value,

@@ -28,6 +28,7 @@ pub mod radiated_sound;
 pub mod sample;
 #[cfg(feature = "pages")]
 pub mod sensitivity;
+#[cfg(feature = "pages")]
 pub mod signals;
 pub mod stress_range;
 pub mod study;

@@ -70,6 +70,7 @@ impl Engine {
     }
 
     /// Creates an engine with a number of threads of its own and the structure cache of this one.
+    #[cfg(feature = "command")]
     pub(crate) fn with_threads(&self, threads: usize) -> Engine {
         let config = EngineConfig { threads, ..self.0.config.clone() };
         Engine(Arc::new(Shared { config, cache: self.0.cache.clone(), pool: Mutex::default() }))

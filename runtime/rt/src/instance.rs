@@ -2,6 +2,7 @@
 
 mod neighbours;
 
+#[cfg(feature = "command")]
 pub(crate) use neighbours::NO_PARAMS;
 
 use crate::adapted::AdaptedProgram;
@@ -142,6 +143,7 @@ impl Instance {
     ///
     /// # Errors
     /// As for [`Instance::params`].
+    #[cfg(feature = "command")]
     pub(crate) fn fix_outputs(&mut self) -> Result<(), Error> {
         let job = self.job();
         let program = stack::with_stack(|| job.described())??;
@@ -152,6 +154,7 @@ impl Instance {
 
     /// Returns the program, with the outputs of the current params after
     /// [`Instance::fix_outputs`].
+    #[cfg(feature = "command")]
     pub(crate) fn program(&self) -> &Arc<dyn Program> {
         &self.setup.program
     }

@@ -61,6 +61,7 @@ pub mod run_directory;
 pub mod schema;
 #[cfg(feature = "command")]
 pub mod sensitivity_journal;
+#[cfg(feature = "command")]
 mod sensitivity_table;
 #[cfg(feature = "command")]
 pub mod settings_override;
@@ -74,6 +75,7 @@ pub use calyx_abi::description::{ModelDescription, ParamValue};
 pub use calyx_abi::shell;
 #[cfg(feature = "command")]
 pub use calyx_report::parquet_table;
+#[cfg(feature = "command")]
 pub use calyx_report::sensitivity;
 #[cfg(feature = "command")]
 pub use calyx_report::study;

@@ -510,6 +510,7 @@ fn check_range(param: &ParamDescription, value: f64, ends: Ends) -> Result<(), I
 
 /// Checks a number for a param whose range does not depend on other params; others are checked
 /// later.
+#[cfg(feature = "command")]
 pub(crate) fn check_number(param: &ParamDescription, si: f64) -> Result<(), InvalidParam> {
     let ends = if param.independent { (param.low, param.high) } else { (None, None) };
     check_range(param, si, ends)

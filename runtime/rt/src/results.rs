@@ -243,7 +243,7 @@ impl Results {
     }
 
     /// Returns whether the model requests the derivatives, not the program that runs it.
-    pub(crate) fn are_derivatives_of_model(&self) -> bool {
+    pub fn are_derivatives_of_model(&self) -> bool {
         self.of_model
     }
 

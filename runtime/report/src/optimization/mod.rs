@@ -6,6 +6,7 @@ mod text;
 
 pub use files::{DESIGNS, OPTIMUM, OPTIMUM_HEADER, write_designs, write_optimum};
 pub use text::text;
+#[cfg(feature = "pages")]
 pub(crate) use text::{agreement, influence, missing};
 
 use crate::sample::{Objective, Statistic};

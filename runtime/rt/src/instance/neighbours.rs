@@ -20,6 +20,7 @@ use calyx_runtime::sensitivity::{
 use std::sync::Arc;
 
 /// No params, for [`Instance::request_sensitivities`].
+#[cfg(feature = "command")]
 pub(crate) const NO_PARAMS: [&str; 0] = [];
 
 impl Instance {
