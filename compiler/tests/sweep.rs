@@ -274,6 +274,7 @@ output pressure := gears.max_contact_pressure(mesh);
 output slope := gears.misalignment_slope(mesh);
 output life := gears.bearing_life(left);
 output loss := gears.friction_loss(mesh, 0.05);
+output bearing_loss := gears.bearing_friction_loss(left, 20 mm^2/s);
 ";
     let analysis = "analyze(\"quasi_static\", over = gears.mesh_cycle(mesh, 4), fidelity = \"analytic\", error_estimates = \"none\");\n";
     format!("{gears}{analysis}")
@@ -321,6 +322,7 @@ fn loads_of_components_are_those_of_outputs_and_a_duty_cycle_follows_from_them()
         let mesh = "pinion / gear";
         close(load(mesh, "contact_pressure", case), output("pressure.max [MPa]"), "pressure");
         close(load(mesh, "friction_loss", case), output("loss.mean [W]"), "loss");
+        close(load("left", "friction_loss", case), output("bearing_loss.mean [W]"), "loss of a bearing");
         let slope = load(mesh, "misalignment_slope", case);
         close(slope, output("slope.mean [urad]"), "slope");
         // The torque of the contact is that on the shaft.

@@ -139,5 +139,5 @@ fn agreement(dimensions: &str, data: &CatalogueData, deviation: f64, assumed: &s
 
 /// Converts a load rating to kN.
 fn kilo(newtons: f64) -> f64 {
-    (newtons * 1e3).round() * 1e-6
+    (newtons * 1e3).round() / 1e6
 }

@@ -7,7 +7,8 @@ use crate::externs::{self, entry, host, refusal};
 use crate::observable_externs::observe;
 use calyx_abi::externs::Handle;
 use calyx_abi::{Context, RuntimeError};
-use calyx_runtime::bearing::{Bearing, NonlinearLoad, RollingElements};
+use calyx_runtime::bearing::{Bearing, BearingState, NonlinearLoad, RollingElements, Support};
+use calyx_runtime::motion::angular_velocity;
 use calyx_runtime::observables::{
     BearingFriction, BearingLife, BearingPressure, LoadedElements, MaxElementLoad, RollingElementLoad,
     StaticSafety,
@@ -17,7 +18,9 @@ use calyx_runtime::rolling::{
     Arrangement, BallGeometry, BallKind, BallRow, Elements, Material, Motion, Profile, Rib, RollerGeometry,
     RollerKind, RollerRow, RollingBearing, RollingError, Row,
 };
-use calyx_runtime::scene::BearingId;
+use calyx_runtime::scene::{BearingId, BodyId};
+use calyx_runtime::vec3::dot;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 calyx_abi::externs! {
@@ -181,11 +184,11 @@ calyx_abi::externs! {
     }
 
     Scene fn calyx_gears_bearing_life(
-        context, bearing: Handle, dynamic_rating: Option<f64>, rotating_ring: String,
+        context, bearing: Handle, dynamic_rating: Option<f64>, rotating_ring: Option<String>,
     ) -> Handle {
         let conditions = LifeConditions {
             dynamic_rating,
-            direction: load_direction(&rotating_ring),
+            direction: load_direction(context, bearing, rotating_ring.as_deref())?,
             ..LifeConditions::default()
         };
         life(context, bearing, conditions, false)
@@ -193,7 +196,7 @@ calyx_abi::externs! {
 
     Scene fn calyx_gears_modified_bearing_life(
         context, bearing: Handle, viscosity_ratio: f64, contamination: f64, reliability: f64,
-        dynamic_rating: Option<f64>, fatigue_limit: Option<f64>, rotating_ring: String,
+        dynamic_rating: Option<f64>, fatigue_limit: Option<f64>, rotating_ring: Option<String>,
     ) -> Handle {
         let conditions = LifeConditions {
             dynamic_rating,
@@ -201,7 +204,7 @@ calyx_abi::externs! {
             reliability,
             viscosity_ratio,
             contamination,
-            direction: load_direction(&rotating_ring),
+            direction: load_direction(context, bearing, rotating_ring.as_deref())?,
         };
         life(context, bearing, conditions, true)
     }
@@ -341,7 +344,57 @@ pub(crate) fn add(
             Bearing { stiffness: tangent.stiffness, load: tangent.load, linearization: Some(at), ..bearing }
         }
     };
-    crate::bearing_externs::add(context, bearing)
+    let added = crate::bearing_externs::add(context, bearing)?;
+    warn_about_speeds(context, added, operation)?;
+    Ok(added)
+}
+
+/// Largest difference between the speeds of the rings and of the bodies without a warning, relative
+/// to the larger one: speeds are often rounded to whole revolutions per minute.
+const SAME_SPEED: f64 = 0.01;
+
+/// Warns of speeds of the rings that differ from the motion of both bodies at time 0. Bodies that
+/// are at rest there may start to rotate, and are not compared.
+fn warn_about_speeds(
+    context: &mut Context,
+    bearing: Handle,
+    operation: &Operation<'_>,
+) -> Result<(), RuntimeError> {
+    let Motion { inner_speed, outer_speed, .. } = operation.motion;
+    let (stated, argument) = match operation.ring {
+        "outer" => (outer_speed - inner_speed, "outer_speed"),
+        _ => (inner_speed - outer_speed, "inner_speed"),
+    };
+    let id = self::bearing(context, bearing)?;
+    let host = host(context)?;
+    let own = &host.scene.bearings[id.0];
+    let Ok(state) = BearingState::at(&host.scene.bodies, own, 0.0) else { return Ok(()) };
+    let about_axis = |body: BodyId| {
+        host.scene
+            .bodies
+            .get(body.0)
+            .map_or(0.0, |body| dot(angular_velocity(body.motion.as_ref(), 0.0), state.axes[2]))
+    };
+    let second = match own.to {
+        Support::Ground => 0.0,
+        Support::Body(body) => about_axis(body),
+    };
+    let moved = about_axis(own.body) - second;
+    let larger = stated.abs().max(moved.abs());
+    if stated == 0.0 || moved == 0.0 || (stated - moved).abs() <= SAME_SPEED * larger {
+        return Ok(());
+    }
+    let rpm = |speed: f64| (speed * 60.0 / TAU * 10.0).round() / 10.0;
+    let message = format!(
+        "the ring of bearing \"{}\" on its body rotates at {} rpm relative to the other ring by its arguments, and at {} rpm by the motion of the bodies",
+        own.name,
+        rpm(stated),
+        rpm(moved)
+    );
+    let help = format!("give `{argument} = {} rpm`, relative to `to`, or correct the frame", rpm(moved));
+    let place = context.place;
+    self::host(context)?.warn_of_argument(("E0727", argument), message, &help, place);
+    Ok(())
 }
 
 /// Warns of arguments that an arrangement of rows does not use.
@@ -429,12 +482,19 @@ fn bearing_friction(
     observe(context, BearingFriction { bearing, viscosity, coefficients, is_loss })
 }
 
-/// Returns the ring relative to which the load is steady: the one that does not rotate.
-fn load_direction(rotating_ring: &str) -> LoadDirection {
-    match rotating_ring {
-        "outer" => LoadDirection::InnerRing,
-        _ => LoadDirection::OuterRing,
-    }
+/// Returns the ring relative to which the load is steady: the one that does not rotate. If that is
+/// unknown, it is the ring on the mounting: the load on a shaft is steady relative to its housing,
+/// that on a planet relative to its pin.
+fn load_direction(
+    context: &mut Context,
+    bearing: Handle,
+    rotating_ring: Option<&str>,
+) -> Result<LoadDirection, RuntimeError> {
+    let is_outer = match rotating_ring {
+        Some(ring) => ring == "outer",
+        None => rolling(context, bearing)?.1.is_inverted(),
+    };
+    Ok(if is_outer { LoadDirection::InnerRing } else { LoadDirection::OuterRing })
 }
 
 /// Converts an error of a rolling bearing, located at the argument of the same name.
@@ -456,7 +516,7 @@ fn whole(argument: &str, number: f64) -> Result<usize, RuntimeError> {
         return Ok(number as usize);
     }
     let message = format!("`{argument}` of a rolling bearing is {number}");
-    Err(refusal("E0697", argument, &message, "give a whole number of at least 1"))
+    Err(refusal("E0697", argument, &message, "give a whole number"))
 }
 
 /// Returns a material; bearing steel if none is given.

@@ -155,7 +155,7 @@ fn reversed_and_vanishing_torque() {
 /// bearing seen from the other body.
 #[test]
 fn exchanged_rings_are_the_same_bearing() {
-    let sleeve = |bearings: &str| {
+    let sleeve = |bearings: &str, rotating_ring: &str| {
         let bearings = format!(
             "var sleeve = gears.rigid_body(\"sleeve\", free = [\"u_x\", \"u_y\", \"u_z\", \"theta_x\", \"theta_y\"], frame := Translate(0 mm * e3));
 var housing = gears.rigid_body(\"housing\", frame := Translate(0 mm * e3));
@@ -163,16 +163,16 @@ gears.bearing(\"shaft\", pinion, to = sleeve, at = 80 mm * e3, radial_stiffness 
     tilting_stiffness = 1e7 N*m/rad);
 {bearings}"
         );
-        solved(&helical(&bearings, 100.0, 0.0))
+        let life = format!("bearing_life(near{rotating_ring})");
+        solved(&helical(&bearings, 100.0, 0.0).replace("bearing_life(near)", &life))
     };
-    let inner = sleeve(&tapered(5.0).replace("pinion,", "sleeve, to = housing,"));
-    let outer = sleeve(
-        &tapered(5.0)
-            .replace("pinion,", "housing, to = sleeve, ring = \"outer\",")
-            // The force on the housing is opposite.
-            .replace("thrust = \"-z\", ", "")
-            .replace("\"near\", housing,", "\"near\", housing, thrust = \"-z\","),
-    );
+    let inner = sleeve(&tapered(5.0).replace("pinion,", "sleeve, to = housing,"), "");
+    let exchanged = tapered(5.0)
+        .replace("pinion,", "housing, to = sleeve, ring = \"outer\",")
+        // The force on the housing is opposite.
+        .replace("thrust = \"-z\", ", "")
+        .replace("\"near\", housing,", "\"near\", housing, thrust = \"-z\",");
+    let outer = sleeve(&exchanged, ", rotating_ring = \"inner\"");
     for (name, expected) in &inner {
         let sign = if name == "near_axial" { -1.0 } else { 1.0 };
         let [low, high] = outer[name];
@@ -181,6 +181,11 @@ gears.bearing(\"shaft\", pinion, to = sleeve, at = 80 mm * e3, radial_stiffness 
             close(name, *found, *expected, 1e-8, 0.0);
         }
     }
+    // The ring on the body is the one that rotates relative to the load if the model states none.
+    let stated = sleeve(&exchanged, ", rotating_ring = \"outer\"");
+    let default = sleeve(&exchanged, "");
+    assert_eq!(default["life"], stated["life"]);
+    assert_ne!(default["life"], outer["life"]);
 }
 
 /// Two rows of a bearing are two bearings with one row each.

@@ -116,21 +116,25 @@ impl Checker<'_> {
         }
     }
 
-    /// Records a number without a unit whose expected type may be an angle.
+    /// Records a number without a unit whose expected type may be an angle, or is an angular
+    /// velocity. A variable whose speed follows from its uses only is in the units of the program.
     pub(super) fn note_literal(&mut self, expected: &Type, found: &Expr) {
-        if let Some(value) = literal(found).filter(|value| value.abs() > 2.0 * PI)
-            && !self.known_dimension(expected).is_some_and(|d| d.exponent(Base::Angle).is_zero())
-        {
-            let pure = self.known_dimension(&found.ty).is_some_and(|d| d == Dimension::NONE);
-            if pure || is_bare(found) {
-                self.turns.literals.push((value, found.span, expected.clone()));
-            }
+        let Some(value) = literal(found).filter(|value| value.abs() > 2.0 * PI) else { return };
+        let known = self.known_dimension(expected);
+        let is_pure = self.known_dimension(&found.ty).is_some_and(|d| d == Dimension::NONE);
+        if known.is_some_and(|d| d.exponent(Base::Angle).is_zero()) || !(is_pure || is_bare(found)) {
+            return;
+        }
+        if known == Some(angular_velocity()) {
+            self.bare_angular_velocity(value, found.span);
+        } else {
+            self.turns.literals.push((value, found.span, expected.clone()));
         }
     }
 
     /// Runs the lints that need all types.
     pub(super) fn finish_turns(&mut self) {
-        let speed = Dimension::of(Base::Angle).over(Dimension::of(Base::Time));
+        let speed = angular_velocity();
         for (span, dividend, divisor, ty) in std::mem::take(&mut self.turns.reciprocals) {
             if !matches!(self.store.resolve(&ty), Type::Number(dim) if dim.as_known() == Some(speed)) {
                 continue;
@@ -192,6 +196,26 @@ impl Checker<'_> {
             .suggest("radians", span, format!("{text} rad")),
         );
     }
+
+    fn bare_angular_velocity(&mut self, value: f64, span: Span) {
+        let text = self.text(span).trim().to_string();
+        let speed = (value * 60.0 / (2.0 * PI)).round();
+        self.report(
+            Diagnostic::warning(
+                "W0520",
+                format!("this number without a unit is an angular velocity in rad/s: {speed} rpm"),
+                span,
+                "rad/s",
+            )
+            .help(format!("write `{text} rpm` or `{text} rad/s`"))
+            .suggest("revolutions per minute", span, format!("{text} rpm"))
+            .suggest("radians per second", span, format!("{text} rad/s")),
+        );
+    }
+}
+
+fn angular_velocity() -> Dimension {
+    Dimension::of(Base::Angle).over(Dimension::of(Base::Time))
 }
 
 /// Returns the name of the quantity that a dimension counts.

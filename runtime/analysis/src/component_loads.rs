@@ -83,6 +83,8 @@ pub enum LoadQuantity {
     Damage,
     /// Damage per revolution by the modified rating life, if the model requests exactly one.
     ModifiedDamage,
+    /// Frictional power loss of a rolling bearing, W, if the model requests exactly one.
+    BearingLoss,
     /// Speed of the first race of a bearing relative to the second, rad/s.
     BearingSpeed,
 }

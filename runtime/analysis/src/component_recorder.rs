@@ -5,9 +5,9 @@
 
 use crate::component_loads::{Component, ComponentLoads, LoadQuantity, LoadStatistics, RollingKind};
 use crate::observables::{
-    BearingForce, BearingLife, BearingMoment, BearingPressure, Direction, Equilibrium, FrictionLoss,
-    LubricatedLoss, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshForce, Misalignment,
-    MisalignmentComponent, Needs, Observable, Observe, Quantity, TransmissionError,
+    BearingForce, BearingFriction, BearingLife, BearingMoment, BearingPressure, Direction, Equilibrium,
+    FrictionLoss, LubricatedLoss, MaxContactPressure, MaxEdgePressure, MaxRootStress, MeshForce,
+    Misalignment, MisalignmentComponent, Needs, Observable, Observe, Quantity, TransmissionError,
 };
 use crate::rows::StepRow;
 use crate::scene::Scene;
@@ -200,6 +200,10 @@ fn of_bearing(scene: &Scene, id: BearingId) -> (Component, Vec<Recorded>) {
         recorded.push(Recorded::one(Of::EquivalentLoad, EquivalentLoad { bearing: id, direction }));
         recorded.extend(requested(scene, Of::Damage, life(false)));
         recorded.extend(requested(scene, Of::ModifiedDamage, life(true)));
+        recorded.extend(requested(scene, Of::BearingLoss, |observable| {
+            let friction = observable.downcast_ref::<BearingFriction>();
+            friction.is_some_and(|friction| friction.bearing == id && friction.is_loss)
+        }));
     }
     recorded.push(Recorded::one(Of::BearingSpeed, BearingSpeed(id)));
     (Component::Bearing { name: bearing.name.clone(), kind }, recorded)

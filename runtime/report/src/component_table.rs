@@ -220,6 +220,7 @@ const DEFINITIONS: &[Definition] = {
             |all| all.mean.recip(),
             |_| unit("revolutions", 1.0),
         ),
+        definition(Bearing, Of::BearingLoss, ["friction_loss", "Friction loss, mean"], MEAN, |u| u.power),
         definition(Bearing, Of::BearingSpeed, ["speed", "Speed of the first race"], MEAN, |u| u.speed),
     ]
 };

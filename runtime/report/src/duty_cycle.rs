@@ -33,6 +33,8 @@ pub const NAME: &str = "duty_cycle.csv";
 pub const PITTING_SLOPE: f64 = 6.61;
 /// Number of seconds in an hour.
 const HOUR: f64 = 3600.0;
+/// Key and title of the mean frictional loss of a component.
+const MEAN_LOSS: [&str; 2] = ["mean_friction_loss", "Mean friction loss"];
 
 /// Load and speed of a case, with its share of the time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -211,7 +213,7 @@ impl DutyCycle {
         let Some(losses) = self.case_loads(table, component, losses) else { return };
         let lost: f64 = losses.iter().map(|case| case.share * case.load).sum();
         let power: f64 = torques.iter().map(|case| case.share * case.load * case.speed).sum();
-        self.add(component, ["mean_friction_loss", "Mean friction loss"], (lost, units.power), None);
+        self.add(component, MEAN_LOSS, (lost, units.power), None);
         if power > 0.0 {
             let pure = TableUnit { name: "", factor: 1.0 };
             let efficiency = 1.0 - lost / power;
@@ -254,6 +256,11 @@ impl DutyCycle {
         );
         let speed: f64 = loads.iter().map(|case| case.share * case.speed).sum();
         self.add(component, ["mean_speed", "Mean speed"], (speed, units.speed), None);
+        let losses = [LoadQuantity::BearingLoss, LoadQuantity::BearingSpeed];
+        if let Some(losses) = self.case_loads(table, component, losses) {
+            let lost: f64 = losses.iter().map(|case| case.share * case.load).sum();
+            self.add(component, MEAN_LOSS, (lost, units.power), None);
+        }
         let mut lives = 0;
         for (damage, key, title) in [
             (LoadQuantity::Damage, "life", "Life by Palmgren-Miner"),

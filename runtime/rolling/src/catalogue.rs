@@ -116,7 +116,13 @@ impl CatalogueData {
             self.outside_diameter * 1e3,
             self.width * 1e3
         );
-        let help = "check dimensions and load ratings, which must be those of one row, or give the internal geometry";
+        // Ratings of usual sizes are above 1 kN.
+        let help = match self.static_rating.min(self.dynamic_rating) < 100.0 {
+            true => "check the units of the load ratings: a number without a unit is in N",
+            false => {
+                "check dimensions and load ratings, which must be those of one row, or give the internal geometry"
+            }
+        };
         let (message, input) = match nearest {
             Some(nearest) => (
                 format!(
@@ -149,7 +155,7 @@ impl CatalogueData {
 
 /// Formats a load rating in kN.
 fn kilo(newtons: f64) -> f64 {
-    (newtons * 1e3).round() * 1e-6
+    (newtons * 1e3).round() / 1e6
 }
 
 /// Estimates number and diameter of the balls, with steel and conformities of 0.52: those with the

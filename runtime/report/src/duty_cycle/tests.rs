@@ -69,6 +69,7 @@ fn bearing(load: f64, speed: f64, life: f64) -> ComponentLoads {
     let quantities = vec![
         (LoadQuantity::EquivalentLoad, constant(load)),
         (LoadQuantity::Damage, constant(life.recip())),
+        (LoadQuantity::BearingLoss, constant(0.1 * load)),
         (LoadQuantity::BearingSpeed, constant(speed)),
     ];
     ComponentLoads { component, quantities }
@@ -107,7 +108,13 @@ fn sweep(durations: Durations) -> SweepTable {
 }
 
 fn value(cycle: &DutyCycle, key: &str) -> f64 {
-    cycle.values.iter().find(|value| value.key == key).unwrap_or_else(|| panic!("no {key}")).value
+    value_of(cycle, "", key)
+}
+
+/// Returns the value of the component with this part of the name.
+fn value_of(cycle: &DutyCycle, name: &str, key: &str) -> f64 {
+    let mut values = cycle.values.iter().filter(|value| value.name.contains(name));
+    values.find(|value| value.key == key).unwrap_or_else(|| panic!("no {key}")).value
 }
 
 #[test]
@@ -120,7 +127,8 @@ fn a_duty_cycle_has_equivalent_values_of_all_components() {
     // 9e7 revolutions at 3000 rpm are 500 h, 1.2e7 at 1000 rpm are 200 h.
     assert_close(value(&cycle, "life"), 1.0 / (0.5 / 500.0 + 0.5 / 200.0));
     assert_close(value(&cycle, "equivalent_torque"), 150.0);
-    assert_close(value(&cycle, "mean_friction_loss"), 10.0);
+    assert_close(value_of(&cycle, "left", "mean_friction_loss"), 150.0);
+    assert_close(value_of(&cycle, "pinion", "mean_friction_loss"), 10.0);
     assert_close(value(&cycle, "efficiency"), 1.0 - 10.0 / 1500.0);
     assert_close(value(&cycle, "mean_power"), 0.6);
 }
@@ -183,6 +191,7 @@ fn tables_have_a_row_per_component_and_a_column_per_case() {
          mesh,pinion / gear,speed,rpm,95.49296585513721,95.49296585513721\n\
          bearing,left,equivalent_load,N,1000,2000\n\
          bearing,left,life,revolutions,90000000,12000000\n\
+         bearing,left,friction_loss,W,100,200\n\
          bearing,left,speed,rpm,3000,1000\n"
     );
 }
