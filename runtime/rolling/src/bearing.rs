@@ -425,11 +425,12 @@ impl RollingBearing {
         displacement: &Displacement,
         motion: &Motion,
     ) -> Result<Vec<ElementState>, RollingError> {
-        self.elements_with(displacement, &[], motion)
+        self.elements_with(displacement, &[], motion, &Start::default())
     }
 
     /// Computes the states like [`RollingBearing::elements`] between raceways that are displaced at
-    /// each element, row by row.
+    /// each element, row by row, from the positions of an evaluation, which is fast at the same
+    /// displacement.
     ///
     /// # Errors
     /// [`RollingError::Input`] if a displacement is not finite.
@@ -438,6 +439,7 @@ impl RollingBearing {
         displacement: &Displacement,
         raceway: &[RacewayDisplacement],
         motion: &Motion,
+        start: &Start,
     ) -> Result<Vec<ElementState>, RollingError> {
         check(displacement, motion)?;
         for &value in raceway.as_flattened() {
@@ -453,7 +455,12 @@ impl RollingBearing {
                 let contacts = match &row.elements {
                     Elements::Balls(balls) => Contacts::Ball(balls.state(&ring, motion)),
                     Elements::Rollers(rollers) => {
-                        Contacts::Roller(Box::new(rollers.state(&ring, rollers.centrifugal_force(motion))))
+                        let force = rollers.centrifugal_force(motion);
+                        Contacts::Roller(Box::new(rollers.state(
+                            &ring,
+                            force,
+                            start.rollers.get(states.len()),
+                        )))
                     }
                 };
                 states.push(ElementState { row: index, azimuth, contacts });

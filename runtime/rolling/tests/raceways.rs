@@ -55,6 +55,35 @@ fn loads(bearing: &RollingBearing, at: &Displacement, raceway: &[RacewayDisplace
     found.1
 }
 
+/// The states of the elements do not depend on the positions from which the search for them starts:
+/// those of an evaluation at the same displacement, or at another one.
+#[test]
+fn states_do_not_depend_on_their_start() {
+    for (name, bearing) in all() {
+        let raceway = bent(&bearing, Ring::Outer);
+        let states = |start: &Start| {
+            let found = bearing.elements_with(&LOADED, &raceway, &Motion::REST, start).expect("finite");
+            found.iter().map(|state| [state.load(), state.pressure()]).collect::<Vec<_>>()
+        };
+        let expected = states(&Start::default());
+        let largest = [0, 1].map(|k| expected.iter().fold(0.0f64, |most, state| most.max(state[k])));
+        for displacement in [LOADED, LOADED.map(|part| 0.3 * part), LOADED.map(|part| -part)] {
+            let mut start = Start::default();
+            let at = bearing.evaluate_with(&displacement, &raceway, &Motion::REST, &mut start);
+            assert_eq!(at.expect("finite").0.unconverged, 0, "{name}");
+            for (found, expected) in states(&start).into_iter().zip(&expected) {
+                assert_eq!(found[0] > 0.0, expected[0] > 0.0, "{name}: {found:?} {expected:?}");
+                for k in [0, 1] {
+                    assert!(
+                        (found[k] - expected[k]).abs() <= 1e-9 * largest[k],
+                        "{name}: {found:?} {expected:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 /// The load of every element on a raceway, conjugate to the radial displacement and its derivative,
 /// is the radial part of its contact load, and the moment of the radial loads along the contact
 /// line.
@@ -65,7 +94,8 @@ fn loads_on_raceways_are_those_of_the_contacts() {
         let rings = if name.contains("tapered") { &[Ring::Outer][..] } else { &[Ring::Outer, Ring::Inner] };
         for &ring in rings {
             let raceway = bent(&bearing, ring);
-            let states = bearing.elements_with(&LOADED, &raceway, &Motion::REST).expect("finite");
+            let states =
+                bearing.elements_with(&LOADED, &raceway, &Motion::REST, &Start::default()).expect("finite");
             let loads = loads(&bearing, &LOADED, &raceway);
             let largest = states.iter().fold(0.0f64, |most, state| most.max(state.load()));
             assert!(largest > 100.0, "{name}");

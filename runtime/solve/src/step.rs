@@ -34,7 +34,7 @@ use crate::modal::ModalElimination;
 use crate::system::{Bodies, System};
 use crate::vibrations::Vibrations;
 use calyx_contact::problem::{Certificate, ContactProblem};
-use calyx_model::bearing::{RacewayDisplacement, Springs, Tangent};
+use calyx_model::bearing::{NonlinearState, RacewayDisplacement, Springs, Tangent};
 use calyx_numerics::error::EngineError;
 use contact_layout::{Conditions, Solver};
 use nonlinear_bearings::{NonlinearBearings, SeatResponse};
@@ -78,10 +78,21 @@ pub struct StepResult {
     pub stops: Vec<f64>,
     /// Bearings on raceways of elastic bodies.
     pub raceways: Vec<RacewayResult>,
+    /// Bearings with a nonlinear load in equilibrium, by their index in the scene.
+    pub bearings: Vec<(usize, NonlinearState)>,
     /// Residuals of the contact solution.
     pub certificate: Certificate,
     /// Warnings about the position, in sentences.
     pub warnings: Vec<String>,
+}
+
+impl StepResult {
+    /// Returns the state of a bearing with a nonlinear load at its deflection in this result;
+    /// `None` if it is not known, as at another deflection.
+    pub fn bearing_state(&self, bearing: usize, deflection: &[f64; 6]) -> Option<&NonlinearState> {
+        let (_, state) = self.bearings.iter().find(|(own, _)| *own == bearing)?;
+        state.is_at(deflection).then_some(state)
+    }
 }
 
 /// Raceways of a bearing in elastic bodies.

@@ -116,7 +116,7 @@ fn observed_stiffness_is_the_derivative_of_the_force() {
                     let pushed = |sense: f64| {
                         let mut moved = deflection;
                         moved[column] += sense * 1e-9 / unit(column);
-                        own.push(&moved, &[], load.as_ref())
+                        own.push(&moved, &[], load.as_ref().map(|load| load.push(&moved)))
                     };
                     let (ahead, behind) = (pushed(1.0), pushed(-1.0));
                     for row in 0..5 {

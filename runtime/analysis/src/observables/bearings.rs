@@ -75,8 +75,11 @@ impl Equilibrium<'_> {
         let width = system.width(own.body.0);
         let walls: Vec<f64> = self.step.stops.iter().skip(skipped).map(|force| width * force).collect();
         let walls = if system.bearings.contains(&bearing.0) { &walls[..] } else { &[] };
-        let nonlinear = self.nonlinear_load(bearing);
-        let (sprung, damped) = (own.push(&deflection, walls, nonlinear.as_ref()), own.damping_at(&rate));
+        let nonlinear = match self.step.bearing_state(bearing.0, &deflection) {
+            Some(state) => Some(state.push()),
+            None => self.nonlinear_load(bearing).map(|nonlinear| nonlinear.push(&deflection)),
+        };
+        let (sprung, damped) = (own.push(&deflection, walls, nonlinear), own.damping_at(&rate));
         let push = std::array::from_fn(|k| sprung[k] - damped[k]);
         Some(BearingLoad { deflection, push, placed })
     }

@@ -38,7 +38,8 @@ impl Equilibrium<'_> {
     pub fn rolling_elements(self, bearing: BearingId) -> Option<Vec<ElementState>> {
         let load = self.nonlinear_load(bearing)?;
         let NonlinearLoad::Rolling(elements) = load else { return None };
-        elements.elements(&self.bearing(bearing)?.deflection).ok()
+        let deflection = self.bearing(bearing)?.deflection;
+        elements.elements(&deflection, self.step.bearing_state(bearing.0, &deflection)).ok()
     }
 }
 

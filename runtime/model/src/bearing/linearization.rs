@@ -95,7 +95,7 @@ impl RollingElements {
             own.is_some_and(|own| (own / stiffness - 1.0).abs() <= RANGE_TOLERANCE)
         };
         let [x, y, z, about_x, about_y] = state.deflection;
-        if let Some(warning) = self.warnings(&[x, y, z, about_x, about_y, 0.0])?.first() {
+        if let Some(warning) = self.warnings(&[x, y, z, about_x, about_y, 0.0], None)?.first() {
             let message = format!("at the force at which it is linearized, the bearing {warning}");
             return Err(EngineError::new("E0697", message, "check the size and the sense of the force"));
         }

@@ -88,13 +88,18 @@ impl NonlinearLoad {
         }
     }
 
-    /// Returns warnings about a deflection, each the end of a sentence about the bearing.
+    /// Returns warnings about a deflection, each the end of a sentence about the bearing. `known` is
+    /// the state there, if it has been evaluated.
     ///
     /// # Errors
     /// E0697: the deflection is not finite.
-    pub fn warnings(&self, deflection: &[f64; 6]) -> Result<Vec<&'static str>, EngineError> {
+    pub fn warnings(
+        &self,
+        deflection: &[f64; 6],
+        known: Option<&NonlinearState>,
+    ) -> Result<Vec<&'static str>, EngineError> {
         match self {
-            NonlinearLoad::Rolling(elements) => elements.warnings(deflection),
+            NonlinearLoad::Rolling(elements) => elements.warnings(deflection, known),
             NonlinearLoad::Curves(curves) => Ok(curves.warnings(&five(deflection))),
         }
     }
@@ -147,13 +152,7 @@ impl NonlinearLoad {
     /// Returns force and moment on the first race at a deflection, N and N m; NaN if the deflection
     /// is not finite.
     pub fn push(&self, deflection: &[f64; 6]) -> [f64; 6] {
-        match self.state(None, five(deflection)) {
-            Ok(state) => {
-                let [x, y, z, about_x, about_y] = state.evaluation.load.map(|load| -load);
-                [x, y, z, about_x, about_y, 0.0]
-            }
-            Err(_) => [f64::NAN; 6],
-        }
+        self.state(None, five(deflection)).map_or([f64::NAN; 6], |state| state.push())
     }
 
     /// Returns the tangent without deflection if it supports what the load supports: that of curves

@@ -166,8 +166,12 @@ impl RollingElements {
     ///
     /// # Errors
     /// E0697: the deflection is not finite.
-    pub fn warnings(&self, deflection: &[f64; 6]) -> Result<Vec<&'static str>, EngineError> {
-        let states = self.elements(deflection)?;
+    pub fn warnings(
+        &self,
+        deflection: &[f64; 6],
+        known: Option<&NonlinearState>,
+    ) -> Result<Vec<&'static str>, EngineError> {
+        let states = self.elements(deflection, known)?;
         let mut found = Vec::new();
         if static_safety(&states) < 1.0 {
             found.push(match states.first().and_then(ElementState::ball) {
@@ -261,13 +265,19 @@ impl RollingElements {
         if self.is_inverted { components.map(|part| -part) } else { components }
     }
 
-    /// Returns the states of all elements at a deflection.
+    /// Returns the states of all elements at a deflection, from an evaluation there if it is known.
     ///
     /// # Errors
     /// E0697: the deflection is not finite.
-    pub fn elements(&self, deflection: &[f64; 6]) -> Result<Vec<ElementState>, EngineError> {
+    pub fn elements(
+        &self,
+        deflection: &[f64; 6],
+        known: Option<&NonlinearState>,
+    ) -> Result<Vec<ElementState>, EngineError> {
         let inner = self.of_inner_ring(five(deflection));
-        self.bearing.elements_with(&inner, &self.raceway, &self.motion).map_err(rejected)
+        let none = Start::default();
+        let start = known.map_or(&none, |known| &known.start);
+        self.bearing.elements_with(&inner, &self.raceway, &self.motion, start).map_err(rejected)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Contribution of all bearings to the contact problem: stiffness and loads on the DOFs, and gap
 //! equations of the stops, followed by those of spline teeth ([`crate::spline_contact`]).
 
-use super::{Bearing, BearingMatrix, BearingState, NonlinearLoad, Tangent};
+use super::{Bearing, BearingMatrix, BearingState, Tangent};
 use crate::body::Body;
 use crate::dof::Dof;
 use calyx_contact::problem::ContactProblem;
@@ -236,10 +236,10 @@ impl Bearing {
         symmetric(&self.damping, rate)
     }
 
-    /// Returns the force of springs, stops and the given nonlinear load on the first race at a
-    /// deflection and at forces on the walls (N), along the bearing's axes, N and N m. The
-    /// nonlinear load is that at the fidelity and the time of the position.
-    pub fn push(&self, deflection: &[f64; 6], walls: &[f64], nonlinear: Option<&NonlinearLoad>) -> [f64; 6] {
+    /// Returns the force of springs, stops and the given force of a nonlinear load
+    /// ([`NonlinearLoad::push`](super::NonlinearLoad::push)) on the first race at a deflection and
+    /// at forces on the walls (N), along the bearing's axes, N and N m.
+    pub fn push(&self, deflection: &[f64; 6], walls: &[f64], nonlinear: Option<[f64; 6]>) -> [f64; 6] {
         let (own, sprung) = (self.own_load(), stiffly(self, deflection));
         let mut push: [f64; 6] = std::array::from_fn(|k| own[k] - sprung[k]);
         let rows = self.stops.iter().flat_map(|stop| stop.walls().rows);
@@ -248,10 +248,8 @@ impl Bearing {
                 *sum += part * force;
             }
         }
-        if let Some(nonlinear) = nonlinear {
-            for (sum, part) in push.iter_mut().zip(nonlinear.push(deflection)) {
-                *sum += part;
-            }
+        for (sum, part) in push.iter_mut().zip(nonlinear.into_iter().flatten()) {
+            *sum += part;
         }
         push
     }

@@ -2,7 +2,7 @@
 
 use super::geometry::Lamina;
 use super::row::RollerRow;
-use super::state::{Energy, Memory, RollerStart, RollerState, Tangent};
+use super::state::{Energy, LineContact, Memory, RollerStart, RollerState, Tangent};
 use super::strips::StripLoads;
 use crate::element::{Local, Response};
 use crate::hertz::line::{EXPONENT, ninth_root, pressure};
@@ -14,6 +14,8 @@ const STEPS: usize = 80;
 const JOINT_STEPS: usize = 14;
 /// Residual relative to the sum of the forces on a roller.
 const TOLERANCE: f64 = 1e-13;
+/// Residual of an equilibrium that counts as found, where rounding hides the rest.
+const CONVERGED: f64 = 1e-9;
 /// A roller whose gap to the inner ring between laminae is so many times its approach to the outer
 /// one is clear of the inner ring with elastic contacts too.
 const CLEAR: f64 = 100.0;
@@ -98,11 +100,18 @@ impl RollerRow {
         tangent
     }
 
-    /// Computes the loads and pressures of a roller.
-    pub(crate) fn state(&self, ring: &Local, force: f64) -> RollerState {
+    /// Computes the loads and pressures of a roller. `start` has its state at a near displacement
+    /// of the ring, if any.
+    pub(crate) fn state(&self, ring: &Local, force: f64, start: Option<&RollerStart>) -> RollerState {
         let approaches = self.approaches(ring);
         let mut memory = Memory::default();
-        let first = self.elastic.is_some().then(|| self.between_laminae(ring, force).0);
+        let first = match start.and_then(|start| Some((start.displacement?, start))) {
+            Some((displacement, start)) => {
+                memory.strips = start.strips.clone();
+                Some(displacement)
+            }
+            None => self.elastic.is_some().then(|| self.between_laminae(ring, force).0),
+        };
         let (roller, _) = self.settle(&approaches, force, first, &mut memory);
         let mut state = RollerState { displacement: roller, ..RollerState::default() };
         match &self.elastic {
@@ -113,6 +122,13 @@ impl RollerRow {
                     contact.laminae = self.laminae_under(index, contact.load, contact.moment);
                 }
             }
+        }
+        let residual = CONVERGED * self.negligible();
+        let is_residual = |contact: &LineContact| contact.load > 0.0 && contact.load <= residual;
+        if start.is_some() && (is_residual(&state.inner) || is_residual(&state.outer)) {
+            // A roller that has lost its load nearly touches the raceways where it left them, and
+            // not where it is between them by itself.
+            return self.state(ring, force, None);
         }
         self.rib_load(&approaches, &roller, |_, _, load, _, _| state.rib = load);
         state
@@ -435,14 +451,9 @@ impl RollerRow {
             return (roller, true);
         }
         memory.strips = StripLoads::default();
-        let mut roller = self.start(approaches);
+        // The energy is convex, so that every start leads to its minimum.
+        let mut roller = start.unwrap_or_else(|| self.start(approaches));
         let mut current = self.energy(approaches, &roller, force, memory);
-        if let Some(start) = start {
-            let at_start = self.energy(approaches, &start, force, memory);
-            if at_start.energy < current.energy {
-                (roller, current) = (start, at_start);
-            }
-        }
         for _ in 0..STEPS {
             let residual = size(&current.gradient);
             if residual <= TOLERANCE * (current.scale + negligible) {
@@ -484,6 +495,6 @@ impl RollerRow {
             }
         }
         let residual = size(&current.gradient);
-        (roller, residual <= 1e-9 * (current.scale + negligible))
+        (roller, residual <= CONVERGED * (current.scale + negligible))
     }
 }

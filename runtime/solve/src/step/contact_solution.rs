@@ -146,6 +146,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
         );
         if let (Some(bearings), Some(iteration)) = (self.under.nonlinear, &iteration) {
             laid.step.raceways = bearings.raceways(iteration);
+            laid.step.bearings = bearings.states(iteration);
         }
         Ok(laid)
     }
@@ -211,6 +212,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             estimates: 0,
             stops,
             raceways: Vec::new(),
+            bearings: Vec::new(),
             certificate: solution.certificate,
             warnings,
         };
@@ -331,6 +333,7 @@ impl<S: ContactGeometry> Solver<'_, S> {
             estimates: 0,
             stops,
             raceways: Vec::new(),
+            bearings: Vec::new(),
             certificate,
             warnings,
         };

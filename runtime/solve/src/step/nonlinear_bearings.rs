@@ -192,6 +192,7 @@ impl System<'_> {
             if is_solved || bearings.advance(&mut iteration, &tangents, &step.motion, &moved)? {
                 if !is_solved {
                     step.raceways = bearings.raceways(&iteration);
+                    step.bearings = bearings.states(&iteration);
                     step.certificate.equilibrium = step.certificate.equilibrium.max(iteration.residual);
                 }
                 bearings.warn(&mut step)?;
@@ -469,6 +470,12 @@ impl<'a> NonlinearBearings<'a> {
         if scale > 0.0 { (largest.0 / scale, largest.1) } else { (0.0, largest.1) }
     }
 
+    /// Returns the states of the bearings by their index in the scene.
+    pub(super) fn states(&self, iteration: &NonlinearIteration) -> Vec<(usize, NonlinearState)> {
+        let members = self.members.iter().zip(&iteration.states);
+        members.map(|(own, state)| (own.bearing, state.clone())).collect()
+    }
+
     /// Adds the warnings about the bearings at a solution.
     pub(super) fn warn(&self, step: &mut StepResult) -> Result<(), EngineError> {
         for own in &self.members {
@@ -476,11 +483,10 @@ impl<'a> NonlinearBearings<'a> {
             let name = &self.system.scene.bearings[own.bearing].name;
             let raceway = step.raceways.iter().find(|raceway| raceway.bearing == own.bearing);
             let displaced = raceway.map(|raceway| own.nonlinear.on_raceway(&raceway.displacement));
-            for warning in
-                displaced.as_ref().unwrap_or(&own.nonlinear).warnings(&[x, y, z, about_x, about_y, 0.0])?
-            {
-                step.warnings.push(format!("bearing \"{name}\" {warning}"));
-            }
+            let nonlinear = displaced.as_ref().unwrap_or(&own.nonlinear);
+            let deflection = [x, y, z, about_x, about_y, 0.0];
+            let warnings = nonlinear.warnings(&deflection, step.bearing_state(own.bearing, &deflection))?;
+            step.warnings.extend(warnings.iter().map(|warning| format!("bearing \"{name}\" {warning}")));
         }
         Ok(())
     }
