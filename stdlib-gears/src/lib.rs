@@ -118,7 +118,6 @@ mod axes;
 pub mod basic_rack;
 pub mod bearing_externs;
 mod bearing_sizes;
-pub mod bevel_externs;
 pub mod blank;
 pub mod body_externs;
 pub mod calculation;
@@ -194,6 +193,7 @@ pub mod tables;
 pub mod tabulated;
 pub mod tabulated_externs;
 pub mod template;
+pub mod warning_externs;
 pub mod web;
 
 /// Former name of [`web`].

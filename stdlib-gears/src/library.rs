@@ -49,6 +49,7 @@ pub const MODULES: &[LibraryModule] = modules![
     "gear_train",
     "gear_train_equations",
     "linear_equations",
+    "stepped_planets",
     "transmission",
     "envelope",
     "bevel",
@@ -70,7 +71,7 @@ pub const MODULES: &[LibraryModule] = modules![
 const TABLES: &[&[Extern]] = &[
     crate::externs::EXTERNS,
     crate::bearing_externs::EXTERNS,
-    crate::bevel_externs::EXTERNS,
+    crate::warning_externs::EXTERNS,
     crate::body_externs::EXTERNS,
     crate::cutting_externs::EXTERNS,
     crate::drawing_externs::EXTERNS,

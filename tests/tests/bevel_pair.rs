@@ -52,6 +52,22 @@ fn example(name: &str) -> PathBuf {
     root().join("examples").join(name)
 }
 
+/// The axes of an intersecting pair are displaced by 0.8 inch: the teeth touch somewhere at time 0,
+/// and at other positions after a rotation by more than a pitch.
+#[test]
+fn teeth_that_do_not_engage_have_no_results() {
+    let text = fs::read_to_string(example("spiral_bevel.cx")).expect("an example");
+    let pair = "BevelPair(pinion_settings, gear_settings";
+    assert!(text.contains(pair));
+    let text = text.replace(pair, &format!("{pair}, offset = 0.8"));
+    let module = Module::from_text(&ENGINE, "displaced.cx", &text).expect("the model compiles");
+    let mut instance = module.instantiate();
+    instance.set("fidelity", "rigid").expect("a level");
+    instance.set("steps", 4.0).expect("in range");
+    let error = instance.solve().expect_err("no results");
+    assert!(format!("{error:?}").contains("E0734"), "{error:?}");
+}
+
 #[test]
 fn the_pinion_has_its_published_root_stress_and_forces_are_in_equilibrium() {
     let columns = columns(&example("spiral_bevel.cx"), &[("fidelity", "medium"), ("steps", "2")]);

@@ -215,6 +215,7 @@ impl Problems {
         for problem in found {
             let alike = |(known, _): &&mut (Diagnostic, Vec<String>)| {
                 (&known.code, known.primary.span) == (&problem.code, problem.primary.span)
+                    && without_numbers(known).eq(without_numbers(&problem))
             };
             match self.0.iter_mut().find(alike) {
                 // Several calls on one line may have the same problem.
@@ -233,10 +234,15 @@ impl Problems {
     ) -> impl Iterator<Item = Diagnostic> {
         self.0.into_iter().map(move |(problem, values)| {
             let verb = if declared.len() == 1 { "is" } else { "are" };
+            // Numbers of the message are those of the first value.
+            let first = match &values[..] {
+                [first, _, ..] => format!(" at {first}"),
+                _ => String::new(),
+            };
             let warning = Diagnostic {
                 severity: Severity::Warning,
                 code: "W0877".into(),
-                message: format!("{} {verb} allowed, but {}", named(&values), problem.message),
+                message: format!("{} {verb} allowed, but{first} {}", named(&values), problem.message),
                 ..problem
             };
             declared
@@ -244,6 +250,14 @@ impl Problems {
                 .fold(warning, |warning, (span, name)| warning.label(*span, format!("declares `{name}`")))
         })
     }
+}
+
+/// Returns message and remedy of a problem without their numbers: problems with the same cause may
+/// need opposite remedies.
+fn without_numbers(problem: &Diagnostic) -> impl Iterator<Item = char> {
+    let help = problem.help.as_deref().unwrap_or_default();
+    let is_part = |c: &char| c.is_ascii_digit() || matches!(c, '.' | '-');
+    problem.message.chars().chain(help.chars()).filter(move |c| !is_part(c))
 }
 
 /// Builds a program at given values of params.

@@ -63,6 +63,26 @@ fn long_ranges_are_sampled_with_both_ends() {
     }
 }
 
+/// Problems with the same cause are one warning, with the numbers of the first value; those with
+/// another remedy are another one.
+#[test]
+fn problems_are_told_apart_by_their_texts() {
+    let text = r#"param offset = 0 in -3 .. 3;
+         if (abs(offset) > 1) throw Error(
+             code = "E0001",
+             message = "the axes are {abs(offset)} apart",
+             help = if (offset > 0) "bring them closer" else "bring them farther apart");"#;
+    let found = check(text, Extent::Cheap).found;
+    let messages: Vec<&str> = found.iter().map(|found| found.message.as_str()).collect();
+    assert_eq!(
+        messages,
+        [
+            "`offset` = -3 or -2 is allowed, but at -3 the axes are 3 apart",
+            "`offset` = 2 or 3 is allowed, but at 2 the axes are 2 apart"
+        ]
+    );
+}
+
 #[test]
 fn the_longer_a_model_runs_the_fewer_values_are_tried_by_default() {
     let models = |passes: usize| {

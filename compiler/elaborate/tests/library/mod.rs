@@ -70,7 +70,7 @@ const OF_FILES: [&str; 16] = [
 
 /// Modules of formulas in Calyx, as standards print them. They neither change the scene nor request
 /// memory in proportion to a number without a limit, so that their numbers need no ranges.
-const OF_FORMULAS: [&str; 31] = [
+const OF_FORMULAS: [&str; 32] = [
     "iso1328",
     "deviations",
     "inspection",
@@ -88,6 +88,7 @@ const OF_FORMULAS: [&str; 31] = [
     "gear_train",
     "gear_train_equations",
     "linear_equations",
+    "stepped_planets",
     "transmission",
     "envelope",
     "bevel",

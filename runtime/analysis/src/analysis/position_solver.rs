@@ -3,9 +3,10 @@
 
 use super::{Event, Observer, Steps, differentiation, refuse_nan, requests_fields};
 use crate::component_recorder::ComponentRecorder;
-use crate::observables::{Displayed, Equilibrium, Fields, Observe};
+use crate::observables::{Displayed, Equilibrium, Fields, Observable, Observe, TransmissionError};
 use crate::rows::{Solved, StepRow};
 use crate::scene::Scene;
+use calyx_model::ids::PairId;
 use calyx_model::observed::{Observed, OutputRequest};
 use calyx_model::plan::Plan;
 use calyx_model::position::Position;
@@ -14,6 +15,7 @@ use calyx_numerics::interrupt::Interrupt;
 use calyx_solve::step::{ContactState, StepResult};
 use calyx_solve::system::System;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::time::Instant;
 
@@ -66,6 +68,7 @@ impl<'a, 's> PositionSolver<'a, 's> {
     pub fn solve(&self, position: &Position) -> Result<Found, EngineError> {
         self.interrupt.check()?;
         let step = self.system.solve(position.time)?;
+        self.check_engagement(&step)?;
         let observed = self.system.values(&step, self.plan.fidelity, &self.scene.observables);
         let of_position = (self.scene, &observed[..]);
         let evaluate =
@@ -74,6 +77,34 @@ impl<'a, 's> PositionSolver<'a, 's> {
         // An interrupted observable has no value, which is not an error of the model.
         self.interrupt.check()?;
         Ok(Found { step, observed, loads })
+    }
+
+    /// Rejects meshes whose teeth touch only after a rotation by more than a pitch, as those of
+    /// misplaced gears: other teeth would have touched before.
+    ///
+    /// # Errors
+    /// E0734.
+    fn check_engagement(&self, step: &StepResult) -> Result<(), EngineError> {
+        let at = Equilibrium::new(self.system, step);
+        for (index, pair) in self.scene.pairs.iter().enumerate() {
+            let Some(mesh) = pair.mesh.as_ref().filter(|_| pair.front.is_none()) else { continue };
+            let pitch = TAU / f64::from(mesh.teeth[1]);
+            let error = TransmissionError(PairId(index)).value(&at).value;
+            if error.abs() <= pitch || error.is_nan() {
+                continue;
+            }
+            let [first, second] = pair.bodies.map(|body| &self.scene.bodies[body.0].name);
+            return Err(EngineError::new(
+                "E0734",
+                format!(
+                    "the teeth of \"{first}\" and \"{second}\" do not engage: the transmission error is {:.1} deg, and a pitch of \"{second}\" is {:.1} deg",
+                    error.to_degrees(),
+                    pitch.to_degrees()
+                ),
+                "check the positions of the axes and the shapes of the teeth: the warnings of the check name what does not fit",
+            ));
+        }
+        Ok(())
     }
 }
 
