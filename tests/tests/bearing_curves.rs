@@ -2,6 +2,7 @@
 //! bearings, and their stiffness in natural frequencies.
 
 use crate::rolling_bearings::{close, helical, solved};
+use calyx::{Engine, Module};
 
 /// A block of 2 kg on one bearing, under a force.
 fn block(bearing: &str, force: &str) -> String {
@@ -111,4 +112,25 @@ fn an_unloaded_bearing_has_the_first_slope() {
         close("frequency", found_stiffer[&format!("mode_{mode}")][0], expected, 1e-9, 0.0);
         assert!(found[&format!("mode_{mode}")][0] > 0.0);
     }
+}
+
+/// Rotations are assumed to be small: a run warns of a body that tilts by more than 5 mrad.
+#[test]
+fn large_tilts_are_reported() {
+    let warnings = |moment: f64| {
+        let text = format!(
+            "import gears;
+units SI;
+var body = gears.rigid_body(\"hub\", free = [\"theta_x\", \"theta_y\"], moment = {moment} N*m * e1, frame := Translate(0 m * e3));
+var bearing = gears.bearing(\"soft\", body, radial_stiffness = 1e8 N/m, tilting_stiffness = 1e3 N*m/rad);
+output tilt := gears.bearing_tilt(bearing, \"x\");
+analyze(\"quasi_static\", over = gears.times(to = 0 s, count = 1), fidelity = \"analytic\");"
+        );
+        let module = Module::from_text(&Engine::default(), "tilt.cx", &text).expect("the model compiles");
+        let results = module.instantiate().solve().unwrap_or_else(|error| panic!("{error:?}"));
+        results.warnings()
+    };
+    assert_eq!(warnings(4.0), Vec::<String>::new());
+    let found = warnings(6.0);
+    assert!(found.len() == 1 && found[0].contains("the load tilts \"hub\" by more than 5 mrad"), "{found:?}");
 }

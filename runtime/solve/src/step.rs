@@ -42,6 +42,9 @@ use plane::Plane;
 use solid::Solid;
 use std::sync::{Arc, OnceLock};
 
+/// Tilt of an axis that causes a warning, rad: the direction of forces changes by half a percent.
+const LARGE_TILT: f64 = 5e-3;
+
 /// Solved position. Contains the contact problem and its active set, which provide sensitivities.
 #[derive(Clone, Debug)]
 pub struct StepResult {
@@ -216,8 +219,30 @@ impl System<'_> {
         };
         if !self.rigid {
             self.warn_of_linearized_bearings(time, &mut step)?;
+            self.warn_of_tilt(&mut step);
         }
         Ok(step)
+    }
+
+    /// Warns of bodies that tilt so much that small rotations are no good approximation.
+    fn warn_of_tilt(&self, step: &mut StepResult) {
+        let tilts = |index: usize| {
+            let about = |component: usize| {
+                let mut all = self.dofs.iter().zip(&step.motion);
+                all.find(|(dof, _)| (dof.body, dof.component) == (index, component))
+                    .map_or(0.0, |(_, &motion)| motion)
+            };
+            about(3).hypot(about(4)) > LARGE_TILT
+        };
+        let bodies = self.scene.bodies.iter().enumerate().filter(|(index, _)| tilts(*index));
+        let names: Vec<String> = bodies.map(|(_, body)| format!("\"{}\"", body.name)).collect();
+        if !names.is_empty() {
+            step.warnings.push(format!(
+                "the load tilts {} by more than {} mrad: rotations are assumed to be small, so that forces and torques have errors of this order; check the bearings",
+                names.join(", "),
+                1e3 * LARGE_TILT
+            ));
+        }
     }
 
     /// Solves the end of a time step (s) that starts with the deviations `start` from the
