@@ -206,22 +206,36 @@ struct Varied<'p> {
     refused: usize,
 }
 
-/// Problems by code and location, with the values that have them.
+/// Problem of a model at some values of its params.
+struct Problem {
+    /// Error at the first value.
+    error: Diagnostic,
+    /// Values that have it.
+    values: Vec<String>,
+    /// True if the message has other numbers at other values.
+    varies: bool,
+}
+
+/// Problems by code, location and text.
 #[derive(Default)]
-struct Problems(Vec<(Diagnostic, Vec<String>)>);
+struct Problems(Vec<Problem>);
 
 impl Problems {
     fn add(&mut self, found: Vec<Diagnostic>, shown: String) {
-        for problem in found {
-            let alike = |(known, _): &&mut (Diagnostic, Vec<String>)| {
-                (&known.code, known.primary.span) == (&problem.code, problem.primary.span)
-                    && without_numbers(known).eq(without_numbers(&problem))
+        for error in found {
+            let alike = |known: &&mut Problem| {
+                (&known.error.code, known.error.primary.span) == (&error.code, error.primary.span)
+                    && without_numbers(&known.error).eq(without_numbers(&error))
             };
             match self.0.iter_mut().find(alike) {
-                // Several calls on one line may have the same problem.
-                Some((_, values)) if !values.contains(&shown) => values.push(shown.clone()),
-                Some(_) => {}
-                None => self.0.push((problem, vec![shown.clone()])),
+                Some(known) => {
+                    known.varies |= known.error.message != error.message;
+                    // Several calls on one line may have the same problem.
+                    if !known.values.contains(&shown) {
+                        known.values.push(shown.clone());
+                    }
+                }
+                None => self.0.push(Problem { error, values: vec![shown.clone()], varies: false }),
             }
         }
     }
@@ -232,18 +246,17 @@ impl Problems {
         named: impl Fn(&[String]) -> String,
         declared: &[(Span, &String)],
     ) -> impl Iterator<Item = Diagnostic> {
-        self.0.into_iter().map(move |(problem, values)| {
+        self.0.into_iter().map(move |Problem { error, values, varies }| {
             let verb = if declared.len() == 1 { "is" } else { "are" };
-            // Numbers of the message are those of the first value.
             let first = match &values[..] {
-                [first, _, ..] => format!(" at {first}"),
+                [first, _, ..] if varies => format!(" at {first}"),
                 _ => String::new(),
             };
             let warning = Diagnostic {
                 severity: Severity::Warning,
                 code: "W0877".into(),
-                message: format!("{} {verb} allowed, but{first} {}", named(&values), problem.message),
-                ..problem
+                message: format!("{} {verb} allowed, but{first} {}", named(&values), error.message),
+                ..error
             };
             declared
                 .iter()
