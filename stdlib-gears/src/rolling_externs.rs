@@ -361,10 +361,11 @@ fn warn_about_speeds(
     operation: &Operation<'_>,
 ) -> Result<(), RuntimeError> {
     let Motion { inner_speed, outer_speed, .. } = operation.motion;
-    let (stated, argument) = match operation.ring {
-        "outer" => (outer_speed - inner_speed, "outer_speed"),
-        _ => (inner_speed - outer_speed, "inner_speed"),
-    };
+    if inner_speed == 0.0 && outer_speed == 0.0 {
+        return Ok(());
+    }
+    let is_outer = operation.ring == "outer";
+    let stated = if is_outer { outer_speed - inner_speed } else { inner_speed - outer_speed };
     let id = self::bearing(context, bearing)?;
     let host = host(context)?;
     let own = &host.scene.bearings[id.0];
@@ -379,19 +380,24 @@ fn warn_about_speeds(
         Support::Ground => 0.0,
         Support::Body(body) => about_axis(body),
     };
-    let moved = about_axis(own.body) - second;
-    let larger = stated.abs().max(moved.abs());
-    if stated == 0.0 || moved == 0.0 || (stated - moved).abs() <= SAME_SPEED * larger {
+    let first = about_axis(own.body);
+    let (moved, scale) = (first - second, first.abs().max(second.abs()).max(stated.abs()));
+    // Frames that do not move relative to each other have a difference of rounding.
+    let is_at_rest = moved.abs() <= 1e-9 * scale;
+    if is_at_rest || (stated - moved).abs() <= SAME_SPEED * stated.abs().max(moved.abs()) {
         return Ok(());
     }
     let rpm = |speed: f64| (speed * 60.0 / TAU * 10.0).round() / 10.0;
     let message = format!(
-        "the ring of bearing \"{}\" on its body rotates at {} rpm relative to the other ring by its arguments, and at {} rpm by the motion of the bodies",
+        "`inner_speed` and `outer_speed` of bearing \"{}\" give a relative speed of {} rpm, and the frames of the bodies give {} rpm at time 0",
         own.name,
         rpm(stated),
         rpm(moved)
     );
-    let help = format!("give `{argument} = {} rpm`, relative to `to`, or correct the frame", rpm(moved));
+    let (argument, other) =
+        if is_outer { ("outer_speed", "inner_speed") } else { ("inner_speed", "outer_speed") };
+    let help =
+        format!("give `{argument} = {} rpm` and leave out `{other}`, or correct the frames", rpm(moved));
     let place = context.place;
     self::host(context)?.warn_of_argument(("E0727", argument), message, &help, place);
     Ok(())
@@ -483,16 +489,20 @@ fn bearing_friction(
 }
 
 /// Returns the ring relative to which the load is steady: the one that does not rotate. If that is
-/// unknown, it is the ring on the mounting: the load on a shaft is steady relative to its housing,
-/// that on a planet relative to its pin.
+/// not stated, a ring with a speed rotates. Without one, the load is steady relative to the ring on
+/// the mounting: the housing of a shaft, the pin of a planet.
 fn load_direction(
     context: &mut Context,
     bearing: Handle,
     rotating_ring: Option<&str>,
 ) -> Result<LoadDirection, RuntimeError> {
-    let is_outer = match rotating_ring {
-        Some(ring) => ring == "outer",
-        None => rolling(context, bearing)?.1.is_inverted(),
+    let elements = rolling(context, bearing)?.1;
+    let has_speed = [elements.motion.inner_speed, elements.motion.outer_speed].map(|speed| speed != 0.0);
+    let is_outer = match (rotating_ring, has_speed) {
+        (Some(ring), _) => ring == "outer",
+        (None, [true, false]) => false,
+        (None, [false, true]) => true,
+        (None, _) => elements.is_inverted(),
     };
     Ok(if is_outer { LoadDirection::InnerRing } else { LoadDirection::OuterRing })
 }
@@ -516,7 +526,7 @@ fn whole(argument: &str, number: f64) -> Result<usize, RuntimeError> {
         return Ok(number as usize);
     }
     let message = format!("`{argument}` of a rolling bearing is {number}");
-    Err(refusal("E0697", argument, &message, "give a whole number"))
+    Err(refusal("E0697", argument, &message, "give a whole number of at least 1"))
 }
 
 /// Returns a material; bearing steel if none is given.

@@ -66,7 +66,7 @@ fn long_ranges_are_sampled_with_both_ends() {
 /// Problems with the same cause are one warning, with the numbers of the first value; those with
 /// another remedy are another one.
 #[test]
-fn problems_are_told_apart_by_their_texts() {
+fn problems_are_distinguished_by_their_texts() {
     let text = r#"param offset = 0 in -3 .. 3;
          if (abs(offset) > 1) throw Error(
              code = "E0001",

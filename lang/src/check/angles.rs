@@ -117,7 +117,7 @@ impl Checker<'_> {
     }
 
     /// Records a number without a unit whose expected type may be an angle, or is an angular
-    /// velocity. A variable whose speed follows from its uses only is in the units of the program.
+    /// velocity. A variable whose dimension is inferred from its uses is in the units of the program.
     pub(super) fn note_literal(&mut self, expected: &Type, found: &Expr) {
         let Some(value) = literal(found).filter(|value| value.abs() > 2.0 * PI) else { return };
         let known = self.known_dimension(expected);

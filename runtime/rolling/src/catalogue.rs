@@ -116,12 +116,11 @@ impl CatalogueData {
             self.outside_diameter * 1e3,
             self.width * 1e3
         );
-        // Ratings of usual sizes are above 1 kN.
-        let help = match self.static_rating.min(self.dynamic_rating) < 100.0 {
-            true => "check the units of the load ratings: a number without a unit is in N",
-            false => {
-                "check dimensions and load ratings, which must be those of one row, or give the internal geometry"
-            }
+        // The smallest miniature bearings have ratings of about 100 N: smaller ones are in kN.
+        let help = if self.static_rating.min(self.dynamic_rating) < 100.0 {
+            "check the units of the load ratings: a number without a unit is in N"
+        } else {
+            "check dimensions and load ratings, which must be those of one row, or give the internal geometry"
         };
         let (message, input) = match nearest {
             Some(nearest) => (

@@ -224,24 +224,21 @@ impl System<'_> {
         Ok(step)
     }
 
-    /// Warns of bodies that tilt so much that small rotations are no good approximation.
+    /// Warns of bodies that tilt so much that the assumption of small rotations is inaccurate.
     fn warn_of_tilt(&self, step: &mut StepResult) {
-        let tilts = |index: usize| {
+        for (index, body) in self.scene.bodies.iter().enumerate() {
             let about = |component: usize| {
                 let mut all = self.dofs.iter().zip(&step.motion);
                 all.find(|(dof, _)| (dof.body, dof.component) == (index, component))
                     .map_or(0.0, |(_, &motion)| motion)
             };
-            about(3).hypot(about(4)) > LARGE_TILT
-        };
-        let bodies = self.scene.bodies.iter().enumerate().filter(|(index, _)| tilts(*index));
-        let names: Vec<String> = bodies.map(|(_, body)| format!("\"{}\"", body.name)).collect();
-        if !names.is_empty() {
-            step.warnings.push(format!(
-                "the load tilts {} by more than {} mrad: rotations are assumed to be small, so that forces and torques have errors of this order; check the bearings",
-                names.join(", "),
-                1e3 * LARGE_TILT
-            ));
+            if about(3).hypot(about(4)) > LARGE_TILT {
+                step.warnings.push(format!(
+                    "the load tilts \"{}\" by more than {} mrad: rotations are assumed to be small, and forces and torques have errors of some tenths of a percent or more; check the bearings",
+                    body.name,
+                    1e3 * LARGE_TILT
+                ));
+            }
         }
     }
 

@@ -8,6 +8,7 @@ use crate::rows::{Solved, StepRow};
 use crate::scene::Scene;
 use calyx_model::ids::PairId;
 use calyx_model::observed::{Observed, OutputRequest};
+use calyx_model::pairs::GearMesh;
 use calyx_model::plan::Plan;
 use calyx_model::position::Position;
 use calyx_numerics::error::EngineError;
@@ -79,15 +80,17 @@ impl<'a, 's> PositionSolver<'a, 's> {
         Ok(Found { step, observed, loads })
     }
 
-    /// Rejects meshes whose teeth touch only after a rotation by more than a pitch, as those of
-    /// misplaced gears: other teeth would have touched before.
+    /// Rejects meshes whose teeth touch farther than a pitch from the position that the ratio gives.
+    /// If gears engage, other teeth touch before. Meshes on carriers are not compared: the carrier
+    /// may rotate under load, which their transmission error contains.
     ///
     /// # Errors
     /// E0734.
     fn check_engagement(&self, step: &StepResult) -> Result<(), EngineError> {
         let at = Equilibrium::new(self.system, step);
         for (index, pair) in self.scene.pairs.iter().enumerate() {
-            let Some(mesh) = pair.mesh.as_ref().filter(|_| pair.front.is_none()) else { continue };
+            let fixed = |mesh: &&GearMesh| pair.front.is_none() && mesh.carrier == [0.0; 3];
+            let Some(mesh) = pair.mesh.as_ref().filter(fixed) else { continue };
             let pitch = TAU / f64::from(mesh.teeth[1]);
             let error = TransmissionError(PairId(index)).value(&at).value;
             if error.abs() <= pitch || error.is_nan() {
@@ -101,7 +104,7 @@ impl<'a, 's> PositionSolver<'a, 's> {
                     error.to_degrees(),
                     pitch.to_degrees()
                 ),
-                "check the positions of the axes and the shapes of the teeth: the warnings of the check name what does not fit",
+                "correct the centre distance, the axial positions or the flanks; if the load separates the driving flanks, set `coast_side_contact` of the mesh",
             ));
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! Observables of bearings: forces, moments, deflections and tilts.
 
 use super::{Equilibrium, Needs, Observable, Quantity};
-use calyx_model::bearing::{BearingState, ElasticRaceways, NonlinearLoad, SeatTerms, five};
+use calyx_model::bearing::{BearingState, ElasticRaceways, NonlinearLoad, NonlinearState, SeatTerms, five};
 use calyx_model::ids::{BearingId, BodyId};
 use calyx_model::observed::Observed;
 
@@ -186,9 +186,15 @@ impl Observable for BearingStiffness {
             let Some(nonlinear) = at.nonlinear_load(self.bearing) else {
                 return linear;
             };
-            let state = nonlinear.state(None, five(&load.deflection));
-            let tangent = |state| nonlinear.tangent(&state, 0.0).stiffness[self.row][self.column];
-            state.map_or(f64::NAN, |state| linear + tangent(state))
+            let tangent = |state: &NonlinearState| {
+                linear + nonlinear.tangent(state, 0.0).stiffness[self.row][self.column]
+            };
+            match at.step.bearing_state(self.bearing.0, &load.deflection) {
+                Some(state) => tangent(state),
+                None => {
+                    nonlinear.state(None, five(&load.deflection)).map_or(f64::NAN, |state| tangent(&state))
+                }
+            }
         })
     }
 }

@@ -100,8 +100,8 @@ impl RollerRow {
         tangent
     }
 
-    /// Computes the loads and pressures of a roller. `start` has its state at a near displacement
-    /// of the ring, if any.
+    /// Computes the loads and pressures of a roller. `start` has its state at a nearby
+    /// displacement of the ring, if any.
     pub(crate) fn state(&self, ring: &Local, force: f64, start: Option<&RollerStart>) -> RollerState {
         let approaches = self.approaches(ring);
         let mut memory = Memory::default();
@@ -123,7 +123,7 @@ impl RollerRow {
                 }
             }
         }
-        let residual = CONVERGED * self.negligible();
+        let residual = CONVERGED * (force.abs() + self.negligible());
         let is_residual = |contact: &LineContact| contact.load > 0.0 && contact.load <= residual;
         if start.is_some() && (is_residual(&state.inner) || is_residual(&state.outer)) {
             // A roller that has lost its load nearly touches the raceways where it left them, and
@@ -494,7 +494,11 @@ impl RollerRow {
                 break;
             }
         }
-        let residual = size(&current.gradient);
-        (roller, residual <= CONVERGED * (current.scale + negligible))
+        let converged = size(&current.gradient) <= CONVERGED * (current.scale + negligible);
+        if start.is_some() && !converged {
+            // A start far away may need more steps than there are.
+            return self.settle(approaches, force, None, memory);
+        }
+        (roller, converged)
     }
 }
