@@ -488,23 +488,19 @@ fn bearing_friction(
     observe(context, BearingFriction { bearing, viscosity, coefficients, is_loss })
 }
 
-/// Returns the ring relative to which the load is steady: the one that does not rotate. If that is
-/// not stated, a ring with a speed rotates. Without one, the load is steady relative to the ring on
-/// the mounting: the housing of a shaft, the pin of a planet.
+/// Returns the ring relative to which the load is steady: the one that does not rotate, or the one
+/// of [`RollingElements::load_direction`] if that is not stated.
 fn load_direction(
     context: &mut Context,
     bearing: Handle,
     rotating_ring: Option<&str>,
 ) -> Result<LoadDirection, RuntimeError> {
     let elements = rolling(context, bearing)?.1;
-    let has_speed = [elements.motion.inner_speed, elements.motion.outer_speed].map(|speed| speed != 0.0);
-    let is_outer = match (rotating_ring, has_speed) {
-        (Some(ring), _) => ring == "outer",
-        (None, [true, false]) => false,
-        (None, [false, true]) => true,
-        (None, _) => elements.is_inverted(),
-    };
-    Ok(if is_outer { LoadDirection::InnerRing } else { LoadDirection::OuterRing })
+    Ok(match rotating_ring {
+        Some("outer") => LoadDirection::InnerRing,
+        Some(_) => LoadDirection::OuterRing,
+        None => elements.load_direction(),
+    })
 }
 
 /// Converts an error of a rolling bearing, located at the argument of the same name.

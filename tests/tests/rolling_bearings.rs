@@ -186,6 +186,11 @@ gears.bearing(\"shaft\", pinion, to = sleeve, at = 80 mm * e3, radial_stiffness 
     let default = sleeve(&exchanged, "");
     assert_eq!(default["life"], stated["life"]);
     assert_ne!(default["life"], outer["life"]);
+    // A ring with a speed rotates.
+    let rotating = exchanged.replace("ring = \"outer\",", "ring = \"outer\", inner_speed = 600 rpm,");
+    assert_ne!(rotating, exchanged);
+    let stated = sleeve(&rotating, ", rotating_ring = \"inner\"");
+    assert_eq!(sleeve(&rotating, "")["life"], stated["life"]);
 }
 
 /// Two rows of a bearing are two bearings with one row each.

@@ -117,7 +117,8 @@ impl Checker<'_> {
     }
 
     /// Records a number without a unit whose expected type may be an angle, or is an angular
-    /// velocity. A variable whose dimension is inferred from its uses is in the units of the program.
+    /// velocity. A variable whose dimension is inferred from its uses is in the units of the
+    /// program.
     pub(super) fn note_literal(&mut self, expected: &Type, found: &Expr) {
         let Some(value) = literal(found).filter(|value| value.abs() > 2.0 * PI) else { return };
         let known = self.known_dimension(expected);
@@ -182,34 +183,28 @@ impl Checker<'_> {
     }
 
     fn bare_angle(&mut self, value: f64, span: Span) {
-        let text = self.text(span).trim().to_string();
         let degrees = (value.to_degrees() * 10.0).round() / 10.0;
-        self.report(
-            Diagnostic::warning(
-                "W0520",
-                format!("this number without a unit is an angle in radians: {degrees} deg"),
-                span,
-                "radians",
-            )
-            .help(format!("write `{text} deg` or `{text} rad`"))
-            .suggest("degrees", span, format!("{text} deg"))
-            .suggest("radians", span, format!("{text} rad")),
-        );
+        let statement = format!("an angle in radians: {degrees} deg");
+        self.bare_number(span, (&statement, "radians"), [("degrees", "deg"), ("radians", "rad")]);
     }
 
     fn bare_angular_velocity(&mut self, value: f64, span: Span) {
-        let text = self.text(span).trim().to_string();
         let speed = (value * 60.0 / (2.0 * PI)).round();
+        let statement = format!("an angular velocity in rad/s: {speed} rpm");
+        let units = [("revolutions per minute", "rpm"), ("radians per second", "rad/s")];
+        self.bare_number(span, (&statement, "rad/s"), units);
+    }
+
+    /// Warns of a number without a unit. `units` are titles and units of the fixes.
+    fn bare_number(&mut self, span: Span, (statement, label): (&str, &str), units: [(&str, &str); 2]) {
+        let text = self.text(span).trim().to_string();
+        let [one, other] = units.map(|(_, unit)| format!("{text} {unit}"));
+        let message = format!("this number without a unit is {statement}");
         self.report(
-            Diagnostic::warning(
-                "W0520",
-                format!("this number without a unit is an angular velocity in rad/s: {speed} rpm"),
-                span,
-                "rad/s",
-            )
-            .help(format!("write `{text} rpm` or `{text} rad/s`"))
-            .suggest("revolutions per minute", span, format!("{text} rpm"))
-            .suggest("radians per second", span, format!("{text} rad/s")),
+            Diagnostic::warning("W0520", message, span, label)
+                .help(format!("write `{one}` or `{other}`"))
+                .suggest(units[0].0, span, one)
+                .suggest(units[1].0, span, other),
         );
     }
 }

@@ -193,9 +193,7 @@ fn of_bearing(scene: &Scene, id: BearingId) -> (Component, Vec<Recorded>) {
         });
         let lives = scene.observables.iter().filter_map(|known| known.as_any().downcast_ref::<BearingLife>());
         let direction = lives.filter(|life| life.bearing == id).map(|life| life.conditions.direction).next();
-        // The load on a shaft is steady relative to its housing, that on a planet to its pin.
-        let steady = if rolling.is_inverted() { LoadDirection::InnerRing } else { LoadDirection::OuterRing };
-        let direction = direction.unwrap_or(steady);
+        let direction = direction.unwrap_or(rolling.load_direction());
         recorded.push(Recorded::one(Of::ElementPressure, BearingPressure(id)));
         recorded.push(Recorded::one(Of::EquivalentLoad, EquivalentLoad { bearing: id, direction }));
         recorded.extend(requested(scene, Of::Damage, life(false)));

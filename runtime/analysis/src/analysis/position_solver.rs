@@ -80,9 +80,9 @@ impl<'a, 's> PositionSolver<'a, 's> {
         Ok(Found { step, observed, loads })
     }
 
-    /// Rejects meshes whose teeth touch farther than a pitch from the position that the ratio gives.
-    /// If gears engage, other teeth touch before. Meshes on carriers are not compared: the carrier
-    /// may rotate under load, which their transmission error contains.
+    /// Rejects meshes whose teeth touch farther than a pitch from the position that the ratio
+    /// gives. If gears engage, other teeth touch before. Meshes on carriers are not compared: the
+    /// carrier may rotate under load, which their transmission error contains.
     ///
     /// # Errors
     /// E0734.

@@ -88,8 +88,8 @@ impl NonlinearLoad {
         }
     }
 
-    /// Returns warnings about a deflection, each the end of a sentence about the bearing. `known` is
-    /// the state there, if it has been evaluated.
+    /// Returns warnings about a deflection, each the end of a sentence about the bearing. `known`
+    /// is the state there, if it has been evaluated.
     ///
     /// # Errors
     /// E0697: the deflection is not finite.

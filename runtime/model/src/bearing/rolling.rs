@@ -5,7 +5,7 @@ use super::BearingMatrix;
 use super::nonlinear_state::NonlinearState;
 use calyx_numerics::error::EngineError;
 use calyx_rolling::ball::BallState;
-use calyx_rolling::rating::{bearing_capacity, static_safety};
+use calyx_rolling::rating::{LoadDirection, bearing_capacity, static_safety};
 use calyx_rolling::{
     ContactModel, Displacement, ElasticContact, ElementState, Motion, RacewayDisplacement, RollingBearing,
     RollingError, Start,
@@ -138,6 +138,18 @@ impl RollingElements {
     /// Returns whether the inner ring is on the second race, as of a planet on its pin.
     pub fn is_inverted(&self) -> bool {
         self.is_inverted
+    }
+
+    /// Returns the ring relative to which the load is steady if a model does not state it: the one
+    /// without a speed, if the other has one, or else the ring on the second race: the housing of a
+    /// shaft, the pin of a planet.
+    pub fn load_direction(&self) -> LoadDirection {
+        let is_outer_rotating = match (self.motion.inner_speed != 0.0, self.motion.outer_speed != 0.0) {
+            (true, false) => false,
+            (false, true) => true,
+            _ => self.is_inverted,
+        };
+        if is_outer_rotating { LoadDirection::InnerRing } else { LoadDirection::OuterRing }
     }
 
     /// Returns half of the largest pitch diameter, m, which makes moments comparable with forces.
